@@ -1,0 +1,17 @@
+# One interface target holds the warnings and the code generation that every part of the project shares.
+add_library(handlens_compiler INTERFACE)
+target_compile_options(handlens_compiler INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
+if(HANDLENS_WARNINGS_AS_ERRORS)
+  target_compile_options(handlens_compiler INTERFACE -Werror)
+endif()
+if(HANDLENS_CPU)
+  target_compile_options(handlens_compiler INTERFACE -march=${HANDLENS_CPU})
+endif()
+# Eigen's alignment stays that of the system's libraries, whatever the processor.
+target_compile_definitions(handlens_compiler INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+if(HANDLENS_SANITIZE)
+  target_compile_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE})
+endif()
+target_include_directories(handlens_compiler INTERFACE ${PROJECT_SOURCE_DIR})

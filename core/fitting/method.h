@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+/// Special cases of the generalized Chamfer distance (Tzionas and Gall 2013, section 3), and our own method.
+enum class MethodKind { Ch, DchThres, DchQuant, DchQuant2, DchDt3, Best };
+
+/// Where DCH-DT3 looks up its matches: both give the same ones.
+enum class Dt3Backend { Direct, Tensor };
+/// Whether a first phase moves only the six rigid degrees of freedom of each hand.
+enum class Schedule { RigidFirst, Paper };
+
+/// A method with all its options. Every field is an option of the method's name: `dch-thres:tau=22.5:signed=1`.
+struct Method {
+    MethodKind kind = MethodKind::DchThres;
+    double tauDeg = 22.5;       ///< tau, Thres only (paper: 22.5)
+    bool signedOrientation = true; ///< signed: [0, pi]; else [0, pi/2] (paper: signed)
+    double lambdaPxPerRad = 25; ///< lambda, DT3 only (paper: 25)
+    int bins = 0;               ///< 0 = the method's default: Quant 8, DT3 16
+    double gatePx = 0;          ///< 0 = the method's default: Quant and Quant2 60, the others none
+    double truncatePx2 = 0;     ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
+    double polygonEpsilonPx = 1.25; ///< approxPolyDP's epsilon for phi(q)
+    bool chordTangent = false;  ///< tangent=chord: phi(q) from a +-7 px chord instead of the polygon
+    int maxIterations = 25;
+    double damping = 1e-3;      ///< relative to diag(H)
+    Schedule schedule = Schedule::RigidFirst;
+    Dt3Backend backend = Dt3Backend::Direct;
+    bool live = false;          ///< best only: the real-time variant
+    bool operator==(const Method&) const = default;
+};
+
+/// Parses `ch`, `dch-thres:tau=22.5:signed=1`, `best:live=1`, ... Throws Error(Usage) naming the option at fault.
+Method parseMethod(std::string_view text);
+/// The text as given on the command line: name and the options that differ from the default.
+std::string methodName(const Method& method);
+/// The six plain names, in the paper's order.
+std::vector<std::string> plainMethodNames();
+
+} // namespace core

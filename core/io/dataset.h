@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/geometry/camera.h"
+#include "core/hand/hand_model.h"
+
+namespace core {
+
+/// Where the pictures of one camera come from.
+enum class ViewKind {
+    None,     ///< no picture: a plain backdrop
+    Rendered, ///< drawn from the recorded motion by the core's rasteriser
+    Images,   ///< one image file per frame, `path` with {frame} or {frame:06}
+    Video     ///< a video file; frame i of the sequence is its frame i + offsetFrames
+};
+
+struct ViewSource {
+    std::string camera;
+    ViewKind kind = ViewKind::Rendered;
+    std::string path; ///< relative to the dataset's folder
+    int offsetFrames = 0;
+};
+
+/// One recording: all cameras at the same instants. Frames count from 0.
+struct Sequence {
+    std::string name;
+    int frameCount = 0;
+    double framesPerSecond = 50;
+    std::vector<ViewSource> views;
+    std::string masks;       ///< pattern with {camera} and {frame}; empty if there are none
+    std::string motion;      ///< relative path of the recorded poses; empty if there are none
+    std::string annotations; ///< relative path of the SQLite file; it may not exist yet
+};
+
+/// A dataset folder, opened: cameras and hands are read, motions and pictures are read on demand.
+struct Dataset {
+    std::filesystem::path folder;
+    std::string name;
+    std::vector<Camera> cameras;
+    std::vector<HandModel> hands;      ///< none, one, or left and right
+    std::vector<std::string> handFiles; ///< relative, parallel to hands
+    std::vector<Sequence> sequences;
+
+    /// Throws Error(NotFound) naming the dataset and the sequence.
+    const Sequence& sequence(const std::string& sequenceName) const;
+    /// Index of the camera, or -1.
+    int cameraIndex(const std::string& cameraName) const;
+};
+
+/// Recorded poses of all hands, one entry per frame.
+using Motion = std::vector<HandPoses>;
+
+/// Reads dataset.json, cameras.json and the hand models. Throws Error.
+Dataset readDataset(const std::filesystem::path& folder);
+/// Writes a whole dataset: into a temporary folder beside it, then renamed. `motions` is parallel to dataset.sequences
+/// (an empty motion is not written). `folder` may not exist or must be empty.
+void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, const std::filesystem::path& folder);
+/// The recorded poses of a sequence; empty if it has none. Throws Error if the file does not fit the hands.
+Motion readMotion(const Dataset& dataset, const Sequence& sequence);
+
+} // namespace core
