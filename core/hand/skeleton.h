@@ -67,7 +67,7 @@ struct DofAxes {
     std::vector<Eigen::Vector3d> axisInWorld;
     std::vector<Eigen::Vector3d> pointInWorld;
 };
-DofAxes dofAxes(const Skeleton& skeleton, const Pose& pose, const std::vector<RigidMotion>& worldFromBone);
+DofAxes dofAxes(const Skeleton& skeleton, const Pose& pose);
 
 /// Derivative of the joint positions by the tangent step of `retract`: (3 * bones) x poseSize, mm per mm or rad.
 Eigen::MatrixXd jointJacobian(const Skeleton& skeleton, const Pose& pose);

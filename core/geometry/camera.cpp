@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "core/geometry/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/LU>
+
+namespace core {
+
+namespace {
+
+std::array<double, 8> coefficients(const Camera& camera) {
+    std::array<double, 8> k{};
+    std::copy_n(camera.distortion.begin(), std::min<std::size_t>(8, camera.distortion.size()), k.begin());
+    return k;
+}
+
+/// OpenCV's rational model: k1 k2 p1 p2 k3 k4 k5 k6.
+Eigen::Vector2d distortRational(const Camera& camera, const Eigen::Vector2d& n, Eigen::Matrix2d* jacobian) {
+    const auto [k1, k2, p1, p2, k3, k4, k5, k6] = coefficients(camera);
+    const double x = n.x(), y = n.y(), r2 = x * x + y * y;
+    const double top = 1 + r2 * (k1 + r2 * (k2 + r2 * k3));
+    const double bottom = 1 + r2 * (k4 + r2 * (k5 + r2 * k6));
+    const double radial = top / bottom;
+    if (jacobian) {
+        const double topByR2 = k1 + r2 * (2 * k2 + r2 * 3 * k3);
+        const double bottomByR2 = k4 + r2 * (2 * k5 + r2 * 3 * k6);
+        const double radialByR2 = (topByR2 - radial * bottomByR2) / bottom;
+        const double mixed = 2 * x * y * radialByR2;
+        *jacobian << radial + 2 * x * x * radialByR2 + 2 * p1 * y + 6 * p2 * x, mixed + 2 * p1 * x + 2 * p2 * y,
+            mixed + 2 * p1 * x + 2 * p2 * y, radial + 2 * y * y * radialByR2 + 6 * p1 * y + 2 * p2 * x;
+    }
+    return {x * radial + 2 * p1 * x * y + p2 * (r2 + 2 * x * x), y * radial + p1 * (r2 + 2 * y * y) + 2 * p2 * x * y};
+}
+
+/// OpenCV's fisheye model: theta_d = theta (1 + k1 theta^2 + k2 theta^4 + k3 theta^6 + k4 theta^8).
+Eigen::Vector2d distortFisheye(const Camera& camera, const Eigen::Vector2d& n, Eigen::Matrix2d* jacobian) {
+    const auto k = coefficients(camera);
+    const double r = n.norm();
+    if (r < 1e-12) {
+        if (jacobian) {
+            jacobian->setIdentity();
+        }
+        return n;
+    }
+    const double theta = std::atan(r), t2 = theta * theta;
+    const double thetaD = theta * (1 + t2 * (k[0] + t2 * (k[1] + t2 * (k[2] + t2 * k[3]))));
+    const double scale = thetaD / r;
+    if (jacobian) {
+        const double thetaDByTheta = 1 + t2 * (3 * k[0] + t2 * (5 * k[1] + t2 * (7 * k[2] + t2 * 9 * k[3])));
+        const double scaleByR = (thetaDByTheta / (1 + r * r) - scale) / r;
+        *jacobian = scale * Eigen::Matrix2d::Identity() + (scaleByR / r) * n * n.transpose();
+    }
+    return scale * n;
+}
+
+} // namespace
+
+bool Camera::hasLens() const {
+    return fisheye || std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0; });
+}
+
+Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian) {
+    return camera.fisheye ? distortFisheye(camera, normalised, jacobian)
+                          : distortRational(camera, normalised, jacobian);
+}
+
+std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld) {
+    const Eigen::Vector3d p = camera.cameraFromWorld * pointInWorld;
+    if (!(p.z() > 1e-9)) {
+        return std::nullopt;
+    }
+    Eigen::Vector2d n = p.head<2>() / p.z();
+    if (camera.hasLens()) {
+        n = distort(camera, n);
+    }
+    return camera.intrinsics.topLeftCorner<2, 2>() * n + camera.intrinsics.topRightCorner<2, 1>();
+}
+
+std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen::Vector3d& pointInWorld) {
+    const Eigen::Vector3d p = camera.cameraFromWorld * pointInWorld;
+    if (!(p.z() > 1e-9)) {
+        return std::nullopt;
+    }
+    const Eigen::Vector2d n = p.head<2>() / p.z();
+    Matrix23d normalisedByPoint;
+    normalisedByPoint << 1 / p.z(), 0, -n.x() / p.z(), 0, 1 / p.z(), -n.y() / p.z();
+    Eigen::Matrix2d lens;
+    const Eigen::Vector2d d = distort(camera, n, &lens);
+    const Eigen::Matrix2d k = camera.intrinsics.topLeftCorner<2, 2>();
+    return Projection{k * d + camera.intrinsics.topRightCorner<2, 1>(),
+                      k * lens * normalisedByPoint * camera.cameraFromWorld.rotation};
+}
+
+std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vector2d& px) {
+    const Eigen::Vector2d target =
+        camera.intrinsics.topLeftCorner<2, 2>().inverse() * (px - camera.intrinsics.topRightCorner<2, 1>());
+    if (!camera.hasLens()) {
+        return target;
+    }
+    Eigen::Vector2d n = target;
+    if (camera.fisheye) {
+        // Start from the inverse of the undistorted fisheye: r = tan(theta).
+        const double theta = std::min(target.norm(), 1.5);
+        n = theta > 1e-12 ? Eigen::Vector2d(target * (std::tan(theta) / target.norm())) : target;
+    }
+    constexpr int kMaxIterations = 30;
+    for (int i = 0; i < kMaxIterations; ++i) {
+        Eigen::Matrix2d jacobian;
+        const Eigen::Vector2d error = distort(camera, n, &jacobian) - target;
+        if (error.cwiseAbs().maxCoeff() < 1e-13) {
+            return n;
+        }
+        if (!(jacobian.determinant() > 1e-6)) {
+            return std::nullopt; // the lens model folds over here
+        }
+        n -= jacobian.inverse() * error;
+    }
+    const double left = (distort(camera, n) - target).norm();
+    return left < 1e-10 ? std::optional(n) : std::nullopt;
+}
+
+std::optional<PlueckerLine> viewingRay(const Camera& camera, const Eigen::Vector2d& px) {
+    const auto n = undistort(camera, px);
+    if (!n) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d direction = camera.cameraFromWorld.rotation.transpose() * n->homogeneous();
+    return PlueckerLine::through(camera.centreInWorld(), direction);
+}
+
+bool isInside(const ImageSize& size, const Eigen::Vector2d& px) {
+    return px.x() >= -0.5 && px.y() >= -0.5 && px.x() < size.width - 0.5 && px.y() < size.height - 0.5;
+}
+
+Camera cropped(const Camera& camera, const Eigen::Vector2d& topLeftPx, ImageSize size, double scale) {
+    Camera result = camera;
+    result.size = size;
+    result.intrinsics.topRows<2>() *= scale;
+    // Pixel edges, not centres, are scaled: (x - left + 0.5) * scale - 0.5.
+    const Eigen::Vector2d shift = ((Eigen::Vector2d(0.5, 0.5) - topLeftPx) * scale).array() - 0.5;
+    result.intrinsics.topRightCorner<2, 1>() += shift;
+    return result;
+}
+
+} // namespace core
