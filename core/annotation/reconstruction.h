@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/annotation/annotation_set.h"
+#include "core/geometry/camera.h"
+#include "core/geometry/triangulation.h"
+
+namespace core {
+
+/// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is.
+enum class JointStatus { None, Partial, Done };
+std::string_view statusName(JointStatus status); ///< "none", "partial", "done"
+
+/// An ellipse in the image: half axes in px (long one first) and the long axis' angle from x towards y (down), rad.
+struct PixelEllipse {
+    Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
+    Eigen::Vector2d halfAxesPx = Eigen::Vector2d::Zero();
+    double angleRad = 0;
+};
+
+/// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is no evidence.
+struct ViewReconstruction {
+    std::string camera;
+    std::optional<Mark> mark;                      ///< nothing: not done yet
+    std::optional<Eigen::Vector2d> reprojectionPx; ///< the joint's point in this view, recorded pixels; may lie outside
+    bool reprojectionInside = false;               ///< the reprojection lies within the image
+    std::optional<double> errorPx;                 ///< manual mark to reprojection
+    bool outlier = false;                          ///< errorPx is above outlierFactor * sigmaPx: not used
+    std::optional<double> leaveOneOutPx;           ///< manual mark to the point found without it; needs two other inliers
+    std::optional<PixelEllipse> ellipse95;         ///< projection of the 95 % ellipsoid of the covariance
+};
+
+/// A view worth clicking next.
+struct NextView {
+    std::string camera;
+    double predictedSigmaMm = 0; ///< sigmaMm of the covariance after one more click of sigmaPx there
+};
+
+/// One joint of one frame from the marks of one rater.
+struct JointReconstruction {
+    TriangulationResult result;             ///< from the manual marks only; `reason` when there is no point
+    std::vector<ViewReconstruction> views;  ///< one per camera, in the cameras' order
+    JointStatus status = JointStatus::None;
+    std::vector<NextView> nextViews;        ///< unmarked views that would see the point, the most useful one first
+    std::string suspect;                    ///< camera of the manual mark that disagrees most with the others, or empty
+    std::optional<Eigen::Vector3d> proposal; ///< where auto marks put the joint while manual ones give no point; never exported
+    int manualViews = 0;
+    int placedViews = 0;                    ///< manual and auto
+
+    bool hasPoint() const { return result.point.has_value(); }
+};
+
+struct ReconstructionOptions {
+    TriangulationOptions triangulation;
+    bool details = true; ///< leave-one-out, ellipses, next views, suspect; without them several times faster
+    /// Roughly where the joint is (such as the mean of its hand), mm: ranks the next view when only one is clicked.
+    std::optional<Eigen::Vector3d> nearInWorld;
+};
+
+/// Expected distance of a point from its true place, mm: the square root of the covariance's trace.
+double sigmaMm(const Eigen::Matrix3d& covariance);
+
+/// Triangulates one joint of one frame from one rater's marks and looks at it from every camera.
+JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                                const std::string& rater, const JointId& joint,
+                                const ReconstructionOptions& options = {});
+/// Every joint that has at least one mark of that rater in that frame.
+std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                                        int frame, const std::string& rater,
+                                                        const ReconstructionOptions& options = {});
+
+/// Raters that have marks in a frame (or, without a frame, anywhere), ascending.
+std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> frame = std::nullopt);
+
+/// How many joints of one hand in one frame are in which state, for timelines.
+struct HandCoverage {
+    int done = 0;
+    int partial = 0;
+    int bad = 0;      ///< among them: rmsPx above the threshold, an outlier, or no point from two or more manual views
+    int occluded = 0; ///< among them: a mark whose place is estimated
+    bool operator==(const HandCoverage&) const = default;
+};
+std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                                        const std::string& rater, double badRmsPx,
+                                        const TriangulationOptions& options = {});
+
+} // namespace core
