@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <QColor>
+#include <QImage>
+#include <QRectF>
+#include <QString>
+
+#include <Eigen/Core>
+
+#include "core/geometry/camera.h"
+#include "core/hand/hand_model.h"
+
+namespace widgets {
+
+/// A posed surface that views share: built once per pose, then never changed. Everything in the world, mm.
+struct ViewSurface {
+    core::Side side = core::Side::Left;
+    std::vector<Eigen::Vector3d> verticesInWorld;
+    std::vector<Eigen::Vector3d> normalsInWorld; ///< unit, one per vertex, outward
+    std::vector<std::array<int, 3>> triangles;
+};
+using ViewSurfacePtr = std::shared_ptr<const ViewSurface>;
+
+/// Skins one hand and computes its normals.
+ViewSurfacePtr makeViewSurface(const core::HandModel& hand, const core::Pose& pose);
+
+enum class MeshStyle { Off, Shaded, Wireframe };
+
+/// Surfaces of one origin (the recorded motion, one method's result), drawn in one colour in every view and in the scene.
+struct MeshLayer {
+    QString name;                         ///< for people: "start", "dch-thres"
+    std::vector<ViewSurfacePtr> surfaces; ///< one per visible hand
+    QColor colour = QColor(0x9A, 0xA0, 0xA6);
+    MeshStyle style = MeshStyle::Shaded;
+    double opacity = 0.35; ///< of the faces; the silhouette's edge keeps its full strength
+    bool silhouetteEdge = true;
+};
+
+/// Mesh layers drawn for one crop of one camera, ready to be laid over its image.
+struct MeshPicture {
+    QImage picture;     ///< premultiplied ARGB
+    QRectF imageRectPx; ///< pixel edges of the picture in the image (pixel i covers i - 0.5 .. i + 0.5)
+};
+
+/// Draws layers, first one at the bottom, with the crop of `camera` that starts at `topLeftPx` (image px, pixel edges) and has `scale`
+/// picture pixels per image pixel. Thread-safe; uses the calling thread only.
+MeshPicture drawMeshLayers(const core::Camera& camera, const std::vector<MeshLayer>& layers, QPointF topLeftPx, QSize size,
+                           double scale);
+
+} // namespace widgets

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QColor>
+#include <QMetaType>
+#include <QPointF>
+#include <QString>
+
+#include "core/annotation/annotation_set.h"
+
+namespace widgets {
+
+/// How a mark came to be, for drawing.
+enum class MarkOrigin {
+    Manual,  ///< clicked: solid
+    Auto,    ///< an accepted reprojection: dashed
+    Proposed ///< pre-placed, not accepted yet: dashed and faint
+};
+
+/// One joint as a view draws it. Positions in recorded image pixels, centres at integers.
+struct ViewMark {
+    core::JointId joint;
+    QPointF px;
+    MarkOrigin origin = MarkOrigin::Manual;
+    bool occluded = false;
+    bool outlier = false;
+    bool selected = false;
+    std::optional<QPointF> reprojectionPx; ///< of the 3D joint: the thin line goes there
+    QString label;                         ///< beside the mark if it is selected, or if labels are shown
+};
+
+/// The line on which the selected joint must lie, as another view's click says. Bent by the lens, so a polyline.
+struct EpipolarGuide {
+    std::vector<QPointF> pointsPx;
+    QColor colour; ///< of the view it comes from
+};
+
+/// The projected 95 % region of the selected joint.
+struct UncertaintyEllipse {
+    QPointF centrePx;
+    double semiAxisAPx = 0; ///< along angleRad
+    double semiAxisBPx = 0;
+    double angleRad = 0; ///< from x towards y (down)
+    QColor colour;
+};
+
+/// A bone: a straight line between two joints.
+struct SkeletonLine {
+    QPointF fromPx;
+    QPointF toPx;
+    QColor colour;
+};
+
+} // namespace widgets
+
+Q_DECLARE_METATYPE(core::JointId)
