@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "core/benchmark/joint_errors.h"
+
+#include <cmath>
+#include <limits>
+
+namespace core {
+
+namespace {
+
+double rounded(double lengthMm) {
+    return std::round(lengthMm * 1e6) / 1e6;
+}
+
+} // namespace
+
+std::vector<JointId> jointNames(const std::vector<HandModel>& hands) {
+    std::vector<JointId> joints;
+    for (const HandModel& hand : hands) {
+        for (const Bone& bone : hand.skeleton.bones) {
+            joints.push_back({hand.side, bone.name});
+        }
+    }
+    return joints;
+}
+
+JointPositions namedJointPositions(const std::vector<HandModel>& hands, const HandPoses& poses) {
+    JointPositions joints;
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        const std::vector<Eigen::Vector3d> positions = jointPositions(hands[h].skeleton, poses[h]);
+        for (std::size_t b = 0; b < positions.size(); ++b) {
+            joints[{hands[h].side, hands[h].skeleton.bones[b].name}] = positions[b];
+        }
+    }
+    return joints;
+}
+
+JointErrors jointErrors(const std::vector<JointId>& joints, const JointPositions& estimate,
+                        const JointPositions& reference) {
+    JointErrors errors;
+    double sum = 0;
+    int count = 0;
+    for (const JointId& id : joints) {
+        const auto found = estimate.find(id);
+        const auto truth = reference.find(id);
+        if (found == estimate.end() || truth == reference.end()) {
+            errors.perJointMm.push_back(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
+        const double errorMm = (found->second - truth->second).norm();
+        errors.perJointMm.push_back(rounded(errorMm));
+        sum += errorMm;
+        ++count;
+    }
+    errors.meanMm = count > 0 ? rounded(sum / count) : std::numeric_limits<double>::quiet_NaN();
+    return errors;
+}
+
+} // namespace core
