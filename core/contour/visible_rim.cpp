@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "core/contour/visible_rim.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace core {
+
+void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx) {
+    m_originPx = minPx;
+    m_width = std::max(0, static_cast<int>(std::ceil((maxPx.x() - minPx.x()) / m_cellPx)) + 1);
+    m_height = std::max(0, static_cast<int>(std::ceil((maxPx.y() - minPx.y()) / m_cellPx)) + 1);
+    m_cells.assign(static_cast<std::size_t>(m_width) * m_height, 0);
+}
+
+void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
+    const float scale = 1.0f / m_cellPx;
+    std::array<Eigen::Vector2f, 3> p{(a - m_originPx) * scale, (b - m_originPx) * scale, (c - m_originPx) * scale};
+    std::sort(p.begin(), p.end(), [](const auto& u, const auto& v) { return u.y() < v.y(); });
+    const int y0 = std::max(0, static_cast<int>(std::ceil(p[0].y())));
+    const int y1 = std::min(m_height - 1, static_cast<int>(std::floor(p[2].y())));
+    const auto slope = [](const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
+        return to.y() > from.y() ? (to.x() - from.x()) / (to.y() - from.y()) : 0.0f;
+    };
+    const float longSlope = slope(p[0], p[2]), upperSlope = slope(p[0], p[1]), lowerSlope = slope(p[1], p[2]);
+    for (int y = y0; y <= y1; ++y) {
+        const float row = static_cast<float>(y);
+        const float xLong = p[0].x() + (row - p[0].y()) * longSlope;
+        const float xShort = row < p[1].y() ? p[0].x() + (row - p[0].y()) * upperSlope
+                                            : p[1].x() + (row - p[1].y()) * lowerSlope;
+        const int x0 = std::max(0, static_cast<int>(std::ceil(std::min(xLong, xShort))));
+        const int x1 = std::min(m_width - 1, static_cast<int>(std::floor(std::max(xLong, xShort))));
+        unsigned char* cells = m_cells.data() + static_cast<std::size_t>(y) * m_width;
+        for (int x = x0; x <= x1; ++x) {
+            cells[x] = 1;
+        }
+    }
+}
+
+bool Coverage::covers(const Eigen::Vector2f& px) const {
+    const int x = static_cast<int>(std::lround((px.x() - m_originPx.x()) / m_cellPx));
+    const int y = static_cast<int>(std::lround((px.y() - m_originPx.y()) / m_cellPx));
+    if (x < 0 || y < 0 || x >= m_width || y >= m_height) {
+        return false;
+    }
+    return m_cells[static_cast<std::size_t>(y) * m_width + x] != 0;
+}
+
+namespace {
+
+/// The camera in single precision, and its lens where it has one.
+struct FastCamera {
+    explicit FastCamera(const Camera& c)
+        : camera(c), rotation(c.cameraFromWorld.rotation.cast<float>()),
+          translation(c.cameraFromWorld.translation.cast<float>()), centre(c.centreInWorld().cast<float>()),
+          intrinsics(c.intrinsics.cast<float>()), lens(c.hasLens()) {}
+
+    Eigen::Vector2f project(const Eigen::Vector3f& world) const {
+        const Eigen::Vector3f p = rotation * world + translation;
+        Eigen::Vector2f n = p.head<2>() / std::max(p.z(), 1.0f);
+        if (lens) {
+            n = distort(camera, n.cast<double>()).cast<float>();
+        }
+        return {intrinsics(0, 0) * n.x() + intrinsics(0, 1) * n.y() + intrinsics(0, 2),
+                intrinsics(1, 1) * n.y() + intrinsics(1, 2)};
+    }
+
+    /// Image normal at a rim point: the camera-frame normal over the focal lengths, carried through the lens by the inverse
+    /// transpose of its Jacobian.
+    Eigen::Vector2f imageNormal(const Eigen::Vector3f& world, const Eigen::Vector3f& normal) const {
+        const Eigen::Vector3f n = rotation * normal;
+        Eigen::Vector2f m = n.head<2>();
+        if (lens) {
+            const Eigen::Vector3f p = rotation * world + translation;
+            Eigen::Matrix2d jacobian;
+            distort(camera, (p.head<2>() / std::max(p.z(), 1.0f)).cast<double>(), &jacobian);
+            const Eigen::Matrix2f j = jacobian.cast<float>();
+            const float det = j.determinant();
+            m = Eigen::Vector2f(j(1, 1) * m.x() - j(1, 0) * m.y(), -j(0, 1) * m.x() + j(0, 0) * m.y()) / det;
+        }
+        return Eigen::Vector2f(m.x() / intrinsics(0, 0),
+                               (m.y() - m.x() * intrinsics(0, 1) / intrinsics(0, 0)) / intrinsics(1, 1))
+            .normalized();
+    }
+
+    const Camera& camera;
+    Eigen::Matrix3f rotation;
+    Eigen::Vector3f translation;
+    Eigen::Vector3f centre;
+    Eigen::Matrix3f intrinsics;
+    bool lens;
+};
+
+void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands, RimScratch& scratch) {
+    std::size_t count = 0;
+    for (const RimSource& hand : hands) {
+        count += hand.coverPoints->positions.size();
+    }
+    scratch.px.resize(count);
+    Eigen::Vector2f low(1e9f, 1e9f), high(-1e9f, -1e9f);
+    std::size_t i = 0;
+    for (const RimSource& hand : hands) {
+        for (const Eigen::Vector3f& p : hand.coverPoints->positions) {
+            scratch.px[i] = camera.project(p);
+            low = low.cwiseMin(scratch.px[i]);
+            high = high.cwiseMax(scratch.px[i]);
+            ++i;
+        }
+    }
+    const Eigen::Vector2f size(static_cast<float>(camera.camera.size.width),
+                               static_cast<float>(camera.camera.size.height));
+    const Eigen::Vector2f margin(8, 8);
+    low = low.cwiseMax(-margin);
+    high = high.cwiseMin(size + margin);
+    scratch.coverage.reset(low, high);
+    std::size_t offset = 0;
+    for (const RimSource& hand : hands) {
+        for (const auto& [a, b, c] : hand.coverSurface->triangles) {
+            const Eigen::Vector2f &pa = scratch.px[offset + a], &pb = scratch.px[offset + b],
+                                  &pc = scratch.px[offset + c];
+            const float area = (pb.x() - pa.x()) * (pc.y() - pa.y()) - (pb.y() - pa.y()) * (pc.x() - pa.x());
+            if (area < 0) { // faces the camera (y down)
+                scratch.coverage.add(pa, pb, pc);
+            }
+        }
+        offset += hand.coverPoints->positions.size();
+    }
+}
+
+/// The point of the edge where the normal is perpendicular to the view, lifted off the chord towards the tangent planes of both
+/// ends (Phong tessellation with weight 3/4, Boubekeur and Alexa 2008): a coarse level then keeps the rim of the fine one.
+RimPoint crossing(const PosedPoints& points, int hand, int a, int b, float t) {
+    constexpr float kBulge = 0.75f;
+    RimPoint rim;
+    rim.hand = hand;
+    rim.vertexA = a;
+    rim.vertexB = b;
+    rim.t = t;
+    const Eigen::Vector3f &pa = points.positions[a], &pb = points.positions[b];
+    const Eigen::Vector3f &na = points.normals[a], &nb = points.normals[b];
+    const Eigen::Vector3f chord = pa + t * (pb - pa);
+    const Eigen::Vector3f fromA = ((chord - pa).dot(na) / na.squaredNorm()) * na;
+    const Eigen::Vector3f fromB = ((chord - pb).dot(nb) / nb.squaredNorm()) * nb;
+    rim.point = chord - kBulge * ((1 - t) * fromA + t * fromB);
+    rim.normal = (na + t * (nb - na)).normalized();
+    return rim;
+}
+
+void collectCandidates(const FastCamera& camera, const RimSource& source, int hand, float outwardPx,
+                       RimScratch& scratch) {
+    const PosedPoints& points = *source.rimPoints;
+    const std::size_t count = points.positions.size();
+    scratch.facing.resize(count);
+    for (std::size_t v = 0; v < count; ++v) {
+        scratch.facing[v] = points.normals[v].dot(points.positions[v] - camera.centre);
+    }
+    const float right = static_cast<float>(camera.camera.size.width) - 1.5f;
+    const float bottom = static_cast<float>(camera.camera.size.height) - 1.5f;
+    for (const auto& [a, b] : source.rimSurface->edges) {
+        const float fa = scratch.facing[a], fb = scratch.facing[b];
+        if ((fa < 0) == (fb < 0)) {
+            continue;
+        }
+        RimPoint rim = crossing(points, hand, a, b, fa / (fa - fb));
+        rim.px = camera.project(rim.point);
+        if (rim.px.x() < 0.5f || rim.px.y() < 0.5f || rim.px.x() > right || rim.px.y() > bottom) {
+            continue;
+        }
+        rim.normalPx = camera.imageNormal(rim.point, rim.normal);
+        if (!scratch.coverage.covers(rim.px + outwardPx * rim.normalPx)) {
+            scratch.candidates.push_back(rim);
+        }
+    }
+}
+
+} // namespace
+
+void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
+                RimScratch& scratch, std::vector<RimPoint>& rim) {
+    const FastCamera fast(camera);
+    drawCoverage(fast, hands, scratch);
+    scratch.candidates.clear();
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        collectCandidates(fast, hands[h], static_cast<int>(h), options.outwardPx, scratch);
+    }
+    rim.clear();
+    const std::size_t found = scratch.candidates.size();
+    const std::size_t wanted = std::min<std::size_t>(found, static_cast<std::size_t>(options.maxPoints));
+    for (std::size_t i = 0; i < wanted; ++i) {
+        rim.push_back(scratch.candidates[i * found / wanted]);
+    }
+}
+
+} // namespace core

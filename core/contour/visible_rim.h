@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/geometry/camera.h"
+#include "core/hand/skinned_surface.h"
+
+namespace core {
+
+/// A point of the rim: on the edge (vertexA, vertexB) of one hand's surface where the normal turns from towards the camera
+/// to away from it.
+struct RimPoint {
+    int hand = 0;
+    int vertexA = 0;
+    int vertexB = 0;
+    float t = 0;               ///< position on the edge: (1 - t) A + t B
+    Eigen::Vector3f point;     ///< in the world, mm; bulged between A and B along the normals' curvature
+    Eigen::Vector3f normal;    ///< outward, in the world, unit
+    Eigen::Vector2f px;        ///< its recorded pixel
+    Eigen::Vector2f normalPx;  ///< outward image normal, unit, y down
+};
+
+/// Silhouette of the union of surfaces at reduced resolution, for asking whether a pixel is covered.
+class Coverage {
+public:
+    /// pixelsPerCell: size of a cell in image pixels.
+    explicit Coverage(float pixelsPerCell = 2.0f) : m_cellPx(pixelsPerCell) {}
+
+    /// Forgets everything and covers the rectangle of image pixels [minPx, maxPx], clipped by nothing.
+    void reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx);
+    /// Adds one triangle given by image pixels.
+    void add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c);
+    /// True if the cell under the pixel is covered; false outside.
+    bool covers(const Eigen::Vector2f& px) const;
+    int width() const { return m_width; }
+    int height() const { return m_height; }
+
+private:
+    float m_cellPx;
+    Eigen::Vector2f m_originPx = Eigen::Vector2f::Zero();
+    int m_width = 0;
+    int m_height = 0;
+    std::vector<unsigned char> m_cells;
+};
+
+/// One hand, posed: the fine level gives the rim, the coarse one the coverage.
+struct RimSource {
+    const SkinnedSurface* rimSurface;
+    const PosedPoints* rimPoints;
+    const SkinnedSurface* coverSurface;
+    const PosedPoints* coverPoints;
+};
+
+struct RimOptions {
+    float outwardPx = 2.5f;  ///< a rim point is on the outline if the pixel this far outside it is not covered
+    int maxPoints = 300;     ///< per camera; more are thinned evenly
+};
+
+/// Scratch memory that is reused from call to call; one per thread.
+struct RimScratch {
+    Coverage coverage;
+    std::vector<float> facing;
+    std::vector<Eigen::Vector2f> px;
+    std::vector<RimPoint> candidates;
+};
+
+/// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another hand,
+/// nothing outside the image. Deterministic. (method: P(theta, c))
+void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
+                RimScratch& scratch, std::vector<RimPoint>& rim);
+
+} // namespace core
