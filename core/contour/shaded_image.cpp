@@ -10,15 +10,19 @@ namespace core {
 namespace {
 
 // Light adds up in linear intensities; a gamma of 2 is close enough to sRGB's and costs one square root.
-Eigen::Array3f linearFromEncoded(const Eigen::Vector3f& encoded) { return encoded.array().square(); }
+Eigen::Array3f linearFromEncoded(const Eigen::Vector3f& encoded) {
+    return encoded.array().square();
+}
 
 /// What light makes of one colour at one surface point, in the camera's frame.
 class Shader {
 public:
     Shader(const Camera& camera, const Lighting& lighting)
-        : m_rotation(camera.cameraFromWorld.rotation.cast<float>()),
-          m_translation(camera.cameraFromWorld.translation.cast<float>()), m_lighting(lighting),
-          m_key(lighting.keyDirection.normalized()), m_fill(lighting.fillDirection.normalized()) {}
+        : m_rotation(camera.cameraFromWorld.rotation.cast<float>())
+        , m_translation(camera.cameraFromWorld.translation.cast<float>())
+        , m_lighting(lighting)
+        , m_key(lighting.keyDirection.normalized())
+        , m_fill(lighting.fillDirection.normalized()) {}
 
     /// Encoded RGB of a point with a normal, both in the world. The normal is taken towards the camera.
     Eigen::Vector3f operator()(const Eigen::Vector3d& point, const Eigen::Vector3d& normal,
@@ -35,10 +39,13 @@ public:
         const Eigen::Array3f ambient = m_lighting.ambient * (kGround + sky * (kSky - kGround));
         const float edge = 4 * key * (1 - key); // where the light fades into shadow
         const Eigen::Array3f bleed = m_lighting.warmth * edge * kBlood;
-        const Eigen::Array3f light = ambient + m_lighting.key * key * kKeyTint + m_lighting.fill * fill * kFillTint + bleed;
+        const Eigen::Array3f light =
+            ambient + m_lighting.key * key * kKeyTint + m_lighting.fill * fill * kFillTint + bleed;
         const float away = 1 - facing;
         const float rim = m_lighting.rim * away * away * away * (0.35f + 0.65f * sky);
-        return (albedo * light + rim * (0.5f * albedo + 0.15f) + m_lighting.specular * highlight(n, toCamera)).min(1).sqrt();
+        return (albedo * light + rim * (0.5f * albedo + 0.15f) + m_lighting.specular * highlight(n, toCamera))
+            .min(1)
+            .sqrt();
     }
 
 private:
@@ -77,7 +84,8 @@ struct ScreenTriangle {
     Eigen::Vector2f bByPx, cByPx;
 
     ScreenTriangle() = default;
-    explicit ScreenTriangle(const std::array<const VertexLook*, 3>& v) : vertices(v) {
+    explicit ScreenTriangle(const std::array<const VertexLook*, 3>& v)
+        : vertices(v) {
         const Eigen::Vector2f ab = v[1]->px - v[0]->px, ac = v[2]->px - v[0]->px;
         const float area = ab.x() * ac.y() - ab.y() * ac.x();
         const float inverse = std::abs(area) > 1e-9f ? 1 / area : 0;
@@ -105,7 +113,9 @@ struct ScreenTriangle {
 class VisibleTriangles {
 public:
     VisibleTriangles(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const Lighting& lighting)
-        : m_camera(camera), m_surfaces(surfaces), m_shader(camera, lighting) {
+        : m_camera(camera)
+        , m_surfaces(surfaces)
+        , m_shader(camera, lighting) {
         for (const ShadedSurface& s : surfaces) {
             m_end.push_back((m_end.empty() ? 0 : m_end.back()) + static_cast<int>(s.surface.triangles->size()));
             m_looks.emplace_back(s.surface.verticesInWorld->size());
@@ -114,9 +124,11 @@ public:
     }
 
     ScreenTriangle operator()(int globalTriangle) {
-        const auto s = static_cast<std::size_t>(std::upper_bound(m_end.begin(), m_end.end(), globalTriangle) - m_end.begin());
+        const auto s =
+            static_cast<std::size_t>(std::upper_bound(m_end.begin(), m_end.end(), globalTriangle) - m_end.begin());
         const std::vector<std::array<int, 3>>& triangles = *m_surfaces[s].surface.triangles;
-        const std::size_t t = static_cast<std::size_t>(globalTriangle) + triangles.size() - static_cast<std::size_t>(m_end[s]);
+        const std::size_t t =
+            static_cast<std::size_t>(globalTriangle) + triangles.size() - static_cast<std::size_t>(m_end[s]);
         const auto [a, b, c] = triangles[t];
         return ScreenTriangle({look(s, a), look(s, b), look(s, c)});
     }
@@ -171,7 +183,9 @@ std::vector<PosedSurface> posedSurfaces(const std::vector<ShadedSurface>& surfac
     return posed;
 }
 
-unsigned char toByte(float v) { return static_cast<unsigned char>(std::clamp(v * 255 + 0.5f, 0.0f, 255.0f)); }
+unsigned char toByte(float v) {
+    return static_cast<unsigned char>(std::clamp(v * 255 + 0.5f, 0.0f, 255.0f));
+}
 
 /// The backdrop's radial gradient, dithered so that its faint steps do not show.
 cv::Mat drawBackdrop(const ImageSize& size, const Backdrop& backdrop) {
@@ -248,18 +262,18 @@ cv::Mat renderOverlay(const Camera& camera, const std::vector<ShadedSurface>& su
     cv::Mat image(camera.size.height, camera.size.width, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     VisibleTriangles visible(camera, surfaces, lighting);
     constexpr float kEdgeStrength = 1.0f;
-    forEachCoveredPixel(depth.triangle, visible,
-                        [&](int x, int y, const ScreenTriangle& triangle, const Eigen::Vector3f& weights) {
-                            float alpha = options.opacity;
-                            if (options.style == OverlayStyle::Wireframe) {
-                                alpha *= std::clamp(1.0f - triangle.edgeDistance(weights), 0.0f, 1.0f);
-                            }
-                            if (options.silhouetteEdge && isOnEdge(depth.triangle, x, y)) {
-                                alpha = kEdgeStrength;
-                            }
-                            const Eigen::Vector3f rgb = alpha * triangle.rgb(weights);
-                            image.ptr<cv::Vec4b>(y)[x] = {toByte(rgb[2]), toByte(rgb[1]), toByte(rgb[0]), toByte(alpha)};
-                        });
+    forEachCoveredPixel(
+        depth.triangle, visible, [&](int x, int y, const ScreenTriangle& triangle, const Eigen::Vector3f& weights) {
+            float alpha = options.opacity;
+            if (options.style == OverlayStyle::Wireframe) {
+                alpha *= std::clamp(1.0f - triangle.edgeDistance(weights), 0.0f, 1.0f);
+            }
+            if (options.silhouetteEdge && isOnEdge(depth.triangle, x, y)) {
+                alpha = kEdgeStrength;
+            }
+            const Eigen::Vector3f rgb = alpha * triangle.rgb(weights);
+            image.ptr<cv::Vec4b>(y)[x] = {toByte(rgb[2]), toByte(rgb[1]), toByte(rgb[0]), toByte(alpha)};
+        });
     return image;
 }
 

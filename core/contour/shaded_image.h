@@ -17,8 +17,9 @@ struct ShadedSurface {
     Eigen::Vector3f colour{0.85f, 0.64f, 0.53f};                  ///< RGB, sRGB encoded, 0..1
 };
 
-/// Lights of a shaded image, as strengths of 0..1. They travel with the camera, as a photographer's would, so that every view is
-/// well lit. Directions point towards the light in the camera's frame: x right, y down, z away from the camera.
+/// Lights of a shaded image, as strengths of 0..1. They travel with the camera, as a photographer's would, so that
+/// every view is well lit. Directions point towards the light in the camera's frame: x right, y down, z away from the
+/// camera.
 struct Lighting {
     Eigen::Vector3f keyDirection{-0.50f, -0.62f, -0.60f};
     Eigen::Vector3f fillDirection{0.85f, 0.15f, -0.50f};
@@ -39,8 +40,8 @@ struct Backdrop {
 /// Skin tone of a hand; left and right differ a little in hue so that they can be told apart.
 Eigen::Vector3f skinColour(Side side);
 
-/// A picture of smoothly shaded surfaces on the backdrop: CV_8UC3 BGR of the camera's size. Its silhouette is renderMask's, pixel
-/// for pixel. Uses the calling thread only; several cameras may be drawn at once.
+/// A picture of smoothly shaded surfaces on the backdrop: CV_8UC3 BGR of the camera's size. Its silhouette is
+/// renderMask's, pixel for pixel. Uses the calling thread only; several cameras may be drawn at once.
 cv::Mat renderShaded(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const Lighting& lighting = {},
                      const Backdrop& backdrop = {});
 
@@ -58,7 +59,8 @@ struct OverlayOptions {
     bool silhouetteEdge = true; ///< the outermost pixels of the silhouette in full strength
 };
 
-/// The surfaces alone, to be laid over an image: CV_8UC4 BGRA, premultiplied, transparent outside the silhouette (renderMask's).
+/// The surfaces alone, to be laid over an image: CV_8UC4 BGRA, premultiplied, transparent outside the silhouette
+/// (renderMask's).
 cv::Mat renderOverlay(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const OverlayOptions& options,
                       const Lighting& lighting = {});
 

@@ -18,7 +18,8 @@ public:
     explicit CameraGrid(QWidget* parent = nullptr);
     ~CameraGrid() override;
 
-    /// Makes one view per camera (1 to 16, more are possible). Views of the same index are kept, with zoom if the size stays.
+    /// Makes one view per camera (1 to 16, more are possible). Views of the same index are kept, with zoom if the size
+    /// stays.
     void setCameras(const std::vector<core::Camera>& cameras);
     int count() const { return static_cast<int>(m_views.size()); }
     CameraView* view(int index) const { return m_views[static_cast<std::size_t>(index)]; }

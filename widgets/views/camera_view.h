@@ -31,12 +31,12 @@ struct ViewTitle {
     bool warning = false; ///< this view disagrees: the line turns into a warning colour
 };
 
-/// One camera's image with everything that lies on it. It only shows and reports: it never changes an annotation. All positions, in setters and
-/// signals, are recorded image pixels with centres at integers, in double precision.
+/// One camera's image with everything that lies on it. It only shows and reports: it never changes an annotation. All
+/// positions, in setters and signals, are recorded image pixels with centres at integers, in double precision.
 ///
-/// Pointer: a left press and release within 3 screen pixels places; a left drag that starts on a mark (the selected one first)
-/// drags it, on the background it pans, as the middle button does anywhere; the wheel zooms at the pointer; Alt+click selects a mark; double click
-/// asks to be maximised (and takes back the click that began it).
+/// Pointer: a left press and release within 3 screen pixels places; a left drag that starts on a mark (the selected one
+/// first) drags it, on the background it pans, as the middle button does anywhere; the wheel zooms at the pointer;
+/// Alt+click selects a mark; double click asks to be maximised (and takes back the click that began it).
 class CameraView : public QGraphicsView {
     Q_OBJECT
 public:
@@ -60,7 +60,8 @@ public:
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
     /// Where the guides fade from: usually the selected joint's reprojection or the pointer.
     void setGuideFocus(const std::optional<QPointF>& px);
-    /// A picture over the whole image, such as a distance field (premultiplied ARGB, size of the image or a fraction of it); null for none.
+    /// A picture over the whole image, such as a distance field (premultiplied ARGB, size of the image or a fraction of
+    /// it); null for none.
     void setFieldImage(const QImage& field, double opacity = 0.6);
 
     void setTitle(const ViewTitle& title);
@@ -76,7 +77,8 @@ public:
     void setReprojectionScale(double factor);
     /// False where nothing can be placed or dragged (inspection): a left drag then always pans.
     void setPlacingEnabled(bool enabled);
-    /// True if the view has the keyboard actions' attention (the "current" view): its frame is drawn in the accent colour.
+    /// True if the view has the keyboard actions' attention (the "current" view): its frame is drawn in the accent
+    /// colour.
     void setCurrent(bool current);
 
     /// Shows the whole image, and keeps doing so when the widget is resized.
@@ -95,7 +97,8 @@ public:
     /// The mark that a pointer there would grab: the selected one first, then the nearest; within 9 screen pixels.
     std::optional<core::JointId> markAt(QPointF viewportPoint) const;
 
-    /// Draws the image and all overlays as they are now: a picture of the visible part, `scale` times the size on screen.
+    /// Draws the image and all overlays as they are now: a picture of the visible part, `scale` times the size on
+    /// screen.
     QImage grabPicture(double scale = 1) const;
     /// The same as SVG: the image embedded, the overlays as vectors. False if the file cannot be written.
     bool saveSvg(const QString& path) const;

@@ -13,8 +13,8 @@ struct GridShape {
     bool operator==(const GridShape&) const = default;
 };
 
-/// The grid in which `count` pictures of `aspect` (width / height) cover the most of `area`; each cell loses `titleHeight` px at its
-/// top. Ties go to fewer empty cells, then to fewer rows. count >= 1.
+/// The grid in which `count` pictures of `aspect` (width / height) cover the most of `area`; each cell loses
+/// `titleHeight` px at its top. Ties go to fewer empty cells, then to fewer rows. count >= 1.
 GridShape packGrid(int count, double aspect, QSize area, int titleHeight);
 
 } // namespace widgets

@@ -9,7 +9,8 @@
 
 namespace widgets {
 
-/// Brightness, contrast and gamma of one view: v' = ((v - 0.5) * contrast + 0.5 + brightness) ^ (1 / gamma), v in [0, 1].
+/// Brightness, contrast and gamma of one view: v' = ((v - 0.5) * contrast + 0.5 + brightness) ^ (1 / gamma), v in [0,
+/// 1].
 struct ImageAdjustment {
     double brightness = 0; ///< -1 .. 1
     double contrast = 1;   ///< 0 .. 4
@@ -17,8 +18,8 @@ struct ImageAdjustment {
     bool operator==(const ImageAdjustment&) const = default;
 };
 
-/// An image and its halvings, so that it can be drawn small without aliasing and without work. Cheap to copy; may be built
-/// on any thread (prepare it there: 2 ms for 1080x1920).
+/// An image and its halvings, so that it can be drawn small without aliasing and without work. Cheap to copy; may be
+/// built on any thread (prepare it there: 2 ms for 1080x1920).
 class ImagePyramid {
 public:
     ImagePyramid() = default;

@@ -31,7 +31,8 @@ ViewSurfacePtr makeViewSurface(const core::HandModel& hand, const core::Pose& po
 
 enum class MeshStyle { Off, Shaded, Wireframe };
 
-/// Surfaces of one origin (the recorded motion, one method's result), drawn in one colour in every view and in the scene.
+/// Surfaces of one origin (the recorded motion, one method's result), drawn in one colour in every view and in the
+/// scene.
 struct MeshLayer {
     QString name;                         ///< for people: "start", "dch-thres"
     std::vector<ViewSurfacePtr> surfaces; ///< one per visible hand
@@ -47,9 +48,9 @@ struct MeshPicture {
     QRectF imageRectPx; ///< pixel edges of the picture in the image (pixel i covers i - 0.5 .. i + 0.5)
 };
 
-/// Draws layers, first one at the bottom, with the crop of `camera` that starts at `topLeftPx` (image px, pixel edges) and has `scale`
-/// picture pixels per image pixel. Thread-safe; uses the calling thread only.
-MeshPicture drawMeshLayers(const core::Camera& camera, const std::vector<MeshLayer>& layers, QPointF topLeftPx, QSize size,
-                           double scale);
+/// Draws layers, first one at the bottom, with the crop of `camera` that starts at `topLeftPx` (image px, pixel edges)
+/// and has `scale` picture pixels per image pixel. Thread-safe; uses the calling thread only.
+MeshPicture drawMeshLayers(const core::Camera& camera, const std::vector<MeshLayer>& layers, QPointF topLeftPx,
+                           QSize size, double scale);
 
 } // namespace widgets

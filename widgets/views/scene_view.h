@@ -33,11 +33,13 @@ struct SceneBone {
     QColor colour;
 };
 
-/// The 3D scene: meshes in their layer's colour, cameras as frusta, joints with their uncertainty. Left drag orbits, middle or Shift+left
-/// drag pans, right drag or the wheel zooms; it can also look through a calibrated camera, exactly.
+/// The 3D scene: meshes in their layer's colour, cameras as frusta, joints with their uncertainty. Left drag orbits,
+/// middle or Shift+left drag pans, right drag or the wheel zooms; it can also look through a calibrated camera,
+/// exactly.
 ///
 /// Holds the program's only OpenGL widget, in a native window of its own. QApplication must have been made with
-/// AA_DontCreateNativeWidgetSiblings and SceneView::useSurfaceFormat(). Without OpenGL (the offscreen platform) it says so instead.
+/// AA_DontCreateNativeWidgetSiblings and SceneView::useSurfaceFormat(). Without OpenGL (the offscreen platform) it says
+/// so instead.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -53,7 +55,8 @@ public:
     void setBones(const std::vector<SceneBone>& bones);
     /// The camera whose frustum stands out, or -1.
     void setCurrentCamera(int index);
-    /// The image shown on the far end of the current camera's frustum and behind the scene when looking through it; null for none.
+    /// The image shown on the far end of the current camera's frustum and behind the scene when looking through it;
+    /// null for none.
     void setCameraImage(const QImage& image);
     /// Looks through a camera (index) or orbits freely (-1).
     void lookThrough(int camera);
