@@ -44,7 +44,7 @@ Job::~Job() {
         m_link->job = nullptr;
     }
     if (m_running)
-        end();
+        release();
 }
 
 void Job::start(Work work, int priority) {
@@ -80,30 +80,35 @@ void Job::stop() {
         return;
     m_stop.request_stop();
     ++m_generation;
-    end();
+    m_running = false;
     emit stopped();
+    release();
 }
 
 void Job::requestEnd() {
     m_stop.request_stop();
 }
 
-void Job::deliver(quint64 generation, const Delivery& delivery, const QString& error) {
+void Job::deliver(quint64 generation, const Delivery& delivery, QString error) {
     if (generation != m_generation || !m_running)
         return;
-    if (error.isEmpty() && delivery)
-        delivery();
-    if (generation != m_generation) // the delivery started new work
+    try {
+        if (error.isEmpty() && delivery)
+            delivery();
+    } catch (const std::exception& e) {
+        error = QString::fromUtf8(e.what());
+    }
+    if (generation != m_generation) // the delivery has started new work, or stopped it
         return;
-    end();
+    m_running = false;
     if (error.isEmpty())
         emit finished();
     else
         emit failed(error);
+    release();
 }
 
-void Job::end() {
-    m_running = false;
+void Job::release() {
     if (m_kind == Kind::Foreground && --m_pool.m_foreground == 0)
         emit m_pool.becameIdle();
 }

@@ -71,8 +71,8 @@ signals:
 
 private:
     struct Link;
-    void deliver(quint64 generation, const Delivery& delivery, const QString& error);
-    void end();
+    void deliver(quint64 generation, const Delivery& delivery, QString error);
+    void release();
 
     JobPool& m_pool;
     Kind m_kind;

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QUndoCommand>
+
+#include "core/annotation/edit.h"
+
+namespace widgets {
+
+class AnnotationDocument;
+
+/// The one undo command: an edit of the annotations, whatever it does.
+class EditCommand : public QUndoCommand {
+public:
+    /// Commands of the same non-negative `joins` that follow each other become one step.
+    EditCommand(AnnotationDocument& document, core::Edit edit, int joins = -1, bool amends = false);
+
+    void undo() override;
+    void redo() override;
+    int id() const override { return m_joins; }
+    bool mergeWith(const QUndoCommand* other) override;
+
+    const core::Edit& edit() const { return m_edit; }
+
+private:
+    AnnotationDocument& m_document;
+    core::Edit m_edit;
+    int m_joins;
+    bool m_amends;
+    bool m_isFirst = true;
+};
+
+} // namespace widgets

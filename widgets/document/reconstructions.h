@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include <QObject>
+
+#include "core/annotation/reconstruction.h"
+#include "core/io/dataset.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/selection.h"
+
+namespace widgets {
+
+/// The 3D joints of the current frame and rater, kept up to date with every edit. The selected joint is looked at in detail
+/// (ellipses, leave-one-out, next view) and is always there, also without marks.
+class Reconstructions : public QObject {
+    Q_OBJECT
+
+public:
+    Reconstructions(const AnnotationDocument& document, const Selection& selection, QObject* parent = nullptr);
+
+    void setDataset(std::shared_ptr<const core::Dataset> dataset);
+
+    /// Every joint with at least one mark in the frame.
+    const std::map<core::JointId, core::JointReconstruction>& joints() const { return m_joints; }
+    /// That joint, or null if it has no mark.
+    const core::JointReconstruction* find(const core::JointId& joint) const;
+    const core::JointReconstruction& selected() const { return m_selected; }
+    const core::TriangulationOptions& options() const { return m_options; }
+
+    /// Any joint of any frame for the document's rater, with all details.
+    core::JointReconstruction compute(int frame, const core::JointId& joint) const;
+
+signals:
+    void changed();
+
+private:
+    void rebuild();
+    void update(const core::Edit& edit);
+    void selectJoint();
+    void refreshSelected();
+    std::optional<Eigen::Vector3d> nearPoint(core::Side hand) const;
+
+    const AnnotationDocument& m_document;
+    const Selection& m_selection;
+    std::shared_ptr<const core::Dataset> m_dataset;
+    core::TriangulationOptions m_options;
+    std::map<core::JointId, core::JointReconstruction> m_joints;
+    core::JointReconstruction m_selected;
+};
+
+} // namespace widgets
