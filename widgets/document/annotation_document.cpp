@@ -85,11 +85,10 @@ void AnnotationDocument::amend(const core::Edit& edit, int joins) {
     m_undoStack.push(new EditCommand(*this, edit, joins, joining));
 }
 
-void AnnotationDocument::setPreview(const core::Edit& edit) {
-    clearPreview();
+void AnnotationDocument::preview(const core::Edit& edit) {
     if (edit.empty() || isReadOnly())
         return;
-    m_preview = edit;
+    m_preview = m_preview.empty() ? edit : core::merged(m_preview, edit);
     applyToSet(edit);
 }
 

@@ -57,8 +57,9 @@ public:
     /// Joins an edit to the newest step (a row of nudges); a new step if there is none to join or `joins` is another one's.
     void amend(const core::Edit& edit, int joins);
 
-    /// Shows an edit without making it (a drag under way). A preview replaces the one before; push() and undo end it.
-    void setPreview(const core::Edit& edit);
+    /// Shows an edit of the set as it is shown now without making it (a drag under way); it adds to the preview that is
+    /// there. push(), undo and redo end it.
+    void preview(const core::Edit& edit);
     void clearPreview();
 
     /// True while something that was done is not in the file yet, because writing failed; it is tried again.

@@ -54,8 +54,7 @@ void Annotator::withdrawPlace() {
 void Annotator::drag(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px) {
     m_selection.setCamera(camera);
     m_selection.setJoint(joint);
-    m_document.clearPreview();
-    m_document.setPreview(core::placeEdit(m_document.annotations(), keyFor(camera, joint), px));
+    m_document.preview(core::placeEdit(m_document.annotations(), keyFor(camera, joint), px));
 }
 
 void Annotator::drop(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px) {
