@@ -5,13 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "core/distance/circular_distance.h"
+
 namespace core {
 
 ContourIndex::ContourIndex(const OrientedContour& contour, const OrientationBins& bins) : m_bins(bins) {
-    m_binDistance.resize(static_cast<std::size_t>(bins.count) * bins.count);
-    for (int a = 0; a < bins.count; ++a) {
-        for (int b = 0; b < bins.count; ++b) {
-            m_binDistance[a * bins.count + b] = static_cast<float>(bins.distanceRad(a, b));
+    m_binDistance.resize(static_cast<std::size_t>(bins.count()) * bins.count());
+    for (int a = 0; a < bins.count(); ++a) {
+        for (int b = 0; b < bins.count(); ++b) {
+            m_binDistance[a * bins.count() + b] = static_cast<float>(bins.distanceRad(a, b));
         }
     }
     if (contour.empty()) {
@@ -44,7 +46,7 @@ ContourIndex::ContourIndex(const OrientedContour& contour, const OrientationBins
         m_x.push_back(contour.x[i]);
         m_y.push_back(contour.y[i]);
         m_angle.push_back(contour.angleRad[i]);
-        m_bin.push_back(bins.bin(contour.angleRad[i]));
+        m_bin.push_back(bins.binOf(contour.angleRad[i]));
     }
 }
 
@@ -111,14 +113,14 @@ ContourMatch ContourIndex::nearestInBin(float x, float y, int bin, float gatePx)
 
 ContourMatch ContourIndex::nearestWithin(float x, float y, float angleRad, float tauRad, float gatePx) const {
     return search(x, y, gatePx, [&](int i) {
-        return circularDistance(m_angle[i], angleRad, m_bins.signedOrientation) < tauRad
+        return circularDistance(static_cast<double>(m_angle[i]), static_cast<double>(angleRad), m_bins.isSigned()) < static_cast<double>(tauRad)
                    ? 0.0f
                    : std::numeric_limits<float>::infinity();
     });
 }
 
 ContourMatch ContourIndex::nearestDirectional(float x, float y, int bin, float lambdaPxPerRad, float gatePx) const {
-    const float* fromBin = m_binDistance.data() + static_cast<std::size_t>(bin) * m_bins.count;
+    const float* fromBin = m_binDistance.data() + static_cast<std::size_t>(bin) * m_bins.count();
     return search(x, y, gatePx, [&](int i) { return lambdaPxPerRad * fromBin[m_bin[i]]; });
 }
 

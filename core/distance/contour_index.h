@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/contour/oriented_contour.h"
-#include "core/distance/orientation.h"
+#include "core/distance/orientation_bins.h"
 
 namespace core {
 

@@ -23,7 +23,7 @@ struct CameraTarget {
 
 struct FitTargetOptions {
     ContourOptions contour;
-    OrientationBins bins;
+    OrientationBins bins{16, true};
     bool wholePixels = false; ///< match at pixel centres, as a distance transform does
 };
 

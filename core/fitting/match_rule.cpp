@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/distance/circular_distance.h"
+
 namespace core {
 
 namespace {
@@ -45,7 +47,7 @@ MatchRule matchRule(const Method& method) {
     rule.truncatePx2 = static_cast<float>(method.truncatePx2);
     rule.binWeights = method.binWeights;
     rule.wholePixels = method.kind == MethodKind::DchDt3;
-    rule.bins = {method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins), method.signedOrientation};
+    rule.bins = OrientationBins(method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins), method.signedOrientation);
     return rule;
 }
 
@@ -58,7 +60,7 @@ void addInBins(const CameraTarget& target, const MatchRule& rule, const RimPoint
     for (int k = 0; k < count; ++k) {
         const ContourMatch match = target.index.nearestInBin(rim.px.x(), rim.px.y(), bins[k], rule.gatePx);
         if (match.index >= 0) {
-            const double apart = circularDistance(angle, rule.bins.centreRad(bins[k]), rule.bins.signedOrientation);
+            const double apart = circularDistance(angle, rule.bins.centreRad(bins[k]), rule.bins.isSigned());
             const double weight = rule.binWeights ? 1 - apart / rule.bins.widthRad() : 1.0;
             matches.push_back({match.index, static_cast<float>(weight)});
         }
@@ -67,7 +69,7 @@ void addInBins(const CameraTarget& target, const MatchRule& rule, const RimPoint
 
 bool withinTau(const CameraTarget& target, const MatchRule& rule, int index, double angle) {
     return std::isinf(rule.tauRad) ||
-           circularDistance(static_cast<double>(target.contour.angleRad[index]), angle, rule.bins.signedOrientation) <
+           circularDistance(static_cast<double>(target.contour.angleRad[index]), angle, rule.bins.isSigned()) <
                static_cast<double>(rule.tauRad);
 }
 
@@ -82,16 +84,16 @@ void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoi
     switch (rule.search) {
     case MatchRule::Search::InBin:
     case MatchRule::Search::InTwoBins:
-        addInBins(target, rule, rim, angle, matches);
+        addInBins(target, rule, rim, static_cast<double>(angle), matches);
         break;
     case MatchRule::Search::Nearest:
         match = target.index.nearest(x, y, rule.gatePx);
-        if (match.index >= 0 && withinTau(target, rule, match.index, angle)) {
+        if (match.index >= 0 && withinTau(target, rule, match.index, static_cast<double>(angle))) {
             matches.push_back({match.index, 1});
         }
         break;
     case MatchRule::Search::Directional:
-        match = target.index.nearestDirectional(std::round(x), std::round(y), rule.bins.bin(angle), rule.lambdaPxPerRad,
+        match = target.index.nearestDirectional(std::round(x), std::round(y), rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
                                                 rule.gatePx);
         if (match.index >= 0) {
             matches.push_back({match.index, 1});

@@ -26,7 +26,7 @@ struct MatchRule {
     float truncatePx2 = 0; ///< K of the truncated penalty; farther matches exert no pull; 0 = none
     bool binWeights = false;
     bool wholePixels = false;
-    OrientationBins bins;
+    OrientationBins bins{16, true};
 };
 
 /// The rule of one of the paper's methods. For `best` use its own phases.

@@ -246,7 +246,7 @@ void PoseRefiner::scoreView(View& view, const CameraTarget& target, float tauRad
         sum += static_cast<double>(match.index >= 0 ? match.distance : gatePx);
         ++count;
     }
-    const ContourIndex index(rimContour(view.rim), OrientationBins{});
+    const ContourIndex index(rimContour(view.rim), OrientationBins(16, true));
     const std::size_t points = target.contour.size();
     const std::size_t wanted = std::min(points, std::max<std::size_t>(1, view.rim.size()));
     for (std::size_t k = 0; k < wanted; ++k) {
