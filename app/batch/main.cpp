@@ -1,2 +1,59 @@
 // SPDX-License-Identifier: MIT
-int main() { return 2; }
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "app/batch/interrupt.h"
+#include "app/batch/verbs.h"
+#include "core/error.h"
+
+namespace {
+
+constexpr int kBadUsage = 2;
+constexpr int kFailure = 1;
+
+/// The one line of an error; whatever a file contained, it stays one line.
+int fail(std::string message, int status) {
+    for (char& c : message) {
+        c = static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
+    }
+    std::fprintf(stderr, "handlens-batch: %s\n", message.c_str());
+    return status;
+}
+
+void addVerbs(CLI::App& program) {
+    app::addCheckVerb(program);
+    app::addImportVerb(program);
+    app::addInfoVerb(program);
+    app::addJointsVerb(program);
+    app::addRenderVerb(program);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        app::watchForInterrupts();
+        CLI::App program("Handlens without a window: 3D hand ground truth in calibrated multi-camera footage", "handlens-batch");
+        program.set_version_flag("--version", HANDLENS_VERSION);
+        program.require_subcommand(1);
+        addVerbs(program);
+        try {
+            program.parse(argc, argv);
+        } catch (const CLI::Success& request) { // --help, --version
+            return program.exit(request);
+        } catch (const CLI::ParseError& error) {
+            return fail(std::string(error.what()) + " (see --help)", kBadUsage);
+        }
+        return 0;
+    } catch (const core::Error& error) {
+        return fail(error.what(), error.code() == core::ErrorCode::Usage ? kBadUsage : kFailure);
+    } catch (const std::bad_alloc&) {
+        return fail("out of memory", kFailure);
+    } catch (const std::exception& error) {
+        return fail(std::string("unexpected: ") + error.what(), kFailure);
+    }
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace app {
+
+// Every verb adds itself as a subcommand with its options and a callback that does the work. One file per verb.
+void addCheckVerb(CLI::App& program);
+void addImportVerb(CLI::App& program);
+void addInfoVerb(CLI::App& program);
+void addJointsVerb(CLI::App& program);
+void addRenderVerb(CLI::App& program);
+
+} // namespace app

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/dataset.h"
+
+#include <map>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/cameras_file.h"
+#include "core/io/hand_file.h"
+#include "core/io/json_file.h"
+#include "core/io/motion_file.h"
+
+namespace core {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+const std::map<std::string, ViewKind> kViewKinds{
+    {"none", ViewKind::None}, {"rendered", ViewKind::Rendered}, {"images", ViewKind::Images}, {"video", ViewKind::Video}};
+
+std::string viewKindName(ViewKind kind) {
+    for (const auto& [name, value] : kViewKinds) {
+        if (value == kind) {
+            return name;
+        }
+    }
+    return "none";
+}
+
+Sequence sequenceFromJson(const json& value) {
+    Sequence sequence;
+    sequence.name = value["name"].get<std::string>();
+    sequence.frameCount = value["frameCount"].get<int>();
+    sequence.framesPerSecond = value.value("framesPerSecond", 50.0);
+    sequence.masks = value.value("masks", "");
+    sequence.motion = value.value("motion", "");
+    sequence.annotations = value.value("annotations", "");
+    for (const json& view : value["views"]) {
+        sequence.views.push_back({view["camera"].get<std::string>(), kViewKinds.at(view["kind"].get<std::string>()),
+                                  view.value("path", ""), view.value("offsetFrames", 0)});
+    }
+    return sequence;
+}
+
+ordered_json toJson(const Sequence& sequence) {
+    ordered_json views = ordered_json::array();
+    for (const ViewSource& view : sequence.views) {
+        views.push_back({{"camera", view.camera},
+                         {"kind", viewKindName(view.kind)},
+                         {"path", view.path},
+                         {"offsetFrames", view.offsetFrames}});
+    }
+    return {{"name", sequence.name},
+            {"frameCount", sequence.frameCount},
+            {"framesPerSecond", sequence.framesPerSecond},
+            {"motion", sequence.motion},
+            {"annotations", sequence.annotations},
+            {"masks", sequence.masks},
+            {"views", views}};
+}
+
+ordered_json toJson(const Dataset& dataset) {
+    ordered_json hands = ordered_json::array();
+    for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
+        hands.push_back({{"side", sideName(dataset.hands[h].side)}, {"file", dataset.handFiles[h]}});
+    }
+    ordered_json sequences = ordered_json::array();
+    for (const Sequence& sequence : dataset.sequences) {
+        sequences.push_back(toJson(sequence));
+    }
+    return {{"format", "handlens-dataset"},  {"version", 1},   {"name", dataset.name},
+            {"cameras", "cameras.json"}, {"hands", hands}, {"sequences", sequences}};
+}
+
+void readHands(Dataset& dataset, const json& document, const std::string& file) {
+    for (const json& hand : document["hands"]) {
+        const std::string field = "hands[" + std::to_string(dataset.hands.size()) + "]";
+        dataset.handFiles.push_back(hand["file"].get<std::string>());
+        dataset.hands.push_back(readHandModel(dataset.folder / dataset.handFiles.back()));
+        if (hand["side"] != sideName(dataset.hands.back().side)) {
+            throw Error(ErrorCode::BadInput, file, field + ".side", "the file holds the other hand");
+        }
+    }
+    if (dataset.hands.size() == 2 && dataset.hands[0].side == dataset.hands[1].side) {
+        throw Error(ErrorCode::BadInput, file, "hands", "the same side is named twice");
+    }
+}
+
+/// Names that are used twice, views of no camera, kinds that cannot be.
+void checkSequences(const Dataset& dataset, const std::string& file) {
+    std::set<std::string> names;
+    for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
+        const Sequence& sequence = dataset.sequences[s];
+        const std::string field = "sequences[" + std::to_string(s) + "]";
+        if (!names.insert(sequence.name).second) {
+            throw Error(ErrorCode::BadInput, file, field + ".name", "the name \"" + sequence.name + "\" is used twice");
+        }
+        std::set<std::string> seen;
+        for (std::size_t v = 0; v < sequence.views.size(); ++v) {
+            const ViewSource& view = sequence.views[v];
+            const std::string viewField = field + ".views[" + std::to_string(v) + "]";
+            if (dataset.cameraIndex(view.camera) < 0 || !seen.insert(view.camera).second) {
+                throw Error(ErrorCode::BadInput, file, viewField + ".camera",
+                            "\"" + view.camera + "\" is no camera of this dataset, or named twice");
+            }
+            if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty()) {
+                throw Error(ErrorCode::BadInput, file, viewField + ".path", "is missing");
+            }
+            if (view.kind == ViewKind::Rendered && sequence.motion.empty()) {
+                throw Error(ErrorCode::BadInput, file, viewField + ".kind", "there is no motion to render from");
+            }
+        }
+    }
+}
+
+} // namespace
+
+const Sequence& Dataset::sequence(const std::string& sequenceName) const {
+    std::string known;
+    for (const Sequence& candidate : sequences) {
+        if (candidate.name == sequenceName) {
+            return candidate;
+        }
+        known += (known.empty() ? "" : ", ") + candidate.name;
+    }
+    throw Error(ErrorCode::NotFound, folder.string(), "sequence \"" + sequenceName + "\"",
+                "is not in this dataset (it has: " + (known.empty() ? "none" : known) + ")");
+}
+
+int Dataset::cameraIndex(const std::string& cameraName) const {
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+        if (cameras[c].name == cameraName) {
+            return static_cast<int>(c);
+        }
+    }
+    return -1;
+}
+
+Dataset readDataset(const fs::path& folder) {
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+        throw Error(ErrorCode::NotFound, folder.string(), "", "no such dataset folder");
+    }
+    const fs::path file = folder / "dataset.json";
+    const json document = readOwnFile(file, "dataset");
+    Dataset dataset;
+    dataset.folder = folder;
+    dataset.name = document["name"].get<std::string>();
+    dataset.cameras = readCameras(folder / document["cameras"].get<std::string>());
+    readHands(dataset, document, file.string());
+    for (const json& sequence : document["sequences"]) {
+        dataset.sequences.push_back(sequenceFromJson(sequence));
+    }
+    checkSequences(dataset, file.string());
+    return dataset;
+}
+
+void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, const fs::path& folder) {
+    PendingFolder pending(folder);
+    writeCameras(pending.path() / "cameras.json", dataset.cameras);
+    checkSequences(dataset, (folder / "dataset.json").string());
+    for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
+        const fs::path file = pending.path() / dataset.handFiles.at(h);
+        ensureFolder(file.parent_path());
+        writeHandModel(file, dataset.hands[h]);
+    }
+    for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
+        if (s < motions.size() && !motions[s].empty()) {
+            const fs::path file = pending.path() / dataset.sequences[s].motion;
+            ensureFolder(file.parent_path());
+            writeMotionFile(file, dataset.hands, motions[s]);
+        }
+        if (!dataset.sequences[s].annotations.empty()) {
+            ensureFolder((pending.path() / dataset.sequences[s].annotations).parent_path());
+        }
+    }
+    writeJsonFile(pending.path() / "dataset.json", toJson(dataset));
+    pending.commit();
+}
+
+Motion readMotion(const Dataset& dataset, const Sequence& sequence) {
+    if (sequence.motion.empty()) {
+        return {};
+    }
+    return readMotionFile(dataset.folder / sequence.motion, dataset.hands, sequence.frameCount);
+}
+
+} // namespace core
