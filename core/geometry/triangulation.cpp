@@ -53,11 +53,14 @@ double squaredResidual(const View& view, const Eigen::Vector3d& point) {
     return px ? (*px - view.px).squaredNorm() : kUnseen;
 }
 
-/// Cost in units of sigma^2 in which an outlier counts as much as a residual at the gate.
-double truncatedCost(const std::vector<View>& views, const Eigen::Vector3d& point) {
+/// Cost in units of sigma^2 in which an outlier counts as much as a residual at the gate. Gives up above `enough`.
+double truncatedCost(const std::vector<View>& views, const Eigen::Vector3d& point, double enough = kUnseen) {
     double cost = 0;
     for (const View& view : views) {
         cost += view.weight * std::min(squaredResidual(view, point), view.gatePx2);
+        if (cost > enough) {
+            break;
+        }
     }
     return cost;
 }
@@ -103,7 +106,7 @@ double costOf(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vect
 }
 
 /// Gauss-Newton with halved steps over the chosen views; nothing if `start` is not in front of all of them or the views leave
-/// a direction open. Ends when a step is below 1e-9 mm or no longer lowers the cost.
+/// a direction open. Ends when a step is below 1e-6 mm or no longer lowers the cost.
 template <typename Chosen>
 std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vector3d& start,
                                       int maxIterations) {
@@ -118,6 +121,10 @@ std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& c
         if (solver.info() != Eigen::Success || !step.allFinite()) {
             return std::nullopt;
         }
+        constexpr double kSmallestStepMm = 1e-6; // the error left is smaller still: the steps shrink fast
+        if (step.norm() < kSmallestStepMm) {
+            return point + step;
+        }
         constexpr int kMaxHalvings = 12;
         int halvings = 0;
         while (costOf(views, chosen, point + step) > normal.cost && halvings < kMaxHalvings) {
@@ -128,10 +135,6 @@ std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& c
             return point; // no step lowers the cost: this is the minimum to rounding
         }
         point += step;
-        constexpr double kSmallestStepMm = 1e-9;
-        if (step.norm() < kSmallestStepMm) {
-            return point;
-        }
     }
     return point;
 }
@@ -160,6 +163,10 @@ struct Proposal {
     std::optional<Eigen::Vector3d> point;
     std::string_view reason;
 };
+
+/// With few views every pair counts: its midpoint is moved to its least squares first. With more, some pair is good.
+constexpr std::size_t kRefinedPairsViews = 4;
+constexpr int kPairIterations = 2;
 
 Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& options) {
     Proposal best{std::nullopt, kFewerThanTwoViews};
@@ -190,10 +197,11 @@ Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& op
                 atLeast(kBehindCamera);
                 continue;
             }
-            constexpr int kPairIterations = 2; // from the rays' midpoint nearly to the pair's least squares
-            const auto isPair = [i, j](std::size_t k) { return k == i || k == j; };
-            point = refine(views, isPair, *point, kPairIterations).value_or(*point);
-            const double cost = truncatedCost(views, *point);
+            if (views.size() <= kRefinedPairsViews) {
+                const auto isPair = [i, j](std::size_t k) { return k == i || k == j; };
+                point = refine(views, isPair, *point, kPairIterations).value_or(*point);
+            }
+            const double cost = truncatedCost(views, *point, bestCost);
             if (cost < bestCost) {
                 bestCost = cost;
                 best = {point, {}};
