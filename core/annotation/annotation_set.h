@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -31,17 +32,31 @@ struct MarkKey {
 
 /// How a mark came to be. Only manual marks are evidence.
 enum class Placement { Manual, Auto };
+std::string_view placementName(Placement placement); ///< "manual", "auto"
+std::optional<Placement> placementFromName(std::string_view name);
+
 enum class MarkState {
     Visible,
     Occluded,   ///< hidden, its place estimated
     Unplaceable ///< cannot be placed in this view; px is meaningless
 };
 
+std::string_view stateName(MarkState state); ///< "visible", "occluded", "unplaceable"
+std::optional<MarkState> stateFromName(std::string_view name);
+
+/// "left index_mcp"
+std::string jointLabel(const JointId& joint);
+
 /// One mark. px in recorded image pixels, centres at integers.
 struct Mark {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     Placement placement = Placement::Manual;
     MarkState state = MarkState::Visible;
+
+    /// It says where the joint is (px means something).
+    bool isPlaced() const { return state != MarkState::Unplaceable; }
+    /// It may enter triangulation and residuals: a person put it there.
+    bool isEvidence() const { return isPlaced() && placement == Placement::Manual; }
     bool operator==(const Mark&) const = default;
 };
 
@@ -54,7 +69,20 @@ struct AnnotationSet {
 
 /// The mark at `key`, or nothing ("not done yet").
 std::optional<Mark> markAt(const AnnotationSet& set, const MarkKey& key);
-/// Frames that hold at least one mark, ascending.
+/// Frames that hold at least one mark, ascending; O(frames * log(marks)).
 std::vector<int> annotatedFrames(const AnnotationSet& set);
+
+/// Neighbouring marks of a set, for range-based loops over (key, mark). Valid while the set is not changed.
+struct MarkRange {
+    std::map<MarkKey, Mark>::const_iterator first, last;
+    auto begin() const { return first; }
+    auto end() const { return last; }
+    bool empty() const { return first == last; }
+};
+MarkRange marksOfFrame(const AnnotationSet& set, int frame);
+MarkRange marksOfFrame(const AnnotationSet& set, int frame, const std::string& rater);
+MarkRange marksOfJoint(const AnnotationSet& set, int frame, const std::string& rater, const JointId& joint);
+/// The marks of the frames firstFrame..lastFrame, both included.
+MarkRange marksOfFrames(const AnnotationSet& set, int firstFrame, int lastFrame);
 
 } // namespace core

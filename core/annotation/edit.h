@@ -34,10 +34,13 @@ struct Edit {
     bool operator==(const Edit&) const = default;
 };
 
-/// Applies an edit. Throws Error(BadInput) if `before` is not what the set holds; the set is then unchanged.
+/// Applies an edit. Throws Error(BadInput) if `before` is not what the set holds or a key occurs twice; the set is then
+/// unchanged.
 void apply(AnnotationSet& set, const Edit& edit);
+/// The edit that takes `edit` back; same label.
 Edit inverse(const Edit& edit);
-/// The edit that does `first`, then `second` (for one drag); changes that cancel are dropped.
+/// The edit that does `first`, then `second` (for one drag); changes that cancel are dropped. Label of `first`, keys
+/// ascending. Throws Error(BadInput) if `second` does not start where `first` ends.
 Edit merged(const Edit& first, const Edit& second);
 
 } // namespace core

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/annotation/edit.h"
+#include "core/annotation/interpolation.h"
 #include "core/annotation/reconstruction.h"
 
 /// Factories of edits. None of them changes the set: each returns what an annotator's step would change, as one undo step,
@@ -46,10 +47,6 @@ Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, 
                   const std::string& rater, const std::optional<std::vector<JointId>>& joints = std::nullopt,
                   const TriangulationOptions& options = {});
 
-enum class Interpolation {
-    Linear,
-    Cubic ///< piecewise cubic through the points, tangents from parabolas through three neighbours: exact for parabolas
-};
 /// Interpolates each joint in 3D between the frames of [firstFrame, lastFrame] in which it has a point, and puts it as auto
 /// marks into the frames between them; never extrapolates. Cubic also uses the nearest such frame on either side of the range.
 Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int firstFrame, int lastFrame,

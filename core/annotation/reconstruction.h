@@ -50,7 +50,7 @@ struct JointReconstruction {
     std::vector<ViewReconstruction> views;  ///< one per camera, in the cameras' order
     JointStatus status = JointStatus::None;
     std::vector<NextView> nextViews;        ///< unmarked views that would see the point, the most useful one first
-    std::string suspect;                    ///< camera of the manual mark that disagrees most with the others, or empty
+    std::string suspect;                    ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
     std::optional<Eigen::Vector3d> proposal; ///< where auto marks put the joint while manual ones give no point; never exported
     int manualViews = 0;
     int placedViews = 0;                    ///< manual and auto
@@ -67,6 +67,10 @@ struct ReconstructionOptions {
 
 /// Expected distance of a point from its true place, mm: the square root of the covariance's trace.
 double sigmaMm(const Eigen::Matrix3d& covariance);
+
+/// The projection of the 95 % ellipsoid of a point's covariance, to first order; nothing if the point is behind the camera.
+std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::Vector3d& pointInWorld,
+                                             const Eigen::Matrix3d& covariance);
 
 /// Triangulates one joint of one frame from one rater's marks and looks at it from every camera.
 JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "core/annotation/edits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/error.h"
+
+namespace core {
+
+namespace {
+
+/// Notes that the mark of `key` becomes `after`, unless it already is that.
+void change(Edit& edit, const AnnotationSet& set, const MarkKey& key, const std::optional<Mark>& after) {
+    const auto before = markAt(set, key);
+    if (before != after) {
+        edit.marks.push_back({key, before, after});
+    }
+}
+
+Edit single(const AnnotationSet& set, const std::string& verb, const MarkKey& key, const std::optional<Mark>& after) {
+    Edit edit{verb + " " + jointLabel(key.joint) + " in " + key.camera, {}, {}};
+    change(edit, set, key, after);
+    return edit;
+}
+
+bool isChosen(const std::optional<std::vector<JointId>>& joints, const JointId& joint) {
+    return !joints || std::find(joints->begin(), joints->end(), joint) != joints->end();
+}
+
+std::string frameRange(int first, int last) {
+    return "frames " + std::to_string(first) + " to " + std::to_string(last);
+}
+
+/// Auto marks for a point in the views that have no mark and would see it.
+void propose(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+             const JointPoint& joint, const std::optional<std::string>& onlyCamera) {
+    for (const Camera& camera : cameras) {
+        const MarkKey key{frame, rater, joint.joint, camera.name};
+        if ((onlyCamera && *onlyCamera != camera.name) || markAt(set, key)) {
+            continue;
+        }
+        const auto px = project(camera, joint.pointInWorld);
+        if (px && isInside(camera.size, *px)) {
+            edit.marks.push_back({key, std::nullopt, Mark{*px, Placement::Auto, MarkState::Visible}});
+        }
+    }
+}
+
+std::optional<Eigen::Vector3d> pointOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                                       const std::string& rater, const JointId& joint, const TriangulationOptions& options) {
+    const auto found = reconstruct(set, cameras, frame, rater, joint, {options, false, std::nullopt});
+    return found.result.point ? std::optional(found.result.point->pointInWorld) : std::nullopt;
+}
+
+} // namespace
+
+Edit placeEdit(const AnnotationSet& set, const MarkKey& key, const Eigen::Vector2d& px) {
+    if (!px.allFinite()) {
+        throw Error(ErrorCode::Usage, "", key.camera, "a mark needs a finite pixel position");
+    }
+    const auto before = markAt(set, key);
+    const bool isMove = before && before->isPlaced();
+    const bool staysOccluded = before && before->state == MarkState::Occluded;
+    return single(set, isMove ? "move" : "place", key,
+                  Mark{px, Placement::Manual, staysOccluded ? MarkState::Occluded : MarkState::Visible});
+}
+
+Edit removeEdit(const AnnotationSet& set, const MarkKey& key) { return single(set, "delete", key, std::nullopt); }
+
+Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state) {
+    const std::string verb = "set to " + std::string(stateName(state)) + ":";
+    if (state == MarkState::Unplaceable) {
+        return single(set, verb, key, Mark{Eigen::Vector2d::Zero(), Placement::Manual, state});
+    }
+    auto mark = markAt(set, key);
+    if (mark && mark->isPlaced()) {
+        mark->state = state;
+    }
+    return single(set, verb, key, mark);
+}
+
+Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text) {
+    Edit edit{"note in frame " + std::to_string(frame), {}, {}};
+    const auto found = set.notes.find(frame);
+    const std::string before = found == set.notes.end() ? std::string() : found->second;
+    if (before != text) {
+        edit.notes.push_back({frame, before, text});
+    }
+    return edit;
+}
+
+Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+                const JointId& joint, const std::optional<std::string>& camera, const TriangulationOptions& options) {
+    Edit edit{"accept " + jointLabel(joint) + " in " + camera.value_or("all views"), {}, {}};
+    if (const auto point = pointOf(set, cameras, frame, rater, joint, options)) {
+        propose(edit, set, cameras, frame, rater, {joint, *point}, camera);
+    }
+    return edit;
+}
+
+Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+                     const TriangulationOptions& options) {
+    Edit edit{"accept all joints of frame " + std::to_string(frame), {}, {}};
+    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
+        if (joint.result.point) {
+            propose(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt);
+        }
+    }
+    return edit;
+}
+
+Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+                 const std::vector<JointPoint>& joints, const std::string& label) {
+    Edit edit{label, {}, {}};
+    for (const JointPoint& joint : joints) {
+        propose(edit, set, cameras, frame, rater, joint, std::nullopt);
+    }
+    return edit;
+}
+
+Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int fromFrame, int toFrame,
+                  const std::string& rater, const std::optional<std::vector<JointId>>& joints,
+                  const TriangulationOptions& options) {
+    Edit edit{"copy pose of frame " + std::to_string(fromFrame) + " to frame " + std::to_string(toFrame), {}, {}};
+    if (fromFrame == toFrame) {
+        return edit;
+    }
+    for (const auto& [id, joint] : reconstructFrame(set, cameras, fromFrame, rater, {options, false, std::nullopt})) {
+        if (joint.result.point && isChosen(joints, id)) {
+            propose(edit, set, cameras, toFrame, rater, {id, joint.result.point->pointInWorld}, std::nullopt);
+        }
+    }
+    return edit;
+}
+
+namespace {
+
+using JointCurves = std::map<JointId, std::map<int, Eigen::Vector3d>>;
+
+/// Frames of the set in [first, last] and the nearest annotated ones on either side, which a cubic needs for its slopes.
+std::vector<int> framesAround(const AnnotationSet& set, int first, int last) {
+    std::vector<int> frames;
+    std::optional<int> below;
+    for (const int frame : annotatedFrames(set)) {
+        if (frame < first) {
+            below = frame;
+        } else {
+            frames.push_back(frame);
+            if (frame > last) {
+                break;
+            }
+        }
+    }
+    if (below) {
+        frames.insert(frames.begin(), *below);
+    }
+    return frames;
+}
+
+} // namespace
+
+Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int firstFrame, int lastFrame,
+                     const std::string& rater, Interpolation kind, const std::optional<std::vector<JointId>>& joints,
+                     const TriangulationOptions& options) {
+    Edit edit{"interpolate " + frameRange(firstFrame, lastFrame), {}, {}};
+    JointCurves curves;
+    for (const int frame : framesAround(set, firstFrame, lastFrame)) {
+        const bool isOutside = frame < firstFrame || frame > lastFrame;
+        if (isOutside && kind == Interpolation::Linear) {
+            continue;
+        }
+        for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
+            if (joint.result.point && isChosen(joints, id)) {
+                curves[id].emplace(frame, joint.result.point->pointInWorld);
+            }
+        }
+    }
+    for (const auto& [id, points] : curves) {
+        const auto firstInside = points.lower_bound(firstFrame);
+        const auto pastInside = points.upper_bound(lastFrame);
+        if (firstInside == pastInside) {
+            continue;
+        }
+        const int lastInside = std::prev(pastInside)->first;
+        for (int frame = firstInside->first + 1; frame < lastInside; ++frame) {
+            if (!points.contains(frame)) {
+                propose(edit, set, cameras, frame, rater, {id, *interpolated(points, frame, kind)}, std::nullopt);
+            }
+        }
+    }
+    return edit;
+}
+
+Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, const std::optional<int>& lastFrame) {
+    const int last = lastFrame.value_or(std::numeric_limits<int>::max());
+    Edit edit{"swap left and right " + (lastFrame ? "in " + frameRange(firstFrame, last)
+                                                  : "from frame " + std::to_string(firstFrame)), {}, {}};
+    std::set<MarkKey> keys;
+    for (const auto& [key, mark] : marksOfFrames(set, firstFrame, last)) {
+        if (key.rater == rater) {
+            MarkKey other = key;
+            other.joint.hand = key.joint.hand == Side::Left ? Side::Right : Side::Left;
+            keys.insert(key);
+            keys.insert(other);
+        }
+    }
+    for (const MarkKey& key : keys) {
+        MarkKey other = key;
+        other.joint.hand = key.joint.hand == Side::Left ? Side::Right : Side::Left;
+        change(edit, set, key, markAt(set, other));
+    }
+    return edit;
+}
+
+Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, int lastFrame,
+                     const std::optional<std::vector<JointId>>& joints) {
+    Edit edit{"delete " + frameRange(firstFrame, lastFrame), {}, {}};
+    for (const auto& [key, mark] : marksOfFrames(set, firstFrame, lastFrame)) {
+        if (key.rater == rater && isChosen(joints, key.joint)) {
+            change(edit, set, key, std::nullopt);
+        }
+    }
+    return edit;
+}
+
+Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label) {
+    Edit edit{label, {}, {}};
+    for (const auto& [key, mark] : imported.marks) {
+        change(edit, set, key, mark);
+    }
+    for (const auto& [frame, text] : imported.notes) {
+        const Edit note = noteEdit(set, frame, text);
+        edit.notes.insert(edit.notes.end(), note.notes.begin(), note.notes.end());
+    }
+    return edit;
+}
+
+} // namespace core
