@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "core/distance/generalized_chamfer.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/distance/circular_distance.h"
+#include "core/distance/direct_matching.h"
+#include "core/distance/distance_transform.h"
+#include "core/distance/dt3_tensor.h"
+
+namespace core {
+
+namespace {
+
+/// A match with what decides about it.
+struct Candidate {
+    int contourPoint = -1;
+    double distancePx = std::numeric_limits<double>::infinity(); ///< |p - q|
+    double costPx = std::numeric_limits<double>::infinity();     ///< the argument of f
+};
+
+double penaltyOf(const ChamferPenalty& penalty, double costPx) {
+    switch (penalty.kind) {
+    case PenaltyKind::Absolute:
+        return costPx;
+    case PenaltyKind::Squared:
+        return costPx * costPx;
+    case PenaltyKind::TruncatedSquared:
+        return std::min(costPx * costPx, penalty.rejectedPx2);
+    }
+    return 0;
+}
+
+ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedContour& observed,
+                   const DirectionalDistance& distance, const ChamferPenalty& penalty) {
+    ChamferTerm term{0, candidate.contourPoint, candidate.distancePx, penalty.rejectedPx2, false};
+    if (candidate.contourPoint < 0 || candidate.distancePx > distance.gatePx) {
+        return term;
+    }
+    const double contourAngleRad = observed.angleRad[static_cast<std::size_t>(candidate.contourPoint)];
+    if (distance.rule == MatchRule::NearestBelowTau &&
+        !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad)) {
+        return term;
+    }
+    term.kept = true;
+    term.penalty = penaltyOf(penalty, candidate.costPx);
+    return term;
+}
+
+Candidate positional(const std::optional<ContourMatch>& match) {
+    return match ? Candidate{match->index, match->distancePx, match->distancePx} : Candidate{};
+}
+
+/// The candidates of one point, exactly: one, or two for TwoNearestBins.
+std::vector<Candidate> directCandidates(const OrientedContour& observed, const DirectionalDistance& distance,
+                                        const Eigen::Vector2d& px, double angleRad) {
+    if (distance.rule == MatchRule::Nearest || distance.rule == MatchRule::NearestBelowTau) {
+        return {positional(nearestPoint(observed, px))};
+    }
+    const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
+    const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
+    if (distance.rule == MatchRule::Oriented) {
+        const auto match = nearestQuantisedPoint(observed, bins, px, nearestBins[0], distance.lambdaPxPerRad);
+        return {match ? Candidate{match->index, distancePx(observed, match->index, px), match->distancePx}
+                      : Candidate{}};
+    }
+    std::vector<Candidate> candidates = {positional(nearestPointInBin(observed, bins, nearestBins[0], px))};
+    if (distance.rule == MatchRule::TwoNearestBins) {
+        candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[1], px)));
+    }
+    return candidates;
+}
+
+/// The candidates of every pixel, from transforms.
+class CandidateField {
+public:
+    CandidateField(const OrientedContour& observed, const DirectionalDistance& distance, const cv::Rect& region,
+                   double angleRad)
+        : m_observed(observed) {
+        const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
+        const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
+        if (distance.rule == MatchRule::Oriented) {
+            m_tensor = computeDt3Tensor(observed, bins, distance.lambdaPxPerRad, region);
+            m_angleRad = angleRad;
+        } else if (distance.rule == MatchRule::SameBin || distance.rule == MatchRule::TwoNearestBins) {
+            const int count = distance.rule == MatchRule::SameBin ? 1 : 2;
+            for (int i = 0; i < count; ++i) {
+                const int bin = nearestBins[static_cast<std::size_t>(i)];
+                m_transforms.push_back(computeDistanceTransform(inBin(bins, bin), region));
+            }
+        } else {
+            m_transforms.push_back(computeDistanceTransform(observed, region));
+        }
+    }
+
+    void collect(int x, int y, std::vector<Candidate>& candidates) const {
+        candidates.clear();
+        if (m_tensor) {
+            const Eigen::Vector2d px(x, y);
+            const auto match = nearestFromTensor(*m_tensor, m_observed, px, m_angleRad);
+            candidates.push_back(match ? Candidate{match->index, distancePx(m_observed, match->index, px),
+                                                   match->distancePx}
+                                       : Candidate{});
+        }
+        for (std::size_t i = 0; i < m_transforms.size(); ++i) {
+            const std::size_t at = m_transforms[i].at(x, y);
+            const double distance = m_transforms[i].distancePx[at];
+            const int nearest = m_transforms[i].nearest[at];
+            const bool subset = !m_members.empty() && nearest >= 0;
+            candidates.push_back({subset ? m_members[i][static_cast<std::size_t>(nearest)] : nearest, distance, distance});
+        }
+    }
+
+private:
+    /// The observed points of one bin; remembers which ones they are.
+    OrientedContour inBin(const OrientationBins& bins, int bin) {
+        OrientedContour part;
+        std::vector<int> members;
+        for (std::size_t i = 0; i < m_observed.size(); ++i) {
+            if (bins.binOf(m_observed.angleRad[i]) == bin) {
+                part.x.push_back(m_observed.x[i]);
+                part.y.push_back(m_observed.y[i]);
+                part.angleRad.push_back(m_observed.angleRad[i]);
+                members.push_back(static_cast<int>(i));
+            }
+        }
+        m_members.push_back(std::move(members));
+        return part;
+    }
+
+    const OrientedContour& m_observed;
+    std::optional<Dt3Tensor> m_tensor;
+    double m_angleRad = 0;
+    std::vector<DistanceTransform> m_transforms;
+    std::vector<std::vector<int>> m_members;
+};
+
+} // namespace
+
+ChamferScore generalizedChamferDistance(const OrientedContour& model, const OrientedContour& observed,
+                                        const DirectionalDistance& distance, const ChamferPenalty& penalty) {
+    ChamferScore score;
+    double sum = 0;
+    for (std::size_t p = 0; p < model.size(); ++p) {
+        const Eigen::Vector2d px(model.x[p], model.y[p]);
+        for (const Candidate& candidate : directCandidates(observed, distance, px, model.angleRad[p])) {
+            ChamferTerm term = termOf(candidate, model.angleRad[p], observed, distance, penalty);
+            term.modelPoint = static_cast<int>(p);
+            sum += term.penalty;
+            ++(term.kept ? score.kept : score.rejected);
+            score.terms.push_back(term);
+        }
+    }
+    score.value = score.terms.empty() ? 0 : sum / static_cast<double>(score.terms.size());
+    return score;
+}
+
+cv::Mat chamferField(const OrientedContour& observed, const DirectionalDistance& distance,
+                     const ChamferPenalty& penalty, const cv::Rect& region, double angleRad) {
+    const CandidateField candidates(observed, distance, region, angleRad);
+    cv::Mat field(region.height, region.width, CV_32F);
+    std::vector<Candidate> found;
+    for (int row = 0; row < region.height; ++row) {
+        float* out = field.ptr<float>(row);
+        for (int col = 0; col < region.width; ++col) {
+            candidates.collect(region.x + col, region.y + row, found);
+            double sum = 0;
+            for (const Candidate& candidate : found) {
+                sum += termOf(candidate, angleRad, observed, distance, penalty).penalty;
+            }
+            out[col] = static_cast<float>(sum / static_cast<double>(found.size()));
+        }
+    }
+    return field;
+}
+
+} // namespace core

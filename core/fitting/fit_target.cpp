@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "core/fitting/fit_target.h"
+
+#include <cmath>
+#include <optional>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace core {
+
+namespace {
+
+/// Points whose ray the lens model cannot give are dropped.
+CameraTarget makeTarget(const Camera& camera, int index, const OrientedContour& found,
+                        const FitTargetOptions& options) {
+    OrientedContour kept;
+    std::vector<Eigen::Vector3d> directions;
+    const Eigen::Matrix3d worldFromCamera = camera.cameraFromWorld.rotation.transpose();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto normalised = undistort(camera, {found.x[i], found.y[i]});
+        if (!normalised) {
+            continue;
+        }
+        kept.x.push_back(found.x[i]);
+        kept.y.push_back(found.y[i]);
+        kept.angleRad.push_back(found.angleRad[i]);
+        directions.push_back((worldFromCamera * normalised->homogeneous()).normalized());
+    }
+    OrientedContour searched = kept;
+    if (options.wholePixels) {
+        for (std::size_t i = 0; i < searched.size(); ++i) {
+            searched.x[i] = std::round(searched.x[i]);
+            searched.y[i] = std::round(searched.y[i]);
+        }
+    }
+    return {index, std::move(kept), std::move(directions), camera.centreInWorld(),
+            ContourIndex(searched, options.bins)};
+}
+
+} // namespace
+
+std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& masks,
+                                         const FitTargetOptions& options, int threads) {
+    std::vector<std::optional<CameraTarget>> made(cameras.size());
+    const auto make = [&](std::size_t c) {
+        const OrientedContour contour = orientedContour(masks[c], options.contour);
+        if (!contour.empty()) {
+            made[c] = makeTarget(cameras[c], static_cast<int>(c), contour, options);
+        }
+    };
+    tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });
+    std::vector<CameraTarget> targets;
+    for (auto& target : made) {
+        if (target) {
+            targets.push_back(std::move(*target));
+        }
+    }
+    return targets;
+}
+
+} // namespace core

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "core/contour/oriented_contour.h"
+#include "core/distance/contour_index.h"
+#include "core/geometry/camera.h"
+
+namespace core {
+
+/// What one camera observed, prepared for matching.
+struct CameraTarget {
+    int camera = 0;                            ///< index into the cameras
+    OrientedContour contour;
+    std::vector<Eigen::Vector3d> rayDirection; ///< unit, in the world, parallel to the contour
+    Eigen::Vector3d centre;                    ///< the camera's centre in the world
+    ContourIndex index;
+};
+
+struct FitTargetOptions {
+    ContourOptions contour;
+    OrientationBins bins{16, true};
+    bool wholePixels = false; ///< match at pixel centres, as a distance transform does
+};
+
+/// Prepares every camera whose mask is not empty and shows an outline, in the cameras' order.
+std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& masks,
+                                         const FitTargetOptions& options, int threads);
+
+} // namespace core

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "core/fitting/pose_estimator.h"
+
+#include <string>
+
+#include "core/error.h"
+#include "core/fitting/best_fit.h"
+#include "core/fitting/fit_target.h"
+#include "core/fitting/pose_refiner.h"
+#include "core/fitting/stopwatch.h"
+
+namespace core {
+
+namespace {
+
+constexpr int kRigidIterations = 8;    ///< of the first phase of the default schedule
+constexpr double kConvergedMm = 0.01;  ///< mean joint displacement of a step below which a phase ends
+
+void checkInput(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
+                const std::vector<cv::Mat>& masks, const HandPoses& start) {
+    if (masks.size() != cameras.size()) {
+        throw Error(ErrorCode::BadInput, "", "masks",
+                    "there are " + std::to_string(masks.size()) + " for " + std::to_string(cameras.size()) + " cameras");
+    }
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+        const bool fits = masks[c].type() == CV_8U && masks[c].cols == cameras[c].size.width &&
+                          masks[c].rows == cameras[c].size.height;
+        if (!masks[c].empty() && !fits) {
+            throw Error(ErrorCode::BadInput, "", "mask of " + cameras[c].name,
+                        "must be an 8-bit image of the camera's size");
+        }
+    }
+    if (start.size() != hands.size()) {
+        throw Error(ErrorCode::BadInput, "", "start", "must hold one pose per hand");
+    }
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        if (start[h].size() != hands[h].skeleton.poseSize() || !start[h].allFinite()) {
+            throw Error(ErrorCode::BadInput, "", "start", "pose " + std::to_string(h) + " does not fit its hand");
+        }
+    }
+}
+
+FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
+    FitTargetOptions options;
+    options.contour.normals = method.chordTangent ? ContourNormals::Chord : ContourNormals::Polygon;
+    options.contour.polygonEpsilonPx = method.polygonEpsilonPx;
+    options.bins = rule.bins;
+    options.wholePixels = rule.wholePixels;
+    return options;
+}
+
+/// The paper's loop; with the default schedule its first iterations move each hand as a whole.
+void runPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule& rule, std::stop_token stop,
+                    const FitProgress& progress, FitResult& result) {
+    IterationSettings settings;
+    settings.rule = rule;
+    settings.damping = method.damping;
+    settings.rigidOnly = method.schedule == Schedule::RigidFirst;
+    result.termination = FitTermination::MaxIterations;
+    for (int i = 0; i < method.maxIterations; ++i) {
+        if (stop.stop_requested()) {
+            result.termination = FitTermination::Stopped;
+            return;
+        }
+        if (i == kRigidIterations) {
+            settings.rigidOnly = false;
+        }
+        FitIteration record = refiner.iterate(result.poses, settings);
+        record.iteration = i;
+        record.poses = result.poses;
+        result.history.push_back(record);
+        if (progress) {
+            progress(i + 1, method.maxIterations);
+        }
+        if (record.matches == 0) {
+            result.termination = FitTermination::NoMatches;
+            return;
+        }
+        if (record.stepMm < kConvergedMm) {
+            if (!settings.rigidOnly) {
+                result.termination = FitTermination::Converged;
+                return;
+            }
+            settings.rigidOnly = false;
+        }
+    }
+}
+
+} // namespace
+
+std::string_view terminationName(FitTermination termination) {
+    switch (termination) {
+    case FitTermination::Converged:
+        return "converged";
+    case FitTermination::MaxIterations:
+        return "max_iterations";
+    case FitTermination::NoMatches:
+        return "no_matches";
+    case FitTermination::Stopped:
+        return "stopped";
+    }
+    return "";
+}
+
+struct PoseEstimator::Impl {
+    FittingHands hands;
+    std::vector<Camera> cameras;
+};
+
+PoseEstimator::PoseEstimator(std::vector<HandModel> hands, std::vector<Camera> cameras)
+    : m_impl(std::make_unique<Impl>(Impl{makeFittingHands(std::move(hands)), std::move(cameras)})) {}
+PoseEstimator::~PoseEstimator() = default;
+PoseEstimator::PoseEstimator(PoseEstimator&&) noexcept = default;
+PoseEstimator& PoseEstimator::operator=(PoseEstimator&&) noexcept = default;
+
+FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses& start, const Method& method,
+                             std::stop_token stop, const FitProgress& progress, int threads) const {
+    checkInput(m_impl->hands.models, m_impl->cameras, masks, start);
+    const Stopwatch total;
+    Stopwatch watch;
+    FitResult result;
+    result.poses = start;
+    const MatchRule rule = matchRule(method);
+    const std::vector<CameraTarget> targets =
+        makeFitTargets(m_impl->cameras, masks, targetOptions(method, rule), threads);
+    result.profile.contours = watch.restart();
+    PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
+    if (targets.empty()) {
+        result.termination = FitTermination::NoMatches;
+    } else if (method.kind == MethodKind::Best) {
+        fitBest(refiner, method.live, stop, progress, result);
+    } else {
+        runPaperMethod(refiner, method, rule, stop, progress, result);
+    }
+    result.seconds = total.seconds();
+    return result;
+}
+
+} // namespace core

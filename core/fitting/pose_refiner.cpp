@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "core/fitting/pose_refiner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "core/fitting/stopwatch.h"
+#include "core/numeric/box_step.h"
+
+namespace core {
+
+namespace {
+
+/// Vertices of the coarser levels; the coarse one also decides what covers what.
+constexpr std::array<int, kSurfaceLevels> kLevelVertices{700, 2000, 0};
+
+/// Recorded angles leave their limits by a few degrees: beyond a limit the pose is pulled back softly, and held hard only
+/// this far outside.
+constexpr double kLimitSlackRad = 0.2;
+constexpr double kLimitPull = 1e4;     ///< mm^2 per rad^2
+constexpr double kAngleFloor = 20;     ///< mm^2 per rad^2: holds what no camera sees
+constexpr double kRigidFloor = 1e-3;
+
+RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target, int contourPoint, double weight,
+                                 const IterationSettings& settings) {
+    RayCorrespondence c;
+    c.vertexA = rim.vertexA;
+    c.vertexB = rim.vertexB;
+    c.t = static_cast<double>(rim.t);
+    c.point = rim.point.cast<double>();
+    c.rayPoint = target.centre;
+    c.rayDirection = target.rayDirection[static_cast<std::size_t>(contourPoint)];
+    c.normal = rim.normal.cast<double>();
+    c.tangentWeight = settings.tangentWeight;
+    c.weight = weight;
+    if (settings.robustMm > 0) {
+        const Eigen::Vector3d offset = c.point - c.rayPoint;
+        const double squared = (offset - offset.dot(c.rayDirection) * c.rayDirection).squaredNorm();
+        c.weight *= 1 / (1 + squared / (settings.robustMm * settings.robustMm));
+    }
+    return c;
+}
+
+/// The rim as a contour, so that contour points can search it.
+OrientedContour rimContour(const std::vector<RimPoint>& rim) {
+    OrientedContour contour;
+    for (const RimPoint& r : rim) {
+        contour.x.push_back(r.px.x());
+        contour.y.push_back(r.px.y());
+        contour.angleRad.push_back(std::atan2(r.normalPx.y(), r.normalPx.x()));
+    }
+    return contour;
+}
+
+} // namespace
+
+FittingHands makeFittingHands(std::vector<HandModel> models) {
+    FittingHands hands;
+    hands.models = std::move(models);
+    for (const HandModel& model : hands.models) {
+        auto& levels = hands.levels.emplace_back();
+        for (int level = 0; level < kSurfaceLevels; ++level) {
+            levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
+        }
+    }
+    return hands;
+}
+
+PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& cameras,
+                         const std::vector<CameraTarget>& targets, const HandPoses& start, int threads,
+                         FitProfile& profile)
+    : m_hands(hands), m_cameras(cameras), m_targets(targets), m_start(start), m_threads(threads), m_profile(profile),
+      m_views(targets.size()), m_posed(hands.models.size()) {
+    for (View& view : m_views) {
+        view.correspondences.resize(hands.models.size());
+        view.equations.resize(hands.models.size());
+    }
+}
+
+template <typename Work>
+void PoseRefiner::forEachView(Work&& work) {
+    if (m_threads <= 1) {
+        for (std::size_t v = 0; v < m_views.size(); ++v) {
+            work(m_views[v], m_targets[v]);
+        }
+    } else {
+        tbb::task_arena(m_threads).execute([&] {
+            tbb::parallel_for(std::size_t{0}, m_views.size(), [&](std::size_t v) { work(m_views[v], m_targets[v]); });
+        });
+    }
+    for (View& view : m_views) {
+        m_profile.rims += std::exchange(view.secondsRim, 0);
+        m_profile.matching += std::exchange(view.secondsMatch, 0);
+        m_profile.solving += std::exchange(view.secondsSolve, 0);
+        m_profile.scoring += std::exchange(view.secondsScore, 0);
+    }
+}
+
+void PoseRefiner::poseSurfaces(const HandPoses& poses, Detail detail) {
+    const Stopwatch watch;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
+        const BoneMatrices bones = boneMatrices(m_hands.models[h].skeleton, poses[h]);
+        poseSurface(m_hands.levels[h][0], bones, m_posed[h][0]);
+        const auto level = static_cast<std::size_t>(detail);
+        if (level > 0) {
+            poseSurface(m_hands.levels[h][level], bones, m_posed[h][level]);
+        }
+    }
+    m_profile.skinning += watch.seconds();
+}
+
+void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail detail, int points) {
+    const Stopwatch watch;
+    const auto level = static_cast<std::size_t>(detail);
+    std::vector<RimSource> sources;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
+        sources.push_back({&m_hands.levels[h][level], &m_posed[h][level], &m_hands.levels[h][0], &m_posed[h][0]});
+    }
+    RimOptions options;
+    options.maxPoints = points;
+    visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], sources, options, view.scratch, view.rim);
+    view.secondsRim += watch.seconds();
+}
+
+void PoseRefiner::matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const {
+    for (const RimPoint& rim : view.rim) {
+        view.matches.clear();
+        findMatches(target, settings.rule, rim, view.matches);
+        if (view.matches.empty()) {
+            ++view.rejected;
+        }
+        for (const WeightedMatch& match : view.matches) {
+            view.correspondences[static_cast<std::size_t>(rim.hand)].push_back(
+                correspondence(rim, target, match.index, static_cast<double>(match.weight), settings));
+        }
+    }
+}
+
+void PoseRefiner::matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const {
+    if (settings.contourPointsPerCamera <= 0 || view.rim.empty()) {
+        return;
+    }
+    const ContourIndex index(rimContour(view.rim), settings.rule.bins);
+    const std::size_t count = target.contour.size();
+    const std::size_t wanted = std::min(count, static_cast<std::size_t>(settings.contourPointsPerCamera));
+    for (std::size_t k = 0; k < wanted; ++k) {
+        const std::size_t q = k * count / wanted;
+        const ContourMatch match =
+            index.nearestWithin(target.contour.x[q], target.contour.y[q], target.contour.angleRad[q],
+                                settings.rule.tauRad, settings.rule.gatePx);
+        if (match.index >= 0) {
+            const RimPoint& rim = view.rim[static_cast<std::size_t>(match.index)];
+            view.correspondences[static_cast<std::size_t>(rim.hand)].push_back(
+                correspondence(rim, target, static_cast<int>(q), 1, settings));
+        }
+    }
+}
+
+FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& settings) {
+    poseSurfaces(poses, settings.detail);
+    std::vector<HandLinearisation> linearisations;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
+        linearisations.emplace_back(m_hands.models[h], m_hands.levels[h][static_cast<std::size_t>(settings.detail)],
+                                    poses[h]);
+    }
+    forEachView([&](View& view, const CameraTarget& target) {
+        extractRim(view, target, settings.detail, settings.pointsPerCamera);
+        Stopwatch watch;
+        view.rejected = 0;
+        for (auto& list : view.correspondences) {
+            list.clear();
+        }
+        matchRim(view, target, settings);
+        matchContour(view, target, settings);
+        view.secondsMatch += watch.restart();
+        for (std::size_t h = 0; h < linearisations.size(); ++h) {
+            view.equations[h].reset(linearisations[h].poseSize());
+            linearisations[h].accumulate(view.correspondences[h], view.equations[h]);
+        }
+        view.secondsSolve += watch.seconds();
+    });
+    const Stopwatch watch;
+    FitIteration record;
+    double squared = 0;
+    const HandPoses before = poses;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
+        NormalEquations sum;
+        sum.reset(linearisations[h].poseSize());
+        for (const View& view : m_views) { // fixed order: independent of the threads
+            sum += view.equations[h];
+        }
+        squared += sum.sumSquaredMm2;
+        record.matches += sum.count;
+        if (sum.count > 0) {
+            poses[h] = retract(poses[h], solveHand(h, poses, sum, settings));
+        }
+    }
+    for (const View& view : m_views) {
+        record.rejected += view.rejected;
+    }
+    record.costMm2 = record.matches ? squared / (2 * record.matches) : 0;
+    record.stepMm = meanJointDistanceMm(m_hands.models, before, poses);
+    m_profile.solving += watch.seconds();
+    return record;
+}
+
+Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
+                                       const IterationSettings& settings) const {
+    const Skeleton& skeleton = m_hands.models[hand].skeleton;
+    const Eigen::Index size = settings.rigidOnly ? kRigidDofs : skeleton.poseSize();
+    Eigen::MatrixXd hessian = equations.hessian.topLeftCorner(size, size);
+    Eigen::VectorXd gradient = equations.gradient.head(size);
+    Eigen::VectorXd lower = Eigen::VectorXd::Constant(size, -std::numeric_limits<double>::infinity());
+    Eigen::VectorXd upper = -lower;
+    hessian.diagonal() *= 1 + settings.damping;
+    hessian.diagonal().head<kRigidDofs>().array() += kRigidFloor;
+    for (Eigen::Index k = kRigidDofs; k < size; ++k) {
+        const DegreeOfFreedom& dof = skeleton.dofs[static_cast<std::size_t>(k - kRigidDofs)];
+        const double angle = poses[hand][k];
+        hessian(k, k) += kAngleFloor;
+        const double prior = settings.startPrior * equations.count;
+        hessian(k, k) += prior;
+        gradient[k] += prior * (angle - m_start[hand][k]);
+        const double outside = angle - std::clamp(angle, dof.minRad, dof.maxRad);
+        if (outside != 0) {
+            hessian(k, k) += kLimitPull;
+            gradient[k] += kLimitPull * outside;
+        }
+        lower[k] = std::min(0.0, dof.minRad - kLimitSlackRad - angle);
+        upper[k] = std::max(0.0, dof.maxRad + kLimitSlackRad - angle);
+    }
+    Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
+    step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
+    return step;
+}
+
+void PoseRefiner::scoreView(View& view, const CameraTarget& target, float tauRad, float gatePx) const {
+    double sum = 0;
+    std::size_t count = 0;
+    for (const RimPoint& rim : view.rim) {
+        const ContourMatch match = target.index.nearestWithin(
+            rim.px.x(), rim.px.y(), std::atan2(rim.normalPx.y(), rim.normalPx.x()), tauRad, gatePx);
+        sum += static_cast<double>(match.index >= 0 ? match.distance : gatePx);
+        ++count;
+    }
+    const ContourIndex index(rimContour(view.rim), OrientationBins(16, true));
+    const std::size_t points = target.contour.size();
+    const std::size_t wanted = std::min(points, std::max<std::size_t>(1, view.rim.size()));
+    for (std::size_t k = 0; k < wanted; ++k) {
+        const std::size_t q = k * points / wanted;
+        const ContourMatch match = index.nearestWithin(target.contour.x[q], target.contour.y[q],
+                                                       target.contour.angleRad[q], tauRad, gatePx);
+        sum += static_cast<double>(match.index >= 0 ? match.distance : gatePx);
+        ++count;
+    }
+    view.score = count ? sum / static_cast<double>(count) : static_cast<double>(gatePx);
+}
+
+double PoseRefiner::score(const HandPoses& poses, Detail detail, int pointsPerCamera, float tauRad, float gatePx) {
+    poseSurfaces(poses, detail);
+    forEachView([&](View& view, const CameraTarget& target) {
+        extractRim(view, target, detail, pointsPerCamera);
+        const Stopwatch watch;
+        scoreView(view, target, tauRad, gatePx);
+        view.secondsScore += watch.seconds();
+    });
+    double sum = 0;
+    for (const View& view : m_views) {
+        sum += view.score;
+    }
+    return m_views.empty() ? 0 : sum / static_cast<double>(m_views.size());
+}
+
+} // namespace core

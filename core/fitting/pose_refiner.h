@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "core/contour/visible_rim.h"
+#include "core/fitting/fit_target.h"
+#include "core/fitting/match_rule.h"
+#include "core/fitting/pose_estimator.h"
+#include "core/fitting/ray_equations.h"
+#include "core/hand/skinned_surface.h"
+
+namespace core {
+
+/// Levels of detail of all hands, coarse to fine.
+inline constexpr int kSurfaceLevels = 3;
+enum class Detail { Coarse = 0, Medium = 1, Full = 2 };
+
+/// The hands as the estimator sees them.
+struct FittingHands {
+    std::vector<HandModel> models;
+    std::vector<std::array<SkinnedSurface, kSurfaceLevels>> levels; ///< per hand
+};
+FittingHands makeFittingHands(std::vector<HandModel> models);
+
+/// How one iteration is done.
+struct IterationSettings {
+    MatchRule rule;
+    Detail detail = Detail::Full;
+    int pointsPerCamera = 300;
+    int contourPointsPerCamera = 0; ///< the other direction: contour points that pull the nearest rim point; 0 = none
+    bool rigidOnly = false;         ///< only the six rigid degrees of freedom of each hand move
+    double damping = 1e-3;          ///< relative to diag(H)
+    double tangentWeight = 1;       ///< of the distance along the outline; 1 = the paper's full point-to-ray distance
+    double robustMm = 0;            ///< Cauchy scale of the distance; 0 = none
+    double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
+};
+
+/// Extracts correspondences and solves for one step, again and again. One object per fit; not for several threads at once,
+/// though it may use several itself.
+class PoseRefiner {
+public:
+    PoseRefiner(const FittingHands& hands, const std::vector<Camera>& cameras,
+                const std::vector<CameraTarget>& targets, const HandPoses& start, int threads, FitProfile& profile);
+
+    /// One iteration; `poses` moves. The record's number and poses are left to the caller.
+    FitIteration iterate(HandPoses& poses, const IterationSettings& settings);
+
+    /// Mean distance (mm) of matched rim and contour points both ways, unmatched ones counted with the gate: how badly the
+    /// poses explain the contours. Lower is better.
+    double score(const HandPoses& poses, Detail detail, int pointsPerCamera, float tauRad, float gatePx);
+
+private:
+    struct View {
+        RimScratch scratch;
+        std::vector<RimPoint> rim;
+        std::vector<WeightedMatch> matches;
+        std::vector<std::vector<RayCorrespondence>> correspondences; ///< per hand
+        std::vector<NormalEquations> equations;                      ///< per hand
+        int rejected = 0;
+        double score = 0;
+        double secondsRim = 0, secondsMatch = 0, secondsSolve = 0, secondsScore = 0;
+    };
+
+    void poseSurfaces(const HandPoses& poses, Detail detail);
+    void extractRim(View& view, const CameraTarget& target, Detail detail, int points);
+    void matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const;
+    void matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const;
+    void scoreView(View& view, const CameraTarget& target, float tauRad, float gatePx) const;
+    Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
+                              const IterationSettings& settings) const;
+    template <typename Work>
+    void forEachView(Work&& work);
+
+    const FittingHands& m_hands;
+    const std::vector<Camera>& m_cameras;
+    const std::vector<CameraTarget>& m_targets;
+    HandPoses m_start;
+    int m_threads;
+    FitProfile& m_profile;
+    std::vector<View> m_views;
+    std::vector<std::array<PosedPoints, kSurfaceLevels>> m_posed; ///< per hand
+};
+
+} // namespace core
