@@ -12,8 +12,8 @@ namespace {
 
 /// The index with the smallest finite cost.
 template <typename Cost>
-std::optional<ContourMatch> cheapest(const OrientedContour& contour, const Cost& cost) {
-    ContourMatch best{-1, std::numeric_limits<double>::infinity()};
+std::optional<DirectMatch> cheapest(const OrientedContour& contour, const Cost& cost) {
+    DirectMatch best{-1, std::numeric_limits<double>::infinity()};
     for (int i = 0; i < static_cast<int>(contour.size()); ++i) {
         const double candidate = cost(i);
         if (candidate < best.distancePx) {
@@ -32,11 +32,11 @@ double distancePx(const OrientedContour& contour, int index, const Eigen::Vector
     return std::sqrt(dx * dx + dy * dy);
 }
 
-std::optional<ContourMatch> nearestPoint(const OrientedContour& contour, const Eigen::Vector2d& px) {
+std::optional<DirectMatch> nearestPoint(const OrientedContour& contour, const Eigen::Vector2d& px) {
     return cheapest(contour, [&](int i) { return distancePx(contour, i, px); });
 }
 
-std::optional<ContourMatch> nearestPointInBin(const OrientedContour& contour, const OrientationBins& bins, int bin,
+std::optional<DirectMatch> nearestPointInBin(const OrientedContour& contour, const OrientationBins& bins, int bin,
                                               const Eigen::Vector2d& px) {
     return cheapest(contour, [&](int i) {
         const bool inBin = bins.binOf(contour.angleRad[static_cast<std::size_t>(i)]) == bin;
@@ -44,7 +44,7 @@ std::optional<ContourMatch> nearestPointInBin(const OrientedContour& contour, co
     });
 }
 
-std::optional<ContourMatch> nearestOrientedPoint(const OrientedContour& contour, const Eigen::Vector2d& px,
+std::optional<DirectMatch> nearestOrientedPoint(const OrientedContour& contour, const Eigen::Vector2d& px,
                                                  double angleRad, double lambdaPxPerRad, bool isSigned) {
     return cheapest(contour, [&](int i) {
         const double contourAngleRad = contour.angleRad[static_cast<std::size_t>(i)];
@@ -52,7 +52,7 @@ std::optional<ContourMatch> nearestOrientedPoint(const OrientedContour& contour,
     });
 }
 
-std::optional<ContourMatch> nearestQuantisedPoint(const OrientedContour& contour, const OrientationBins& bins,
+std::optional<DirectMatch> nearestQuantisedPoint(const OrientedContour& contour, const OrientationBins& bins,
                                                   const Eigen::Vector2d& px, int bin, double lambdaPxPerRad) {
     return cheapest(contour, [&](int i) {
         const int contourBin = bins.binOf(contour.angleRad[static_cast<std::size_t>(i)]);

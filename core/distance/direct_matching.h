@@ -12,7 +12,7 @@ namespace core {
 
 /// A contour point that belongs to a query point. `distance` is what was minimised: pixels, plus the orientation's part
 /// where orientation counts.
-struct ContourMatch {
+struct DirectMatch {
     int index = 0;
     double distancePx = 0;
 };
@@ -24,18 +24,18 @@ struct ContourMatch {
 double distancePx(const OrientedContour& contour, int index, const Eigen::Vector2d& px);
 
 /// The nearest contour point.
-std::optional<ContourMatch> nearestPoint(const OrientedContour& contour, const Eigen::Vector2d& px);
+std::optional<DirectMatch> nearestPoint(const OrientedContour& contour, const Eigen::Vector2d& px);
 
 /// The nearest contour point among those of one orientation bin.
-std::optional<ContourMatch> nearestPointInBin(const OrientedContour& contour, const OrientationBins& bins, int bin,
+std::optional<DirectMatch> nearestPointInBin(const OrientedContour& contour, const OrientationBins& bins, int bin,
                                               const Eigen::Vector2d& px);
 
 /// The contour point q that minimises |p - q| + lambda * circ(phi_p, phi_q), lambda in px per rad.
-std::optional<ContourMatch> nearestOrientedPoint(const OrientedContour& contour, const Eigen::Vector2d& px,
+std::optional<DirectMatch> nearestOrientedPoint(const OrientedContour& contour, const Eigen::Vector2d& px,
                                                  double angleRad, double lambdaPxPerRad, bool isSigned);
 
 /// The same with both orientations quantised to the centres of their bins, as a DT3 tensor does.
-std::optional<ContourMatch> nearestQuantisedPoint(const OrientedContour& contour, const OrientationBins& bins,
+std::optional<DirectMatch> nearestQuantisedPoint(const OrientedContour& contour, const OrientationBins& bins,
                                                   const Eigen::Vector2d& px, int bin, double lambdaPxPerRad);
 
 } // namespace core

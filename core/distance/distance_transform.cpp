@@ -43,7 +43,7 @@ namespace {
 
 /// What the transform says of the pixel nearest to px; what `direct` says if that lies outside the region.
 template <typename Direct>
-std::optional<ContourMatch> lookedUp(const DistanceTransform& transform, const OrientedContour& contour,
+std::optional<DirectMatch> lookedUp(const DistanceTransform& transform, const OrientedContour& contour,
                                      const Eigen::Vector2d& px, const Direct& direct) {
     const int x = static_cast<int>(std::lround(px.x()));
     const int y = static_cast<int>(std::lround(px.y()));
@@ -54,17 +54,17 @@ std::optional<ContourMatch> lookedUp(const DistanceTransform& transform, const O
     if (nearest < 0) {
         return std::nullopt;
     }
-    return ContourMatch{nearest, distancePx(contour, nearest, px)};
+    return DirectMatch{nearest, distancePx(contour, nearest, px)};
 }
 
 } // namespace
 
-std::optional<ContourMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
+std::optional<DirectMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
                                                  const Eigen::Vector2d& px) {
     return lookedUp(transform, contour, px, [&] { return nearestPoint(contour, px); });
 }
 
-std::optional<ContourMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
+std::optional<DirectMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
                                                      const OrientedContour& contour, const OrientationBins& bins,
                                                      int bin, const Eigen::Vector2d& px) {
     return lookedUp(transforms[static_cast<std::size_t>(bin)], contour, px,

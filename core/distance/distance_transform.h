@@ -41,10 +41,10 @@ std::vector<DistanceTransform> computeBinTransforms(const OrientedContour& conto
 /// The contour point that the transform names for the pixel nearest to `px`, with its distance from `px` itself: at most
 /// sqrt(2) px farther than the nearest one. Outside the region: all points are searched, which is slower and exact.
 /// Nothing if the transform knows no point.
-std::optional<ContourMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
+std::optional<DirectMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
                                                  const Eigen::Vector2d& px);
 /// The same, from the transform of one bin; outside the region the points of that bin are searched.
-std::optional<ContourMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
+std::optional<DirectMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
                                                      const OrientedContour& contour, const OrientationBins& bins,
                                                      int bin, const Eigen::Vector2d& px);
 

@@ -95,7 +95,7 @@ Dt3Tensor computeDt3Tensor(const OrientedContour& contour, const OrientationBins
     return tensor;
 }
 
-std::optional<ContourMatch> nearestFromTensor(const Dt3Tensor& tensor, const OrientedContour& contour,
+std::optional<DirectMatch> nearestFromTensor(const Dt3Tensor& tensor, const OrientedContour& contour,
                                               const Eigen::Vector2d& px, double angleRad) {
     const int x = static_cast<int>(std::lround(px.x()));
     const int y = static_cast<int>(std::lround(px.y()));
@@ -109,7 +109,7 @@ std::optional<ContourMatch> nearestFromTensor(const Dt3Tensor& tensor, const Ori
     }
     const int contourBin = tensor.bins.binOf(contour.angleRad[nearest]);
     const double orientationPx = tensor.lambdaPxPerRad * tensor.bins.distanceRad(bin, contourBin);
-    return ContourMatch{nearest, distancePx(contour, nearest, px) + orientationPx};
+    return DirectMatch{nearest, distancePx(contour, nearest, px) + orientationPx};
 }
 
 } // namespace core

@@ -41,7 +41,7 @@ Dt3Tensor computeDt3Tensor(const OrientedContour& contour, const OrientationBins
 
 /// The contour point that the tensor names for the pixel nearest to `px` and the bin of `angleRad`; the distance is
 /// |p - q| + lambda * circ from `px` itself, orientations quantised. Outside the region all points are searched.
-std::optional<ContourMatch> nearestFromTensor(const Dt3Tensor& tensor, const OrientedContour& contour,
+std::optional<DirectMatch> nearestFromTensor(const Dt3Tensor& tensor, const OrientedContour& contour,
                                               const Eigen::Vector2d& px, double angleRad);
 
 } // namespace core

@@ -40,7 +40,7 @@ ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedCo
         return term;
     }
     const double contourAngleRad = observed.angleRad[static_cast<std::size_t>(candidate.contourPoint)];
-    if (distance.rule == MatchRule::NearestBelowTau &&
+    if (distance.kind == DistanceKind::NearestBelowTau &&
         !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad)) {
         return term;
     }
@@ -49,25 +49,25 @@ ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedCo
     return term;
 }
 
-Candidate positional(const std::optional<ContourMatch>& match) {
+Candidate positional(const std::optional<DirectMatch>& match) {
     return match ? Candidate{match->index, match->distancePx, match->distancePx} : Candidate{};
 }
 
 /// The candidates of one point, exactly: one, or two for TwoNearestBins.
 std::vector<Candidate> directCandidates(const OrientedContour& observed, const DirectionalDistance& distance,
                                         const Eigen::Vector2d& px, double angleRad) {
-    if (distance.rule == MatchRule::Nearest || distance.rule == MatchRule::NearestBelowTau) {
+    if (distance.kind == DistanceKind::Nearest || distance.kind == DistanceKind::NearestBelowTau) {
         return {positional(nearestPoint(observed, px))};
     }
     const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
     const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-    if (distance.rule == MatchRule::Oriented) {
+    if (distance.kind == DistanceKind::Oriented) {
         const auto match = nearestQuantisedPoint(observed, bins, px, nearestBins[0], distance.lambdaPxPerRad);
         return {match ? Candidate{match->index, distancePx(observed, match->index, px), match->distancePx}
                       : Candidate{}};
     }
     std::vector<Candidate> candidates = {positional(nearestPointInBin(observed, bins, nearestBins[0], px))};
-    if (distance.rule == MatchRule::TwoNearestBins) {
+    if (distance.kind == DistanceKind::TwoNearestBins) {
         candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[1], px)));
     }
     return candidates;
@@ -81,11 +81,11 @@ public:
         : m_observed(observed) {
         const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
         const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-        if (distance.rule == MatchRule::Oriented) {
+        if (distance.kind == DistanceKind::Oriented) {
             m_tensor = computeDt3Tensor(observed, bins, distance.lambdaPxPerRad, region);
             m_angleRad = angleRad;
-        } else if (distance.rule == MatchRule::SameBin || distance.rule == MatchRule::TwoNearestBins) {
-            const int count = distance.rule == MatchRule::SameBin ? 1 : 2;
+        } else if (distance.kind == DistanceKind::SameBin || distance.kind == DistanceKind::TwoNearestBins) {
+            const int count = distance.kind == DistanceKind::SameBin ? 1 : 2;
             for (int i = 0; i < count; ++i) {
                 const int bin = nearestBins[static_cast<std::size_t>(i)];
                 m_transforms.push_back(computeDistanceTransform(inBin(bins, bin), region));

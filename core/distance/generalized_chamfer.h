@@ -13,7 +13,7 @@
 namespace core {
 
 /// d(p, q) and which matches are kept: the special cases of Tzionas and Gall (2013, section 3).
-enum class MatchRule {
+enum class DistanceKind {
     Nearest,         ///< |p - q|, all are kept (CH)
     NearestBelowTau, ///< |p - q|, kept if circ(phi_p, phi_q) < tau (Thres)
     SameBin,         ///< |p - q| within the same orientation bin (Quant)
@@ -22,7 +22,7 @@ enum class MatchRule {
 };
 
 struct DirectionalDistance {
-    MatchRule rule = MatchRule::Nearest;
+    DistanceKind kind = DistanceKind::Nearest;
     double tauRad = std::numbers::pi / 8;
     bool isSigned = true;
     int bins = 16;              ///< SameBin, TwoNearestBins and Oriented

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 std::vector<double> expectedTerms(const OrientedContour& observed, const DirectionalDistance& distance,
                                   const ChamferPenalty& penalty, double x, double y, double angle) {
     const OrientationBins bins(distance.bins, distance.isSigned);
-    const bool two = distance.rule == MatchRule::TwoNearestBins;
+    const bool two = distance.kind == DistanceKind::TwoNearestBins;
     std::vector<double> terms;
     for (int choice = 0; choice < (two ? 2 : 1); ++choice) {
         double least = kInfinity;
@@ -28,9 +28,9 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
         for (std::size_t i = 0; i < observed.size(); ++i) {
             const double d = std::hypot(x - observed.x[i], y - observed.y[i]);
             const int bin = bins.binOf(observed.angleRad[i]);
-            const bool binned = distance.rule == MatchRule::SameBin || two;
+            const bool binned = distance.kind == DistanceKind::SameBin || two;
             double cost = binned && bin != bins.nearestTwo(angle)[static_cast<std::size_t>(choice)] ? kInfinity : d;
-            if (distance.rule == MatchRule::Oriented) {
+            if (distance.kind == DistanceKind::Oriented) {
                 cost += distance.lambdaPxPerRad * bins.distanceRad(bin, bins.binOf(angle));
             }
             if (cost < least) {
@@ -40,7 +40,7 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
             }
         }
         const bool kept = least < kInfinity && positionPx <= distance.gatePx &&
-                          (distance.rule != MatchRule::NearestBelowTau || circ < distance.tauRad);
+                          (distance.kind != DistanceKind::NearestBelowTau || circ < distance.tauRad);
         const double squared = penalty.kind == PenaltyKind::Absolute ? least : least * least;
         const double f = penalty.kind == PenaltyKind::TruncatedSquared ? std::min(squared, penalty.rejectedPx2) : squared;
         terms.push_back(kept ? f : penalty.rejectedPx2);
@@ -48,15 +48,15 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
     return terms;
 }
 
-const MatchRule kRules[] = {MatchRule::Nearest, MatchRule::NearestBelowTau, MatchRule::SameBin,
-                            MatchRule::TwoNearestBins, MatchRule::Oriented};
+const DistanceKind kKinds[] = {DistanceKind::Nearest, DistanceKind::NearestBelowTau, DistanceKind::SameBin,
+                            DistanceKind::TwoNearestBins, DistanceKind::Oriented};
 const PenaltyKind kPenalties[] = {PenaltyKind::Absolute, PenaltyKind::Squared, PenaltyKind::TruncatedSquared};
 
-class EveryDistance : public ::testing::TestWithParam<std::tuple<MatchRule, bool, PenaltyKind>> {
+class EveryDistance : public ::testing::TestWithParam<std::tuple<DistanceKind, bool, PenaltyKind>> {
 protected:
     DirectionalDistance distance() const {
         DirectionalDistance distance;
-        distance.rule = std::get<0>(GetParam());
+        distance.kind = std::get<0>(GetParam());
         distance.isSigned = std::get<1>(GetParam());
         distance.bins = 8;
         distance.gatePx = 12;
@@ -108,14 +108,14 @@ TEST_P(EveryDistance, FieldHoldsWhatAPointWouldCostThere) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryDistance,
-                         ::testing::Combine(::testing::ValuesIn(kRules), ::testing::Bool(),
+                         ::testing::Combine(::testing::ValuesIn(kKinds), ::testing::Bool(),
                                             ::testing::ValuesIn(kPenalties)));
 
 TEST(GeneralizedChamfer, IsZeroOnTheContourItself) {
     const OrientedContour contour = testing::gridContour(testing::crossingHandsMask(100, 80));
-    for (const MatchRule rule : {MatchRule::Nearest, MatchRule::SameBin, MatchRule::Oriented}) {
+    for (const DistanceKind kind : {DistanceKind::Nearest, DistanceKind::SameBin, DistanceKind::Oriented}) {
         DirectionalDistance distance;
-        distance.rule = rule;
+        distance.kind = kind;
         EXPECT_EQ(generalizedChamferDistance(contour, contour, distance).value, 0);
     }
 }
