@@ -30,6 +30,7 @@ void addVerbs(CLI::App& program) {
     app::addInfoVerb(program);
     app::addJointsVerb(program);
     app::addRenderVerb(program);
+    app::addTriangulateVerb(program);
 }
 
 } // namespace

@@ -13,5 +13,6 @@ void addImportVerb(CLI::App& program);
 void addInfoVerb(CLI::App& program);
 void addJointsVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
+void addTriangulateVerb(CLI::App& program);
 
 } // namespace app
