@@ -26,6 +26,7 @@ int fail(std::string message, int status) {
 
 void addVerbs(CLI::App& program) {
     app::addCheckVerb(program);
+    app::addFitVerb(program);
     app::addImportVerb(program);
     app::addInfoVerb(program);
     app::addJointsVerb(program);

@@ -9,6 +9,7 @@ namespace app {
 
 // Every verb adds itself as a subcommand with its options and a callback that does the work. One file per verb.
 void addCheckVerb(CLI::App& program);
+void addFitVerb(CLI::App& program);
 void addImportVerb(CLI::App& program);
 void addInfoVerb(CLI::App& program);
 void addJointsVerb(CLI::App& program);

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/frames.h"
+
+#include <cstdio>
+#include <mutex>
+#include <optional>
+
+#include "core/contour/shaded_image.h"
+#include "core/error.h"
+#include "core/io/image_file.h"
+#include "core/io/video_file.h"
+
+namespace core {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The hands posed for one frame, shared by the views of that frame.
+struct PosedHands {
+    int frame = -1;
+    std::vector<std::vector<Eigen::Vector3d>> vertices, normals; ///< per hand, world
+};
+
+/// The view of one camera; a video is opened at its first frame.
+struct View {
+    ViewSource source;
+    std::mutex mutex; ///< guards `video`
+    std::unique_ptr<VideoFile> video;
+};
+
+std::string padded(int value, int width) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*d", width, value);
+    return text;
+}
+
+void replaceAll(std::string& text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+        text.replace(at, what.size(), by);
+    }
+}
+
+} // namespace
+
+std::string fillPattern(const std::string& pattern, const std::string& camera, int frame) {
+    std::string text = pattern;
+    replaceAll(text, "{camera}", camera);
+    replaceAll(text, "{frame}", std::to_string(frame));
+    for (int width = 1; width <= 12; ++width) {
+        replaceAll(text, "{frame:" + std::to_string(width) + "}", padded(frame, width));
+        replaceAll(text, "{frame:0" + std::to_string(width) + "}", padded(frame, width));
+    }
+    return text;
+}
+
+struct FrameSource::Impl {
+    fs::path folder;
+    std::string sequenceName;
+    int frameCount = 0;
+    std::vector<Camera> cameras;
+    std::vector<HandModel> hands;
+    Motion motion;
+    std::vector<std::unique_ptr<View>> views; ///< parallel to cameras
+    std::mutex posedMutex;
+    std::shared_ptr<const PosedHands> posed; ///< of the frame that was rendered last
+
+    std::shared_ptr<const PosedHands> posedAt(int frame);
+    cv::Mat rendered(const Camera& camera, int frame);
+    cv::Mat fromVideo(View& view, int frame);
+    cv::Mat fromImage(const View& view, int frame) const;
+};
+
+std::shared_ptr<const PosedHands> FrameSource::Impl::posedAt(int frame) {
+    const std::lock_guard lock(posedMutex);
+    if (!posed || posed->frame != frame) {
+        auto next = std::make_shared<PosedHands>();
+        next->frame = frame;
+        for (std::size_t h = 0; h < hands.size(); ++h) {
+            next->vertices.push_back(posedVertices(hands[h], motion[static_cast<std::size_t>(frame)][h]));
+            next->normals.push_back(vertexNormals(next->vertices.back(), hands[h].mesh.triangles));
+        }
+        posed = std::move(next);
+    }
+    return posed;
+}
+
+cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
+    const std::shared_ptr<const PosedHands> shared = posedAt(frame);
+    std::vector<ShadedSurface> surfaces;
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        surfaces.push_back({{&shared->vertices[h], &hands[h].mesh.triangles}, &shared->normals[h], skinColour(hands[h].side)});
+    }
+    return renderShaded(camera, surfaces);
+}
+
+cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
+    const std::lock_guard lock(view.mutex);
+    if (!view.video) {
+        const fs::path index = folder / ".cache" / (sequenceName + "-" + view.source.camera + ".ffindex");
+        view.video = std::make_unique<VideoFile>(folder / view.source.path, index);
+    }
+    return view.video->read(frame + view.source.offsetFrames);
+}
+
+cv::Mat FrameSource::Impl::fromImage(const View& view, int frame) const {
+    return readImage(folder / fillPattern(view.source.path, view.source.camera, frame + view.source.offsetFrames));
+}
+
+FrameSource::FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion) : m_impl(std::make_unique<Impl>()) {
+    m_impl->folder = dataset.folder;
+    m_impl->sequenceName = sequence.name;
+    m_impl->frameCount = sequence.frameCount;
+    m_impl->cameras = dataset.cameras;
+    m_impl->hands = dataset.hands;
+    m_impl->motion = std::move(motion);
+    for (const Camera& camera : dataset.cameras) {
+        m_impl->views.push_back(std::make_unique<View>());
+        m_impl->views.back()->source = {camera.name, ViewKind::None, "", 0};
+        for (const ViewSource& source : sequence.views) {
+            if (source.camera == camera.name) {
+                m_impl->views.back()->source = source;
+            }
+        }
+    }
+}
+
+FrameSource::~FrameSource() = default;
+FrameSource::FrameSource(FrameSource&&) noexcept = default;
+FrameSource& FrameSource::operator=(FrameSource&&) noexcept = default;
+
+int FrameSource::frameCount() const { return m_impl->frameCount; }
+
+ViewKind FrameSource::kind(int camera) const { return m_impl->views.at(static_cast<std::size_t>(camera))->source.kind; }
+
+cv::Mat FrameSource::read(int camera, int frame) const {
+    const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
+    View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
+    if (frame < 0 || frame >= m_impl->frameCount) {
+        throw Error(ErrorCode::NotFound, m_impl->sequenceName, "frame " + std::to_string(frame),
+                    "the sequence has frames 0 to " + std::to_string(m_impl->frameCount - 1));
+    }
+    cv::Mat image;
+    switch (view.source.kind) {
+    case ViewKind::None:
+        return renderShaded(calibrated, {});
+    case ViewKind::Rendered:
+        if (static_cast<std::size_t>(frame) >= m_impl->motion.size()) {
+            throw Error(ErrorCode::NotFound, m_impl->sequenceName, "motion", "there is none to render from");
+        }
+        return m_impl->rendered(calibrated, frame);
+    case ViewKind::Images:
+        image = m_impl->fromImage(view, frame);
+        break;
+    case ViewKind::Video:
+        image = m_impl->fromVideo(view, frame);
+        break;
+    }
+    if (image.cols != calibrated.size.width || image.rows != calibrated.size.height) {
+        throw Error(ErrorCode::BadInput, (m_impl->folder / view.source.path).string(), "size",
+                    std::to_string(image.cols) + " x " + std::to_string(image.rows) + ", but " + calibrated.name + " is calibrated for " +
+                        std::to_string(calibrated.size.width) + " x " + std::to_string(calibrated.size.height));
+    }
+    return image;
+}
+
+} // namespace core

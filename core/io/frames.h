@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/io/dataset.h"
+
+namespace core {
+
+/// The pictures of one sequence, whatever they come from: videos, image files, or the recorded motion ("rendered").
+/// Nothing is opened before it is asked for. All members may be called from several threads at once; different cameras are
+/// then read side by side.
+class FrameSource {
+public:
+    /// Keeps copies of what it needs. `motion` is that of the sequence (readMotion); empty if there is none.
+    FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion);
+    ~FrameSource();
+    FrameSource(FrameSource&&) noexcept;
+    FrameSource& operator=(FrameSource&&) noexcept;
+
+    int frameCount() const;
+    /// Where the pictures of this camera (index into the dataset's) come from; None for cameras without a view.
+    ViewKind kind(int camera) const;
+
+    /// The picture of that camera at that frame: CV_8UC3 BGR of the camera's size, exactly the recorded pixels. A plain backdrop for
+    /// kind None. Throws Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the camera's.
+    cv::Mat read(int camera, int frame) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// `pattern` with {camera}, {frame} and {frame:06} replaced.
+std::string fillPattern(const std::string& pattern, const std::string& camera, int frame);
+
+/// What a video file holds.
+struct VideoInfo {
+    int frames = 0;
+    ImageSize size;
+    double framesPerSecond = 0;
+};
+/// Throws Error if it is no video that can be read.
+VideoInfo readVideoInfo(const std::filesystem::path& file);
+
+} // namespace core
