@@ -9,8 +9,9 @@
 
 #include "core/geometry/camera.h"
 #include "widgets/views/image_pyramid.h"
-#include "widgets/views/mesh_layer.h"
+#include "widgets/views/mesh_layer_painter.h"
 #include "widgets/views/view_mark.h"
+#include "widgets/views/view_title_bar.h"
 
 class QMenu;
 
@@ -19,17 +20,7 @@ namespace widgets {
 class CameraViewItems;
 class CameraViewMouse;
 class Loupe;
-class MeshLayerPainter;
 class MessageBar;
-class ViewTitleBar;
-
-/// What the thin line above a view says.
-struct ViewTitle {
-    QString name;
-    QString detail;       ///< such as the frame offset; grey
-    QString error;        ///< of the selected joint here, with its unit; right-aligned
-    bool warning = false; ///< this view disagrees: the line turns into a warning colour
-};
 
 /// One camera's image with everything that lies on it. It only shows and reports: it never changes an annotation. All
 /// positions, in setters and signals, are recorded image pixels with centres at integers, in double precision.
@@ -88,12 +79,16 @@ public:
     void lookAt(QPointF centrePx, double scale = 0);
     /// Zooms by `factor` about a point of the viewport, which stays over the same image pixel.
     void zoomAt(QPointF viewportPoint, double factor);
+    /// Moves the image by logical pixels of the viewport.
+    void panBy(QPointF viewportDelta);
     /// Screen (logical) pixels per image pixel.
     double scale() const;
 
     /// Exact maps between image pixels and logical pixels of the viewport.
     QPointF imageToViewport(QPointF px) const;
     QPointF viewportToImage(QPointF viewportPoint) const;
+    /// Where that joint's mark is; (0, 0) if it has none.
+    QPointF markPosition(const core::JointId& joint) const;
     /// The mark that a pointer there would grab: the selected one first, then the nearest; within 9 screen pixels.
     std::optional<core::JointId> markAt(QPointF viewportPoint) const;
 
@@ -139,28 +134,39 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void leaveEvent(QEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    bool event(QEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
 
 private:
     friend class CameraViewMouse;
+    QSizeF imageSize() const;
+    double fittingScale() const;
     void setViewTransform(double scale, QPointF translation);
-    void keepImageInSight();
     void requestMeshPicture();
-    void drawImage(QPainter& painter) const;
+    MeshLayerPainter::Request meshRequest(double pictureScale) const;
+    void paintImage(QPainter& painter, double pixelsPerImagePixel) const;
+    void paintMeshes(QPainter& painter, const MeshPicture& picture) const;
+    void paintAll(QPainter& painter, double pictureScale) const;
+    const QImage& level(int index) const;
+    void moveLoupe(QPointF viewportPoint);
+    void updateCursor();
     void layOut();
 
     core::Camera m_camera;
     ImagePyramid m_pyramid;
-    mutable std::vector<QImage> m_adjustedLevels; ///< of m_pyramid with m_adjustment, made when needed
     ImageAdjustment m_adjustment;
+    mutable std::vector<QImage> m_adjustedLevels; ///< of m_pyramid with m_adjustment, made when first drawn
     QImage m_field;
     double m_fieldOpacity = 0.6;
+    std::vector<MeshLayer> m_meshLayers;
     bool m_fitted = true;
     bool m_overlaysHidden = false;
-    bool m_current = false;
+    bool m_placingEnabled = true;
+    bool m_loupeShown = false;
     std::unique_ptr<QGraphicsScene> m_scene;
     std::unique_ptr<CameraViewItems> m_items;
     std::unique_ptr<CameraViewMouse> m_mouse;

@@ -7,7 +7,8 @@
 
 #include <QColor>
 #include <QImage>
-#include <QRectF>
+#include <QPointF>
+#include <QSize>
 #include <QString>
 
 #include <Eigen/Core>
@@ -44,12 +45,13 @@ struct MeshLayer {
 
 /// Mesh layers drawn for one crop of one camera, ready to be laid over its image.
 struct MeshPicture {
-    QImage picture;     ///< premultiplied ARGB
-    QRectF imageRectPx; ///< pixel edges of the picture in the image (pixel i covers i - 0.5 .. i + 0.5)
+    QImage picture;    ///< premultiplied ARGB; null if there is nothing to draw
+    QPointF topLeftPx; ///< the image pixel of the picture's top left one, as in core::cropped
+    double scale = 1;  ///< picture pixels per image pixel
 };
 
-/// Draws layers, first one at the bottom, with the crop of `camera` that starts at `topLeftPx` (image px, pixel edges)
-/// and has `scale` picture pixels per image pixel. Thread-safe; uses the calling thread only.
+/// Draws layers, the first one at the bottom, for the window of the image that starts at `topLeftPx` and has `scale`
+/// picture pixels per image pixel (core::cropped). Thread-safe; uses the calling thread only.
 MeshPicture drawMeshLayers(const core::Camera& camera, const std::vector<MeshLayer>& layers, QPointF topLeftPx,
                            QSize size, double scale);
 

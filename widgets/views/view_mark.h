@@ -30,6 +30,7 @@ struct ViewMark {
     bool selected = false;
     std::optional<QPointF> reprojectionPx; ///< of the 3D joint: the thin line goes there
     QString label;                         ///< beside the mark if it is selected, or if labels are shown
+    bool operator==(const ViewMark&) const = default;
 };
 
 /// The line on which the selected joint must lie, as another view's click says. Bent by the lens, so a polyline.

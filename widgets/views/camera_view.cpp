@@ -1,0 +1,521 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/views/camera_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QKeyEvent>
+#include <QMenu>
+#include <QScrollBar>
+#include <QSvgGenerator>
+
+#include "widgets/views/camera_view_items.h"
+#include "widgets/views/camera_view_mouse.h"
+#include "widgets/views/loupe.h"
+#include "widgets/views/message_bar.h"
+#include "widgets/views/picture_export.h"
+#include "widgets/views/view_cursor.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr double kHalfWorld = 1e6;     // the scene reaches this far, so that the scroll bars never interfere
+constexpr double kGreatestScale = 64;  // screen px per image px
+constexpr double kZoomPerStep = 1.25;  // per notch of the wheel
+constexpr double kShowPixelsScale = 4; // from here on, single pixels are shown as squares
+constexpr double kHitScreenPx = 9;
+constexpr double kKeptInSightScreenPx = 40;
+const QColor kBackdrop(0x17, 0x18, 0x1A);
+const QPointF kHalfPixel(0.5, 0.5); // from image pixels to the scene
+
+} // namespace
+
+CameraView::CameraView(QWidget* parent)
+    : QGraphicsView(parent)
+    , m_scene(std::make_unique<QGraphicsScene>())
+    , m_items(std::make_unique<CameraViewItems>(*m_scene))
+    , m_mouse(std::make_unique<CameraViewMouse>(*this))
+    , m_meshPainter(std::make_unique<MeshLayerPainter>())
+    , m_titleBar(new ViewTitleBar(this))
+    , m_messageBar(new MessageBar(this))
+    , m_loupe(new Loupe(viewport())) {
+    m_scene->setItemIndexMethod(QGraphicsScene::NoIndex);
+    m_scene->setSceneRect(-kHalfWorld, -kHalfWorld, 2 * kHalfWorld, 2 * kHalfWorld);
+    setScene(m_scene.get());
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setTransformationAnchor(NoAnchor);
+    setResizeAnchor(NoAnchor);
+    setViewportUpdateMode(MinimalViewportUpdate);
+    setOptimizationFlags(DontSavePainterState);
+    setFocusPolicy(Qt::ClickFocus);
+    setMinimumSize(60, 60);
+    viewport()->setMouseTracking(true);
+    viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
+    updateCursor();
+    connect(m_meshPainter.get(), &MeshLayerPainter::pictureChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(m_titleBar, &ViewTitleBar::doubleClicked, this, &CameraView::maximiseRequested);
+}
+
+CameraView::~CameraView() = default;
+
+QSizeF CameraView::imageSize() const {
+    const core::ImageSize& size = m_camera.size;
+    return size.width > 0 && size.height > 0 ? QSizeF(size.width, size.height) : QSizeF(m_pyramid.size());
+}
+
+void CameraView::setCamera(const core::Camera& camera) {
+    const bool sameSize = camera.size == m_camera.size;
+    m_camera = camera;
+    if (sameSize) {
+        requestMeshPicture();
+    } else {
+        fitImage();
+    }
+}
+
+void CameraView::setImage(const QImage& image) {
+    setImage(ImagePyramid(image));
+}
+
+void CameraView::setImage(const ImagePyramid& pyramid) {
+    const QSizeF before = imageSize();
+    m_pyramid = pyramid;
+    m_adjustedLevels.clear();
+    if (imageSize() != before) {
+        fitImage();
+    }
+    viewport()->update();
+}
+
+void CameraView::setAdjustment(const ImageAdjustment& adjustment) {
+    m_adjustment = adjustment;
+    m_adjustedLevels.clear();
+    viewport()->update();
+}
+
+void CameraView::setMeshLayers(const std::vector<MeshLayer>& layers) {
+    m_meshLayers = layers;
+    requestMeshPicture();
+}
+
+void CameraView::setMarks(const std::vector<ViewMark>& marks) {
+    m_items->setMarks(marks);
+}
+void CameraView::setSkeleton(const std::vector<SkeletonLine>& lines) {
+    m_items->setSkeleton(lines);
+}
+void CameraView::setEpipolarGuides(const std::vector<EpipolarGuide>& guides) {
+    m_items->setGuides(guides);
+}
+void CameraView::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
+    m_items->setEllipse(ellipse);
+}
+void CameraView::setGuideFocus(const std::optional<QPointF>& px) {
+    m_items->setGuideFocus(px);
+}
+void CameraView::setReprojectionScale(double factor) {
+    m_items->setReprojectionScale(factor);
+}
+void CameraView::setLabelsShown(bool shown) {
+    m_items->setLabelsShown(shown);
+}
+
+void CameraView::setFieldImage(const QImage& field, double opacity) {
+    m_field = field;
+    m_fieldOpacity = opacity;
+    viewport()->update();
+}
+
+void CameraView::setTitle(const ViewTitle& title) {
+    m_titleBar->setTitle(title);
+}
+
+void CameraView::setMessage(const QString& text) {
+    m_messageBar->setMessage(text);
+    layOut();
+}
+
+QString CameraView::message() const {
+    return m_messageBar->message();
+}
+
+void CameraView::setOverlaysHidden(bool hidden) {
+    m_overlaysHidden = hidden;
+    m_items->setVisible(!hidden);
+    viewport()->update();
+}
+
+void CameraView::setLoupeShown(bool shown) {
+    m_loupeShown = shown;
+    if (shown && viewport()->underMouse()) {
+        moveLoupe(viewport()->mapFromGlobal(QCursor::pos()));
+    } else if (!shown) {
+        m_loupe->hide();
+    }
+}
+
+void CameraView::setPlacingEnabled(bool enabled) {
+    m_placingEnabled = enabled;
+    m_mouse->setPlacingEnabled(enabled);
+    updateCursor();
+}
+
+void CameraView::setCurrent(bool current) {
+    m_titleBar->setCurrent(current);
+}
+
+double CameraView::scale() const {
+    return transform().m11();
+}
+
+double CameraView::fittingScale() const {
+    const QSizeF image = imageSize();
+    if (image.isEmpty()) {
+        return 1;
+    }
+    return std::min(viewport()->width() / image.width(), viewport()->height() / image.height());
+}
+
+void CameraView::fitImage() {
+    m_fitted = true;
+    const double scale = std::max(1e-6, fittingScale());
+    const QSizeF left = QSizeF(viewport()->size()) - imageSize() * scale;
+    setViewTransform(scale, {left.width() / 2, left.height() / 2});
+}
+
+void CameraView::lookAt(QPointF centrePx, double newScale) {
+    m_fitted = false;
+    const double wanted = newScale > 0 ? std::min(newScale, kGreatestScale) : scale();
+    const QPointF middle(viewport()->width() / 2.0, viewport()->height() / 2.0);
+    setViewTransform(wanted, middle - (centrePx + kHalfPixel) * wanted);
+}
+
+void CameraView::zoomAt(QPointF viewportPoint, double factor) {
+    const double wanted = std::min(scale() * factor, kGreatestScale);
+    if (wanted <= fittingScale()) {
+        fitImage();
+        return;
+    }
+    m_fitted = false;
+    const QPointF scenePoint = viewportToImage(viewportPoint) + kHalfPixel;
+    setViewTransform(wanted, viewportPoint - scenePoint * wanted);
+}
+
+void CameraView::panBy(QPointF viewportDelta) {
+    m_fitted = false;
+    setViewTransform(scale(), QPointF(transform().dx(), transform().dy()) + viewportDelta);
+}
+
+/// The whole mapping lies in the transform, in double precision; the scroll bars, which only know integers, stay at 0.
+void CameraView::setViewTransform(double newScale, QPointF translation) {
+    const QSizeF image = imageSize() * newScale;
+    const auto keep = [](double offset, double length, double room) {
+        const double least = std::min(kKeptInSightScreenPx, std::min(length, room));
+        return std::clamp(offset, least - length, room - least);
+    };
+    translation.setX(keep(translation.x(), image.width(), viewport()->width()));
+    translation.setY(keep(translation.y(), image.height(), viewport()->height()));
+    const QTransform wanted(newScale, 0, 0, newScale, translation.x(), translation.y());
+    const bool changed = wanted != transform();
+    setTransform(wanted);
+    horizontalScrollBar()->setValue(0);
+    verticalScrollBar()->setValue(0);
+    if (changed) {
+        requestMeshPicture();
+        emit viewChanged();
+    }
+}
+
+QPointF CameraView::imageToViewport(QPointF px) const {
+    return viewportTransform().map(px + kHalfPixel);
+}
+
+QPointF CameraView::viewportToImage(QPointF viewportPoint) const {
+    return viewportTransform().inverted().map(viewportPoint) - kHalfPixel;
+}
+
+QPointF CameraView::markPosition(const core::JointId& joint) const {
+    const std::vector<ViewMark>& marks = m_items->marks();
+    const auto found = std::find_if(marks.begin(), marks.end(), [&](const ViewMark& m) { return m.joint == joint; });
+    return found == marks.end() ? QPointF() : found->px;
+}
+
+std::optional<core::JointId> CameraView::markAt(QPointF viewportPoint) const {
+    const ViewMark* nearest = nullptr;
+    double nearestDistance = kHitScreenPx;
+    for (const ViewMark& mark : m_items->marks()) {
+        const QPointF away = imageToViewport(mark.px) - viewportPoint;
+        const double distance = std::hypot(away.x(), away.y());
+        if (distance <= kHitScreenPx && mark.selected) {
+            return mark.joint;
+        }
+        if (distance <= nearestDistance) {
+            nearest = &mark;
+            nearestDistance = distance;
+        }
+    }
+    return nearest ? std::optional(nearest->joint) : std::nullopt;
+}
+
+MeshLayerPainter::Request CameraView::meshRequest(double pictureScale) const {
+    const double perImagePixel = scale() * pictureScale;
+    const QSize size(static_cast<int>(std::ceil(viewport()->width() * pictureScale)),
+                     static_cast<int>(std::ceil(viewport()->height() * pictureScale)));
+    return {m_camera, m_meshLayers, QPointF(-transform().dx(), -transform().dy()) / scale(), size, perImagePixel};
+}
+
+void CameraView::requestMeshPicture() {
+    const bool wanted = !m_meshLayers.empty() || !m_meshPainter->picture().picture.isNull();
+    if (isVisible() && wanted && m_camera.size.width > 0) {
+        m_meshPainter->request(meshRequest(devicePixelRatioF()));
+    }
+}
+
+void CameraView::finishDrawing() {
+    m_meshPainter->finish();
+}
+
+const QImage& CameraView::level(int index) const {
+    if (m_adjustment == ImageAdjustment{}) {
+        return m_pyramid.level(index);
+    }
+    m_adjustedLevels.resize(static_cast<std::size_t>(m_pyramid.levelCount()));
+    QImage& level = m_adjustedLevels[static_cast<std::size_t>(index)];
+    if (level.isNull()) {
+        level = adjusted(m_pyramid.level(index), m_adjustment);
+    }
+    return level;
+}
+
+void CameraView::paintImage(QPainter& painter, double pixelsPerImagePixel) const {
+    const QRectF whole(QPointF(0, 0), imageSize());
+    if (m_pyramid.isNull()) {
+        painter.fillRect(whole, QColor(0x26, 0x28, 0x2B));
+        return;
+    }
+    const int index = m_pyramid.levelFor(pixelsPerImagePixel);
+    const QImage& image = level(index);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, pixelsPerImagePixel < kShowPixelsScale);
+    // A level of an odd size reaches half a pixel of its own beyond the image.
+    const double across = whole.width() / m_pyramid.size().width(), down = whole.height() / m_pyramid.size().height();
+    const QRectF target(0, 0, image.width() * across * (1 << index), image.height() * down * (1 << index));
+    painter.save();
+    painter.setClipRect(whole, Qt::IntersectClip);
+    painter.drawImage(target, image);
+    painter.restore();
+}
+
+void CameraView::paintMeshes(QPainter& painter, const MeshPicture& meshes) const {
+    if (meshes.picture.isNull()) {
+        return;
+    }
+    const QRectF place(meshes.topLeftPx, QSizeF(meshes.picture.size()) / meshes.scale);
+    const QRectF onScreen = painter.worldTransform().mapRect(place);
+    const QRectF snapped(onScreen.topLeft().toPoint(), onScreen.size().toSize());
+    const double off =
+        std::max((onScreen.topLeft() - snapped.topLeft()).manhattanLength(),
+                 std::abs(onScreen.width() - snapped.width()) + std::abs(onScreen.height() - snapped.height()));
+    painter.save();
+    constexpr double kSame = 1e-6;
+    if (off < kSame) { // drawn for this very crop: pixel for pixel
+        painter.resetTransform();
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
+        painter.drawImage(snapped, meshes.picture);
+    } else {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawImage(place, meshes.picture);
+    }
+    painter.restore();
+}
+
+void CameraView::drawBackground(QPainter* painter, const QRectF& rect) {
+    painter->fillRect(rect, kBackdrop);
+    if (imageSize().isEmpty()) {
+        return;
+    }
+    paintImage(*painter, scale() * devicePixelRatioF());
+    if (m_overlaysHidden) {
+        return;
+    }
+    if (!m_field.isNull()) {
+        painter->setOpacity(m_fieldOpacity);
+        painter->drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
+        painter->setOpacity(1);
+    }
+    paintMeshes(*painter, m_meshPainter->picture());
+}
+
+/// Everything, on any paint device whose logical size is the viewport's.
+void CameraView::paintAll(QPainter& painter, double pictureScale) const {
+    const QRectF area(viewport()->rect());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setClipRect(area);
+    painter.fillRect(area, kBackdrop);
+    painter.save();
+    painter.setTransform(viewportTransform(), true);
+    paintImage(painter, scale() * pictureScale);
+    if (!m_overlaysHidden) {
+        if (!m_field.isNull()) {
+            painter.setOpacity(m_fieldOpacity);
+            painter.drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
+            painter.setOpacity(1);
+        }
+        const MeshLayerPainter::Request r = meshRequest(pictureScale);
+        paintMeshes(painter, drawMeshLayers(r.camera, r.layers, r.topLeftPx, r.size, r.scale));
+    }
+    painter.restore();
+    m_scene->render(&painter, area, viewportTransform().inverted().mapRect(area));
+}
+
+QImage CameraView::grabPicture(double pictureScale) const {
+    QImage picture((QSizeF(viewport()->size()) * pictureScale).toSize(), QImage::Format_RGB32);
+    picture.setDevicePixelRatio(pictureScale);
+    QPainter painter(&picture);
+    paintAll(painter, pictureScale);
+    painter.end();
+    picture.setDevicePixelRatio(1);
+    return picture;
+}
+
+bool CameraView::saveSvg(const QString& path) const {
+    QSvgGenerator svg;
+    svg.setFileName(path);
+    svg.setSize(viewport()->size());
+    svg.setViewBox(viewport()->rect());
+    svg.setTitle(m_titleBar->title().name);
+    QPainter painter;
+    if (!painter.begin(&svg)) {
+        return false;
+    }
+    constexpr double kEmbeddedScale = 2;
+    paintAll(painter, kEmbeddedScale);
+    return painter.end();
+}
+
+void CameraView::addPictureActions(QMenu& menu) {
+    widgets::addPictureActions(menu, this,
+                               {[this](double s) { return grabPicture(s); },
+                                [this](const QString& p) { return saveSvg(p); }, m_titleBar->title().name,
+                                [this](const QString& text) { setMessage(text); }});
+}
+
+void CameraView::layOut() {
+    const int titleHeight = m_titleBar->sizeHint().height();
+    setViewportMargins(0, titleHeight, 0, 0);
+    m_titleBar->setGeometry(0, 0, width(), titleHeight);
+    const int messageHeight = std::max(m_messageBar->heightForWidth(width()), m_messageBar->sizeHint().height());
+    m_messageBar->setGeometry(0, titleHeight, width(), std::min(messageHeight, height() / 2));
+}
+
+QSize CameraView::sizeHint() const {
+    return {270, 480};
+}
+
+void CameraView::resizeEvent(QResizeEvent* event) {
+    const QPointF oldMiddle(event->oldSize().width() / 2.0, event->oldSize().height() / 2.0);
+    const QPointF centrePx = viewportToImage(oldMiddle);
+    QGraphicsView::resizeEvent(event);
+    layOut();
+    if (m_fitted || !event->oldSize().isValid()) {
+        fitImage();
+    } else {
+        lookAt(centrePx);
+    }
+    requestMeshPicture();
+}
+
+void CameraView::showEvent(QShowEvent* event) {
+    QGraphicsView::showEvent(event);
+    layOut();
+    requestMeshPicture();
+}
+
+void CameraView::mousePressEvent(QMouseEvent* event) {
+    m_mouse->press(*event);
+}
+
+void CameraView::mouseMoveEvent(QMouseEvent* event) {
+    m_mouse->move(*event);
+    if (m_loupeShown) {
+        moveLoupe(event->localPos());
+    }
+}
+
+void CameraView::mouseReleaseEvent(QMouseEvent* event) {
+    m_mouse->release(*event);
+}
+void CameraView::mouseDoubleClickEvent(QMouseEvent* event) {
+    m_mouse->doubleClick(*event);
+}
+
+void CameraView::wheelEvent(QWheelEvent* event) {
+    constexpr double kAnglePerStep = 120;
+    zoomAt(event->position(), std::pow(kZoomPerStep, event->angleDelta().y() / kAnglePerStep));
+    if (m_loupeShown) {
+        moveLoupe(event->position());
+    }
+    event->accept();
+}
+
+/// The menu opens when the right button is released (CameraViewMouse); the menu key asks for it in the middle of the
+/// view.
+void CameraView::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Keyboard) {
+        const QPoint middle = viewport()->rect().center();
+        emit contextMenuRequested(viewportToImage(middle), markAt(middle).value_or(core::JointId{}),
+                                  viewport()->mapToGlobal(middle));
+    }
+    event->accept();
+}
+
+void CameraView::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || !m_mouse->cancel()) {
+        event->ignore(); // keys are the window's
+    }
+}
+
+void CameraView::keyReleaseEvent(QKeyEvent* event) {
+    event->ignore();
+}
+
+bool CameraView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        m_mouse->isDragging()) {
+        event->accept(); // Escape ends the drag before it means anything else
+        return true;
+    }
+    return QGraphicsView::event(event);
+}
+
+void CameraView::focusOutEvent(QFocusEvent* event) {
+    m_mouse->cancel();
+    QGraphicsView::focusOutEvent(event);
+}
+
+void CameraView::changeEvent(QEvent* event) {
+    QGraphicsView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        layOut();
+    }
+}
+
+bool CameraView::viewportEvent(QEvent* event) {
+    if (event->type() == QEvent::Leave) {
+        m_loupe->hide();
+        emit pointerLeft();
+    }
+    return QGraphicsView::viewportEvent(event);
+}
+
+void CameraView::moveLoupe(QPointF viewportPoint) {
+    m_loupe->show(m_pyramid, m_adjustment, viewportToImage(viewportPoint), viewportPoint, scale());
+}
+
+void CameraView::updateCursor() {
+    viewport()->setCursor(m_placingEnabled ? placingCursor() : QCursor(Qt::OpenHandCursor));
+}
+
+} // namespace widgets

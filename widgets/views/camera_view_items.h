@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QPointF>
+
+#include "widgets/views/view_mark.h"
+
+class QGraphicsItem;
+class QGraphicsScene;
+
+namespace widgets {
+
+class EllipseItem;
+class GuidesItem;
+class MarkItem;
+class ReprojectionItem;
+class SkeletonItem;
+
+/// The vector items that lie over a view's image. Bottom to top: skeleton, guides, ellipse, reprojection lines, marks.
+/// The scene's coordinates are image pixels + 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
+class CameraViewItems {
+public:
+    explicit CameraViewItems(QGraphicsScene& scene);
+
+    void setMarks(const std::vector<ViewMark>& marks);
+    void setSkeleton(const std::vector<SkeletonLine>& lines);
+    void setGuides(const std::vector<EpipolarGuide>& guides);
+    void setGuideFocus(const std::optional<QPointF>& px);
+    void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
+    void setReprojectionScale(double factor);
+    void setLabelsShown(bool shown);
+    void setVisible(bool visible);
+
+    const std::vector<ViewMark>& marks() const { return m_marks; }
+
+private:
+    QGraphicsItem* m_root; ///< the items belong to the scene
+    SkeletonItem* m_skeleton;
+    GuidesItem* m_guides;
+    EllipseItem* m_ellipse;
+    ReprojectionItem* m_reprojections;
+    std::vector<MarkItem*> m_markItems;
+    std::vector<ViewMark> m_marks;
+    bool m_labelsShown = false;
+};
+
+} // namespace widgets

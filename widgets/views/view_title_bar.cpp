@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/views/view_title_bar.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+namespace widgets {
+
+namespace {
+
+const QColor kWarning(0xE5, 0x8E, 0x26);
+constexpr int kPadding = 6;
+
+} // namespace
+
+ViewTitleBar::ViewTitleBar(QWidget* parent)
+    : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
+
+void ViewTitleBar::setTitle(const ViewTitle& title) {
+    if (title == m_title) {
+        return;
+    }
+    m_title = title;
+    setToolTip(QStringList{title.name, title.detail, title.error}.join(QLatin1Char(' ')).simplified());
+    update();
+}
+
+void ViewTitleBar::setCurrent(bool current) {
+    m_current = current;
+    update();
+}
+
+QSize ViewTitleBar::sizeHint() const {
+    return {120, fontMetrics().height() + 2};
+}
+
+void ViewTitleBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QPalette& colours = palette();
+    painter.fillRect(rect(), m_title.warning ? kWarning : colours.color(QPalette::Window));
+    const QColor text = m_title.warning ? QColor(Qt::black) : colours.color(QPalette::WindowText);
+    QColor faint = text;
+    faint.setAlphaF(0.62);
+    QRect space = rect().adjusted(kPadding, 0, -kPadding, 0);
+
+    const QFontMetrics metrics = fontMetrics();
+    const int errorWidth = std::min(metrics.horizontalAdvance(m_title.error), space.width());
+    painter.setPen(text);
+    painter.drawText(space, Qt::AlignRight | Qt::AlignVCenter, m_title.error);
+    space.setRight(space.right() - errorWidth - kPadding);
+
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(m_current && !m_title.warning ? colours.color(QPalette::Highlight) : text);
+    const QString name = QFontMetrics(bold).elidedText(m_title.name, Qt::ElideRight, space.width());
+    painter.drawText(space, Qt::AlignLeft | Qt::AlignVCenter, name);
+    space.setLeft(space.left() + QFontMetrics(bold).horizontalAdvance(name) + kPadding);
+
+    painter.setFont(font());
+    painter.setPen(faint);
+    painter.drawText(space, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(m_title.detail, Qt::ElideRight, space.width()));
+}
+
+void ViewTitleBar::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        emit clicked();
+    }
+}
+
+void ViewTitleBar::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) {
+        emit doubleClicked();
+    }
+}
+
+} // namespace widgets
