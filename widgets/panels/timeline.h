@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <set>
+
+#include <QWidget>
+
+#include "widgets/jobs/coverage.h"
+
+namespace widgets {
+
+/// All frames in one line, a lane per hand: done, partial, bad, occluded; a click or drag goes there. Frames with notes have
+/// a tick above, test frames one below.
+class Timeline : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit Timeline(QWidget* parent = nullptr);
+
+    void setFrameCount(int frames);
+    void setFrame(int frame);
+    /// `joints` per hand is what "done" is measured against.
+    void setCoverage(const FrameCoverage& frames, int leftJoints, int rightJoints);
+    void setNotedFrames(const std::set<int>& frames);
+    void setTestFrames(const std::set<int>& frames);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    void frameRequested(int frame);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    QRectF track() const;
+    double xOf(int frame) const;
+    int frameAt(double x) const;
+    void paintLane(QPainter& painter, core::Side hand, const QRectF& lane) const;
+    void paintTicks(QPainter& painter) const;
+    QString describe(int frame) const;
+
+    FrameCoverage m_coverage;
+    std::set<int> m_noted;
+    std::set<int> m_tests;
+    int m_frames = 0;
+    int m_frame = 0;
+    int m_leftJoints = 0;
+    int m_rightJoints = 0;
+};
+
+} // namespace widgets
