@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/fitting_panel.h"
+
+#include <algorithm>
+
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+#include "core/fitting/method.h"
+#include "widgets/panels/state_colours.h"
+#include "widgets/panels/table_style.h"
+#include "widgets/views/joint_colours.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr int kUsualDifference = 5;
+
+QIcon swatch(const QColor& colour) {
+    QPixmap pixmap(12, 12);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawRoundedRect(QRectF(1, 1, 10, 10), 2, 2);
+    return pixmap;
+}
+
+/// Draws a swatch in the method's colour before its name.
+class MethodDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        option->icon = swatch(methodColour(index.data().toString().toStdString()));
+        option->decorationSize = QSize(12, 12);
+    }
+};
+
+} // namespace
+
+FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent)
+    : QWidget(parent), m_selection(selection), m_fits(fits), m_message(new MessageBar(this)), m_start(new QSpinBox(this)),
+      m_test(new QSpinBox(this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
+      m_model(new ResultTableModel(this)), m_plot(new CurvePlot(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
+    column->setSpacing(kSpacing);
+    column->addWidget(m_message);
+    column->addLayout(makeFrameRow());
+    column->addLayout(makeMethodRows());
+    column->addLayout(makeRunRow());
+    column->addWidget(m_table);
+    column->addWidget(m_plot, 1);
+    m_table->setModel(m_model);
+    styleTable(*m_table);
+    m_table->setItemDelegateForColumn(ResultTableModel::Method, new MethodDelegate(m_table));
+    m_table->setFocusPolicy(Qt::NoFocus);
+    m_plot->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, false, tr("The error of every iteration appears here.")});
+    connectFits();
+    showRunning(false);
+    showOutcome();
+}
+
+QLayout* FittingPanel::makeFrameRow() {
+    auto* row = new QHBoxLayout;
+    const auto add = [&](const QString& text, QSpinBox* box, const QString& tip) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(box);
+        box->setAlignment(Qt::AlignRight);
+        box->setFocusPolicy(Qt::ClickFocus);
+        box->setToolTip(tip);
+        row->addWidget(label);
+        row->addWidget(box, 1);
+    };
+    add(tr("Start"), m_start, tr("Frame whose recorded pose the fit starts from"));
+    add(tr("Test"), m_test, tr("Frame whose silhouettes are to be met"));
+    auto* here = new QToolButton(this);
+    here->setText(tr("Here"));
+    here->setToolTip(tr("Test the current frame"));
+    here->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(here);
+    connect(here, &QToolButton::clicked, this, [this] {
+        const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
+        m_test->setValue(m_selection.frame());
+        m_start->setValue(m_selection.frame() - difference);
+    });
+    connect(&m_selection, &Selection::frameCountChanged, this, [this](int count) {
+        for (QSpinBox* box : {m_start, m_test})
+            box->setRange(0, std::max(0, count - 1));
+        m_start->setValue(0);
+        m_test->setValue(kUsualDifference);
+    });
+    return row;
+}
+
+QLayout* FittingPanel::makeMethodRows() {
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(2 * kSpacing);
+    grid->setVerticalSpacing(2);
+    int index = 0;
+    for (const std::string& name : core::plainMethodNames()) {
+        auto* box = new QCheckBox(QString::fromStdString(name), this);
+        box->setIcon(swatch(methodColour(name)));
+        box->setChecked(name == "ch" || name == "dch-thres");
+        box->setFocusPolicy(Qt::NoFocus);
+        grid->addWidget(box, index / 3, index % 3);
+        m_methods.push_back(box);
+        ++index;
+    }
+    return grid;
+}
+
+QLayout* FittingPanel::makeRunRow() {
+    auto* row = new QHBoxLayout;
+    m_run->setFocusPolicy(Qt::NoFocus);
+    m_progress->setTextVisible(true);
+    row->addWidget(m_run);
+    row->addWidget(m_progress, 1);
+    connect(m_run, &QPushButton::clicked, this, [this] {
+        if (m_fits.isRunning())
+            m_fits.stop();
+        else
+            m_fits.run(request());
+    });
+    return row;
+}
+
+void FittingPanel::connectFits() {
+    connect(&m_fits, &FitRunner::started, this, [this] {
+        m_message->setMessage({});
+        showRunning(true);
+    });
+    connect(&m_fits, &FitRunner::progressed, this, [this](double fraction, const QString& text) {
+        m_progress->setValue(static_cast<int>(fraction * 1000));
+        m_progress->setFormat(text + QStringLiteral("  %p %"));
+    });
+    connect(&m_fits, &FitRunner::finished, this, [this] {
+        showRunning(false);
+        showOutcome();
+    });
+    connect(&m_fits, &FitRunner::failed, this, [this](const QString& message) {
+        showRunning(false);
+        m_message->setMessage(message);
+    });
+    connect(&m_fits, &FitRunner::cleared, this, [this] {
+        showRunning(false);
+        m_message->setMessage({});
+        showOutcome();
+    });
+}
+
+void FittingPanel::showRunning(bool running) {
+    m_run->setText(running ? tr("Stop") : tr("Fit"));
+    m_progress->setVisible(running);
+    m_progress->setRange(0, 1000);
+    if (running)
+        m_progress->setValue(0);
+}
+
+std::vector<std::string> FittingPanel::chosenMethods() const {
+    std::vector<std::string> chosen;
+    for (const QCheckBox* box : m_methods) {
+        if (box->isChecked())
+            chosen.push_back(box->text().toStdString());
+    }
+    return chosen;
+}
+
+FitRequest FittingPanel::request() const {
+    return {m_start->value(), m_test->value(), chosenMethods()};
+}
+
+void FittingPanel::fitCurrentFrame() {
+    const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
+    const int last = std::max(0, m_selection.frameCount() - 1);
+    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods()});
+}
+
+void FittingPanel::fit(const FitRequest& request) {
+    m_start->setValue(request.start);
+    m_test->setValue(request.test);
+    for (QCheckBox* box : m_methods)
+        box->setChecked(std::find(request.methods.begin(), request.methods.end(), box->text().toStdString()) != request.methods.end());
+    m_fits.run(request);
+}
+
+std::vector<Curve> FittingPanel::curves() const {
+    std::vector<Curve> curves;
+    if (!m_fits.outcome())
+        return curves;
+    for (const MethodOutcome& method : m_fits.outcome()->methods) {
+        Curve curve;
+        curve.name = QString::fromStdString(method.method);
+        curve.colour = methodColour(method.method);
+        curve.points.emplace_back(0.0, m_fits.outcome()->initialErrorMm);
+        for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i)
+            curve.points.emplace_back(static_cast<double>(i + 1), method.iterationErrorMm[i]);
+        curves.push_back(std::move(curve));
+    }
+    return curves;
+}
+
+void FittingPanel::showOutcome() {
+    m_model->setOutcome(m_fits.outcome());
+    const int rows = m_model->rowCount();
+    m_table->setVisible(rows > 0);
+    const int height = m_table->horizontalHeader()->sizeHint().height() + rows * m_table->verticalHeader()->defaultSectionSize() + 2;
+    m_table->setFixedHeight(height);
+    m_plot->setCurves(curves());
+}
+
+} // namespace widgets

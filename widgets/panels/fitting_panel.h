@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QCheckBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableView>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/document/selection.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/models/result_table_model.h"
+#include "widgets/views/curve_plot.h"
+#include "widgets/views/message_bar.h"
+
+namespace widgets {
+
+/// Choose a start and a test frame and methods, run them in the background, read the results: a table and how the error fell.
+class FittingPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent = nullptr);
+
+    /// Fits the current frame, from as many frames before it as the panel's start and test frame are apart.
+    void fitCurrentFrame();
+    /// Runs exactly this, and shows it in the fields.
+    void fit(const FitRequest& request);
+    std::vector<std::string> chosenMethods() const;
+    FitRequest request() const;
+    CurvePlot* plot() const { return m_plot; }
+
+private:
+    QLayout* makeFrameRow();
+    QLayout* makeMethodRows();
+    QLayout* makeRunRow();
+    void connectFits();
+    void showOutcome();
+    void showRunning(bool running);
+    std::vector<Curve> curves() const;
+
+    Selection& m_selection;
+    FitRunner& m_fits;
+    MessageBar* m_message;
+    QSpinBox* m_start;
+    QSpinBox* m_test;
+    std::vector<QCheckBox*> m_methods;
+    QPushButton* m_run;
+    QProgressBar* m_progress;
+    QTableView* m_table;
+    ResultTableModel* m_model;
+    CurvePlot* m_plot;
+};
+
+} // namespace widgets

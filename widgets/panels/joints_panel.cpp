@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/joints_panel.h"
+
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "widgets/panels/state_colours.h"
+#include "widgets/panels/table_style.h"
+
+namespace widgets {
+
+JointsPanel::JointsPanel(JointList& joints, const Reconstructions& reconstructions, Selection& selection, QWidget* parent)
+    : QWidget(parent), m_joints(joints), m_selection(selection), m_diagram(new HandDiagram(joints, reconstructions, selection, this)),
+      m_table(new QTableView(this)), m_model(new JointTableModel(joints, reconstructions, this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_diagram);
+    column->addWidget(m_table, 1);
+    m_table->setModel(m_model);
+    styleTable(*m_table);
+    m_table->setFocusPolicy(Qt::NoFocus);
+    m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_table->horizontalHeader(), &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {
+        emit listMenuRequested(m_table->horizontalHeader()->mapToGlobal(position));
+    });
+    connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) { m_selection.setJoint(m_model->jointAt(index.row())); });
+    connect(&m_selection, &Selection::jointChanged, this, &JointsPanel::selectRow);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::selectRow);
+}
+
+void JointsPanel::setBadRmsPx(double px) {
+    m_model->setBadRmsPx(px);
+    m_diagram->setBadRmsPx(px);
+}
+
+void JointsPanel::selectRow() {
+    const int row = m_model->rowOf(m_selection.joint());
+    if (row < 0) {
+        m_table->clearSelection();
+        return;
+    }
+    m_table->selectRow(row);
+    m_table->scrollTo(m_model->index(row, 0));
+}
+
+} // namespace widgets

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/layer_presenter.h"
+
+#include "widgets/views/joint_colours.h"
+
+namespace widgets {
+
+namespace {
+
+const QColor kRecordedColour(0xE8, 0xEA, 0xEE);
+const QColor kAnnotatedColour(0x4D, 0xA3, 0xFF);
+
+std::vector<ViewSurfacePtr> surfacesOf(const core::Dataset& dataset, const core::HandPoses& poses) {
+    std::vector<ViewSurfacePtr> surfaces;
+    for (std::size_t i = 0; i < dataset.hands.size() && i < poses.size(); ++i)
+        surfaces.push_back(makeViewSurface(dataset.hands[i], poses[i]));
+    return surfaces;
+}
+
+} // namespace
+
+LayerPresenter::LayerPresenter(const Selection& selection, const FitRunner& fits, CameraGrid& grid, SceneView* scene, JobPool& pool,
+                               QObject* parent)
+    : QObject(parent), m_selection(selection), m_fits(fits), m_grid(grid), m_scene(scene), m_job(pool) {
+    connect(&selection, &Selection::frameChanged, this, &LayerPresenter::rebuild);
+    connect(&fits, &FitRunner::finished, this, &LayerPresenter::rebuild);
+    connect(&fits, &FitRunner::cleared, this, &LayerPresenter::rebuild);
+}
+
+void LayerPresenter::setSequence(std::shared_ptr<const core::Dataset> dataset, std::shared_ptr<const core::Motion> motion) {
+    m_dataset = std::move(dataset);
+    m_motion = std::move(motion);
+    m_annotatedPose.reset();
+    rebuild();
+}
+
+void LayerPresenter::setLook(const LayerLook& look) {
+    m_look = look;
+    applyLook();
+    emit lookChanged();
+}
+
+void LayerPresenter::setLayerShown(const QString& layer, bool shown) {
+    if (shown)
+        m_hidden.erase(layer);
+    else
+        m_hidden.insert(layer);
+    rebuild();
+    emit lookChanged();
+}
+
+void LayerPresenter::setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame) {
+    m_annotatedPose = poses;
+    m_annotatedFrame = frame;
+    rebuild();
+}
+
+std::vector<LayerPresenter::Wanted> LayerPresenter::wantedLayers() const {
+    std::vector<Wanted> wanted;
+    const auto add = [&](const QString& name, const QColor& colour, const core::HandPoses& poses) {
+        if (isLayerShown(name) && !poses.empty())
+            wanted.push_back({name, colour, poses});
+    };
+    const int frame = m_selection.frame();
+    if (m_motion && frame < static_cast<int>(m_motion->size()))
+        add(kRecorded, kRecordedColour, (*m_motion)[static_cast<std::size_t>(frame)]);
+    if (m_annotatedPose && m_annotatedFrame == frame)
+        add(QStringLiteral("annotated"), kAnnotatedColour, *m_annotatedPose);
+    const auto& outcome = m_fits.outcome();
+    if (outcome && outcome->request.test == frame) {
+        add(kStart, methodColour("start"), outcome->startPoses);
+        for (const MethodOutcome& method : outcome->methods)
+            add(QString::fromStdString(method.method), methodColour(method.method), method.result.poses);
+    }
+    return wanted;
+}
+
+void LayerPresenter::rebuild() {
+    const auto wanted = wantedLayers();
+    if (!m_dataset || wanted.empty()) {
+        m_job.stop();
+        hand({});
+        return;
+    }
+    m_job.start([this, wanted, dataset = m_dataset](const JobContext& context) -> Job::Delivery {
+        std::vector<MeshLayer> layers;
+        for (const Wanted& layer : wanted) {
+            if (context.stop.stop_requested())
+                return {};
+            MeshLayer made;
+            made.name = layer.name;
+            made.colour = layer.colour;
+            made.surfaces = surfacesOf(*dataset, layer.poses);
+            layers.push_back(std::move(made));
+        }
+        return [this, layers] { hand(layers); };
+    });
+}
+
+void LayerPresenter::hand(const std::vector<MeshLayer>& layers) {
+    m_layers = layers;
+    applyLook();
+    emit shown();
+}
+
+void LayerPresenter::applyLook() {
+    std::vector<MeshLayer> layers;
+    for (MeshLayer layer : m_layers) {
+        std::erase_if(layer.surfaces, [&](const ViewSurfacePtr& surface) {
+            return surface->side == core::Side::Left ? !m_look.leftShown : !m_look.rightShown;
+        });
+        layer.style = m_look.style;
+        layer.opacity = m_look.opacity;
+        if (!layer.surfaces.empty())
+            layers.push_back(std::move(layer));
+    }
+    for (CameraView* view : m_grid.views())
+        view->setMeshLayers(m_look.style == MeshStyle::Off ? std::vector<MeshLayer>{} : layers);
+    if (!m_scene)
+        return;
+    for (MeshLayer& layer : layers)
+        layer.style = m_look.style == MeshStyle::Off ? MeshStyle::Shaded : m_look.style;
+    m_scene->setMeshLayers(layers);
+}
+
+} // namespace widgets

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QObject>
+
+#include "core/io/dataset.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/jobs/job.h"
+#include "widgets/views/camera_grid.h"
+#include "widgets/views/scene_view.h"
+
+namespace widgets {
+
+/// How mesh layers are drawn, for all views.
+struct LayerLook {
+    MeshStyle style = MeshStyle::Shaded;
+    double opacity = 0.35;
+    bool leftShown = true;
+    bool rightShown = true;
+};
+
+/// Shows meshes over the views and in the scene: the recorded pose of the current frame and, on the test frame of the last fit,
+/// the start pose and every method's result in its colour. Surfaces are posed in the background.
+class LayerPresenter : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr const char* kRecorded = "recorded";
+    static constexpr const char* kStart = "start";
+
+    /// `scene` may be null.
+    LayerPresenter(const Selection& selection, const FitRunner& fits, CameraGrid& grid, SceneView* scene, JobPool& pool,
+                   QObject* parent = nullptr);
+
+    void setSequence(std::shared_ptr<const core::Dataset> dataset, std::shared_ptr<const core::Motion> motion);
+    void setLook(const LayerLook& look);
+    const LayerLook& look() const { return m_look; }
+    /// `layer` is kRecorded, kStart or a method's name.
+    void setLayerShown(const QString& layer, bool shown);
+    bool isLayerShown(const QString& layer) const { return !m_hidden.count(layer); }
+    /// Joints of a hand model that was fitted to the annotations, shown as a layer of its own; nothing to take it away.
+    void setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame);
+
+signals:
+    void lookChanged();
+    /// The layers of the current frame are in the views.
+    void shown();
+
+private:
+    struct Wanted {
+        QString name;
+        QColor colour;
+        core::HandPoses poses;
+    };
+    std::vector<Wanted> wantedLayers() const;
+    void rebuild();
+    void hand(const std::vector<MeshLayer>& layers);
+    void applyLook();
+
+    const Selection& m_selection;
+    const FitRunner& m_fits;
+    CameraGrid& m_grid;
+    SceneView* m_scene;
+    Job m_job;
+    std::shared_ptr<const core::Dataset> m_dataset;
+    std::shared_ptr<const core::Motion> m_motion;
+    std::optional<core::HandPoses> m_annotatedPose;
+    int m_annotatedFrame = -1;
+    LayerLook m_look;
+    std::set<QString> m_hidden;
+    std::vector<MeshLayer> m_layers; ///< of the current frame, both hands
+};
+
+} // namespace widgets

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/status_line.h"
+
+#include <QFontMetrics>
+#include <QHBoxLayout>
+
+#include "widgets/document/advice.h"
+#include "widgets/panels/state_colours.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr int kBriefMs = 4000;
+constexpr int kClockMs = 1000;
+
+QString agoText(qint64 seconds) {
+    if (seconds < 60)
+        return StatusLine::tr("saved %n s ago", nullptr, static_cast<int>(seconds));
+    if (seconds < 3600)
+        return StatusLine::tr("saved %n min ago", nullptr, static_cast<int>(seconds / 60));
+    return StatusLine::tr("saved %n h ago", nullptr, static_cast<int>(seconds / 3600));
+}
+
+} // namespace
+
+StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions& reconstructions, const Selection& selection,
+                       QWidget* parent)
+    : QWidget(parent), m_document(document), m_reconstructions(reconstructions), m_selection(selection), m_summary(new QLabel(this)),
+      m_advice(new QLabel(this)), m_work(new QLabel(this)), m_progress(new QProgressBar(this)), m_stop(new QToolButton(this)),
+      m_saved(new QLabel(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kSpacing, 2, kSpacing, 2);
+    row->setSpacing(2 * kSpacing);
+    row->addWidget(m_summary);
+    row->addWidget(m_advice, 1);
+    row->addWidget(m_work);
+    row->addWidget(m_progress);
+    row->addWidget(m_stop);
+    row->addWidget(m_saved);
+    m_advice->setMinimumWidth(120);
+    m_advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_progress->setMaximumWidth(140);
+    m_progress->setTextVisible(false);
+    m_stop->setText(tr("Stop"));
+    m_stop->setFocusPolicy(Qt::NoFocus);
+    m_summary->setFont([this] {
+        QFont font = this->font();
+        font.setBold(true);
+        return font;
+    }());
+    m_brief.setSingleShot(true);
+    m_brief.setInterval(kBriefMs);
+    m_clock.setInterval(kClockMs);
+    m_clock.start();
+    connect(&m_brief, &QTimer::timeout, this, [this] {
+        m_briefText.clear();
+        refresh();
+    });
+    connect(&m_clock, &QTimer::timeout, this, &StatusLine::refreshSaved);
+    connect(m_stop, &QToolButton::clicked, this, &StatusLine::stopRequested);
+    connect(&m_reconstructions, &Reconstructions::changed, this, &StatusLine::refresh);
+    connect(&m_document, &AnnotationDocument::opened, this, &StatusLine::refreshSaved);
+    connect(&m_document, &AnnotationDocument::saved, this, &StatusLine::refreshSaved);
+    connect(&m_document, &AnnotationDocument::saveFailed, this, &StatusLine::refreshSaved);
+    hideWork();
+    refreshSaved();
+}
+
+void StatusLine::sayBriefly(const QString& text) {
+    m_briefText = text;
+    m_brief.start();
+    refresh();
+}
+
+void StatusLine::setIdleText(const QString& text) {
+    m_idleText = text;
+    refresh();
+}
+
+void StatusLine::setCameraCount(int cameras) {
+    m_cameras = cameras;
+    refresh();
+}
+
+void StatusLine::refresh() {
+    if (!m_document.isOpen()) {
+        m_summary->clear();
+        m_advice->setText(m_briefText.isEmpty() ? m_idleText : m_briefText);
+        return;
+    }
+    const auto& found = m_reconstructions.selected();
+    m_summary->setText(summaryText(m_selection.joint(), found));
+    const QString advice = m_briefText.isEmpty() ? adviceText(m_selection.joint(), found, m_cameras) : m_briefText;
+    m_advice->setText(advice);
+    m_advice->setToolTip(advice);
+}
+
+void StatusLine::refreshSaved() {
+    QPalette colours = palette();
+    QString text;
+    if (m_document.isOpen() && m_document.hasUnsaved()) {
+        text = tr("NOT SAVED");
+        colours.setColor(QPalette::WindowText, kBadColour);
+    } else if (m_document.isOpen() && m_document.isReadOnly()) {
+        text = tr("read-only");
+        colours.setColor(QPalette::WindowText, kPartialColour);
+    } else if (m_document.lastSaved().isValid()) {
+        text = agoText(m_document.lastSaved().secsTo(QDateTime::currentDateTimeUtc()));
+    } else if (m_document.isOpen()) {
+        text = tr("saved");
+    }
+    m_saved->setPalette(colours);
+    m_saved->setText(text);
+}
+
+void StatusLine::showWork(const QString& name, double fraction) {
+    if (!m_progress->isVisible() || fraction <= 0)
+        m_workTime.restart();
+    QString text = name;
+    if (fraction > 0.05) {
+        const double secondsLeft = static_cast<double>(m_workTime.elapsed()) / 1000 * (1 - fraction) / fraction;
+        text += tr(", %n s left", nullptr, static_cast<int>(secondsLeft + 0.5));
+    }
+    m_work->setText(text);
+    m_progress->setRange(0, fraction < 0 ? 0 : 1000);
+    m_progress->setValue(static_cast<int>(fraction * 1000));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_stop})
+        widget->show();
+}
+
+void StatusLine::hideWork() {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_work, m_progress, m_stop})
+        widget->hide();
+}
+
+} // namespace widgets

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QProgressBar>
+#include <QTimer>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/reconstructions.h"
+#include "widgets/document/selection.h"
+
+namespace widgets {
+
+/// The line at the bottom: the selected joint's numbers, what to do next, long work with Stop, and when the last edit was saved.
+class StatusLine : public QWidget {
+    Q_OBJECT
+
+public:
+    StatusLine(const AnnotationDocument& document, const Reconstructions& reconstructions, const Selection& selection,
+               QWidget* parent = nullptr);
+
+    /// Says something for a few seconds instead of the advice (why a key did nothing).
+    void sayBriefly(const QString& text);
+    /// While nothing is open.
+    void setIdleText(const QString& text);
+    void setCameraCount(int cameras);
+
+    /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.
+    void showWork(const QString& name, double fraction);
+    void hideWork();
+
+signals:
+    void stopRequested();
+
+private:
+    void refresh();
+    void refreshSaved();
+
+    const AnnotationDocument& m_document;
+    const Reconstructions& m_reconstructions;
+    const Selection& m_selection;
+    QLabel* m_summary;
+    QLabel* m_advice;
+    QLabel* m_work;
+    QProgressBar* m_progress;
+    QToolButton* m_stop;
+    QLabel* m_saved;
+    QTimer m_brief;
+    QTimer m_clock;
+    QElapsedTimer m_workTime;
+    QString m_briefText;
+    QString m_idleText;
+    int m_cameras = 0;
+};
+
+} // namespace widgets
