@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/annotator.h"
+#include "widgets/document/joint_list.h"
+#include "widgets/document/reconstructions.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/coverage.h"
+#include "widgets/jobs/dataset_session.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/jobs/frame_loader.h"
+#include "widgets/jobs/job.h"
+
+namespace widgets {
+
+/// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and the work
+/// that goes on in the background.
+class Workbench : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Workbench(QObject* parent = nullptr);
+    ~Workbench() override;
+
+    JobPool pool;
+    Selection selection;
+    AnnotationDocument document;
+    JointList joints;
+    Reconstructions reconstructions;
+    Annotator annotator;
+    Coverage coverage;
+    DatasetSession session;
+    FrameLoader frames;
+    FitRunner fits;
+
+    /// Which cameras are shown, and in which order; names. Kept with the annotations.
+    void setShownCameras(const std::vector<std::string>& cameras);
+    const std::vector<std::string>& shownCameras() const { return annotator.cameraOrder(); }
+    /// True when nothing is on its way that somebody waits for.
+    bool isIdle() const { return pool.isIdle() && frames.isComplete(); }
+
+signals:
+    void shownCamerasChanged();
+    /// A sequence is open and everything above knows it.
+    void ready();
+
+private:
+    void takeDataset();
+    void takeSequence(int frame);
+    void restoreChoices();
+
+    bool m_restoring = false;
+};
+
+} // namespace widgets
