@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/frame_loader.h"
 
-#include <algorithm>
-#include <map>
-#include <mutex>
-
-#include "core/contour/shaded_image.h"
+#include "core/io/frames.h"
 
 namespace widgets {
 
@@ -14,91 +10,35 @@ namespace {
 constexpr std::int64_t kDefaultBudget = std::int64_t(320) << 20;
 constexpr int kAheadPriority = -1;
 
-/// The posed hands of one frame, computed by the first worker that needs them.
-struct PosedFrame {
-    std::once_flag once;
-    std::vector<std::vector<Eigen::Vector3d>> vertices;
-    std::vector<std::vector<Eigen::Vector3d>> normals;
-
-    void ensure(const core::Dataset& dataset, const core::HandPoses& poses) {
-        std::call_once(once, [&] {
-            for (std::size_t i = 0; i < dataset.hands.size(); ++i) {
-                vertices.push_back(core::posedVertices(dataset.hands[i], poses[i]));
-                normals.push_back(core::vertexNormals(vertices.back(), dataset.hands[i].mesh.triangles));
-            }
-        });
-    }
-};
-
 QImage toImage(const cv::Mat& bgr) {
     const QImage shared(bgr.data, bgr.cols, bgr.rows, static_cast<int>(bgr.step), QImage::Format_BGR888);
     return shared.convertToFormat(QImage::Format_RGB32);
 }
 
+std::int64_t bytesOf(const ImagePyramid& picture) {
+    std::int64_t bytes = 0;
+    for (int level = 0; level < picture.levelCount(); ++level)
+        bytes += picture.level(level).sizeInBytes();
+    return bytes;
+}
+
 } // namespace
-
-/// What the workers read; never changes but for the posed frames, which have their own lock.
-struct FrameLoader::Source {
-    std::shared_ptr<const core::Dataset> dataset;
-    const core::Sequence* sequence = nullptr;
-    std::shared_ptr<const core::Motion> motion;
-    std::mutex mutex;
-    std::map<int, std::shared_ptr<PosedFrame>> posed;
-
-    std::shared_ptr<PosedFrame> posedFrame(int frame) {
-        std::shared_ptr<PosedFrame> found;
-        {
-            const std::lock_guard lock(mutex);
-            if (posed.size() > 6 && !posed.count(frame))
-                posed.clear();
-            auto& entry = posed[frame];
-            if (!entry)
-                entry = std::make_shared<PosedFrame>();
-            found = entry;
-        }
-        found->ensure(*dataset, (*motion)[static_cast<std::size_t>(frame)]);
-        return found;
-    }
-
-    QImage rendered(int frame, const core::Camera& camera) {
-        if (frame < 0 || frame >= static_cast<int>(motion->size()))
-            return {};
-        const auto hands = posedFrame(frame);
-        std::vector<core::ShadedSurface> surfaces;
-        for (std::size_t i = 0; i < dataset->hands.size(); ++i) {
-            const core::HandModel& hand = dataset->hands[i];
-            surfaces.push_back({{&hands->vertices[i], &hand.mesh.triangles}, &hands->normals[i], core::skinColour(hand.side)});
-        }
-        return toImage(core::renderShaded(camera, surfaces));
-    }
-
-    QImage picture(int frame, int cameraIndex) {
-        const core::Camera& camera = dataset->cameras[static_cast<std::size_t>(cameraIndex)];
-        const auto& views = sequence->views;
-        const auto view = std::find_if(views.begin(), views.end(), [&](const auto& v) { return v.camera == camera.name; });
-        if (view == views.end() || view->kind == core::ViewKind::None)
-            return {};
-        return rendered(frame, camera);
-    }
-};
 
 FrameLoader::FrameLoader(JobPool& pool, QObject* parent) : QObject(parent), m_pool(pool), m_budget(kDefaultBudget) {}
 
 FrameLoader::~FrameLoader() = default;
 
-void FrameLoader::setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence,
-                              std::shared_ptr<const core::Motion> motion) {
+void FrameLoader::setSequence(const std::shared_ptr<const core::Dataset>& dataset, const core::Sequence* sequence,
+                              const std::shared_ptr<const core::Motion>& motion) {
     m_jobs.clear();
     m_aheadJobs.clear();
     m_cache.clear();
     m_missing.clear();
     m_bytes = 0;
     m_frame = -1;
-    m_source = std::make_shared<Source>();
-    m_source->dataset = std::move(dataset);
-    m_source->sequence = sequence;
-    m_source->motion = std::move(motion);
-    for (std::size_t i = 0; i < m_source->dataset->cameras.size(); ++i) {
+    m_frameCount = sequence->frameCount;
+    m_source = std::make_shared<const core::FrameSource>(*dataset, *sequence, *motion);
+    for (std::size_t i = 0; i < dataset->cameras.size(); ++i) {
         m_jobs.push_back(std::make_unique<Job>(m_pool));
         m_aheadJobs.push_back(std::make_unique<Job>(m_pool, Job::Kind::Background));
         const int camera = static_cast<int>(i);
@@ -139,9 +79,9 @@ void FrameLoader::request(int frame) {
     }
 }
 
-QImage FrameLoader::picture(int camera) const {
+ImagePyramid FrameLoader::picture(int camera) const {
     const auto at = m_cache.find({m_frame, camera});
-    return at == m_cache.end() ? QImage() : at->second.picture;
+    return at == m_cache.end() ? ImagePyramid() : at->second.picture;
 }
 
 void FrameLoader::setBudget(std::int64_t bytes) {
@@ -154,7 +94,8 @@ void FrameLoader::startLoad(Job& job, int frame, int camera, bool ahead) {
         [this, source = m_source, frame, camera, ahead](const JobContext& context) -> Job::Delivery {
             if (context.stop.stop_requested())
                 return {};
-            return [this, frame, camera, ahead, picture = source->picture(frame, camera)] {
+            const ImagePyramid picture(toImage(source->read(camera, frame)));
+            return [this, frame, camera, ahead, picture] {
                 store(frame, camera, picture);
                 if (!ahead) {
                     emit pictureLoaded(camera, picture);
@@ -165,9 +106,9 @@ void FrameLoader::startLoad(Job& job, int frame, int camera, bool ahead) {
         ahead ? kAheadPriority : 0);
 }
 
-void FrameLoader::store(int frame, int camera, const QImage& picture) {
+void FrameLoader::store(int frame, int camera, const ImagePyramid& picture) {
     Entry& entry = m_cache[{frame, camera}];
-    m_bytes += picture.sizeInBytes() - entry.picture.sizeInBytes();
+    m_bytes += bytesOf(picture) - bytesOf(entry.picture);
     entry = {picture, ++m_clock};
     trim();
 }
@@ -182,7 +123,7 @@ void FrameLoader::finish(int camera) {
 
 void FrameLoader::prefetch() {
     const int next = m_frame + m_direction;
-    if (next < 0 || next >= m_source->sequence->frameCount || !m_missing.empty())
+    if (next < 0 || next >= m_frameCount || !m_missing.empty())
         return;
     for (int camera = 0; camera < static_cast<int>(m_aheadJobs.size()); ++camera) {
         if (!m_cache.count({next, camera}))
@@ -199,7 +140,7 @@ void FrameLoader::trim() {
         }
         if (oldest == m_cache.end())
             return;
-        m_bytes -= oldest->second.picture.sizeInBytes();
+        m_bytes -= bytesOf(oldest->second.picture);
         m_cache.erase(oldest);
     }
 }

@@ -8,12 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include <QImage>
 #include <QObject>
 #include <QString>
 
 #include "core/io/dataset.h"
+#include "widgets/jobs/image_pyramid.h"
 #include "widgets/jobs/job.h"
+
+namespace core {
+class FrameSource;
+}
 
 namespace widgets {
 
@@ -27,40 +31,39 @@ public:
     ~FrameLoader() override;
 
     /// Forgets everything and serves another sequence. `sequence` belongs to `dataset`.
-    void setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence,
-                     std::shared_ptr<const core::Motion> motion);
+    void setSequence(const std::shared_ptr<const core::Dataset>& dataset, const core::Sequence* sequence,
+                     const std::shared_ptr<const core::Motion>& motion);
     /// Wants this frame: each picture comes as pictureLoaded, some before this returns. A request before that is dropped.
     void request(int frame);
     int requestedFrame() const { return m_frame; }
     /// True when every picture of the requested frame has come, or failed.
     bool isComplete() const { return m_missing.empty(); }
     /// The picture of the requested frame, if it has come.
-    QImage picture(int camera) const;
+    ImagePyramid picture(int camera) const;
     /// How much memory pictures may take. The requested frame is always kept.
     void setBudget(std::int64_t bytes);
 
 signals:
-    void pictureLoaded(int camera, const QImage& picture);
+    void pictureLoaded(int camera, const widgets::ImagePyramid& picture);
     void pictureFailed(int camera, const QString& message);
     /// All pictures of the requested frame are there (or have failed).
     void frameCompleted(int frame);
 
 private:
-    struct Source;
     using Key = std::pair<int, int>; ///< frame, camera
     struct Entry {
-        QImage picture;
+        ImagePyramid picture;
         std::uint64_t lastUse = 0;
     };
 
     void startLoad(Job& job, int frame, int camera, bool ahead);
-    void store(int frame, int camera, const QImage& picture);
+    void store(int frame, int camera, const ImagePyramid& picture);
     void finish(int camera);
     void prefetch();
     void trim();
 
     JobPool& m_pool;
-    std::shared_ptr<Source> m_source;
+    std::shared_ptr<const core::FrameSource> m_source;
     std::vector<std::unique_ptr<Job>> m_jobs;      ///< one per camera
     std::vector<std::unique_ptr<Job>> m_aheadJobs; ///< one per camera
     std::map<Key, Entry> m_cache;
@@ -69,6 +72,7 @@ private:
     std::int64_t m_bytes = 0;
     std::uint64_t m_clock = 0;
     int m_frame = -1;
+    int m_frameCount = 0;
     int m_direction = 1;
 };
 

@@ -8,7 +8,7 @@
 #include <QGraphicsView>
 
 #include "core/geometry/camera.h"
-#include "widgets/views/image_pyramid.h"
+#include "widgets/jobs/image_pyramid.h"
 #include "widgets/views/mesh_layer_painter.h"
 #include "widgets/views/view_mark.h"
 #include "widgets/views/view_title_bar.h"

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "widgets/views/image_pyramid.h"
+#include "widgets/jobs/image_pyramid.h"
 
 namespace widgets {
 

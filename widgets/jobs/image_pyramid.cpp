@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/views/image_pyramid.h"
+#include "widgets/jobs/image_pyramid.h"
 
 #include <algorithm>
 #include <array>
