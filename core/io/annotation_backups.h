@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+
+#include "core/io/annotation_store.h"
+
+namespace core {
+
+/// How many states of an annotation file are kept.
+inline constexpr int kKeptBackups = 10;
+
+/// Copies the state with that number of changes into the backups of `file`, unless it is there; then drops all but the newest
+/// ten. Returns the copy; nothing if the file was never changed. Throws Error(Io).
+std::optional<std::filesystem::path> backUp(SQLite::Database& database, const std::filesystem::path& file, std::int64_t changeCount);
+
+} // namespace core
