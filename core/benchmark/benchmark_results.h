@@ -16,6 +16,7 @@ struct PairResult {
     double initialErrorMm = 0; ///< mean joint distance of the start pose
     double errorMm = 0;        ///< mean joint distance of the estimate
     int iterations = 0;
+    int costRises = 0;         ///< iterations that ended with a higher cost than the one before
     double seconds = 0;        ///< from masks in memory to the final pose; 0 for external trackers
     std::vector<double> jointErrorsMm; ///< parallel to BenchmarkResults::joints; NaN where there is no reference
     bool operator==(const PairResult&) const = default;
@@ -27,6 +28,7 @@ struct BenchmarkResults {
     std::vector<FramePair> pairs;     ///< all pairs, also those of other shards
     std::vector<std::string> methods; ///< in the order of the tables
     std::vector<PairResult> rows;     ///< in the order of pairs, then methods
+    std::vector<std::string> external; ///< those of `methods` that were not run here: other trackers' estimates
     bool stopped = false;             ///< true if the run was stopped before its end
 };
 

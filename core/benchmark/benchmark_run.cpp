@@ -63,6 +63,14 @@ void requirePair(const BenchmarkScene& scene, const FramePair& pair, BenchmarkSe
     }
 }
 
+int costRises(const FitResult& fit) {
+    int rises = 0;
+    for (std::size_t i = 1; i < fit.history.size(); ++i) {
+        rises += fit.history[i].costMm2 > fit.history[i - 1].costMm2 ? 1 : 0;
+    }
+    return rises;
+}
+
 /// All work that shares one target: the pairs of one test frame.
 struct TestFrame {
     const BenchmarkSequence* sequence = nullptr;
@@ -81,18 +89,6 @@ std::vector<TestFrame> testFrames(const BenchmarkScene& scene, const std::vector
         frames[at->second].pairs.push_back(pair);
     }
     return frames;
-}
-
-std::vector<TestFrame> ofShard(std::vector<TestFrame> frames, const Shard& shard) {
-    if (shard.count < 1 || shard.index < 0 || shard.index >= shard.count) {
-        throw Error(ErrorCode::Usage, "", "shard", "must be i/n with 0 <= i < n");
-    }
-    std::vector<TestFrame> mine;
-    for (std::size_t i = static_cast<std::size_t>(shard.index); i < frames.size();
-         i += static_cast<std::size_t>(shard.count)) {
-        mine.push_back(std::move(frames[i]));
-    }
-    return mine;
 }
 
 /// Targets of one test frame, made when the first fit needs them.
@@ -149,7 +145,7 @@ public:
             requirePair(m_scene, pair, m_options.setup);
         }
         m_results.pairs = pairs;
-        m_frames = ofShard(testFrames(m_scene, pairs), m_options.shard);
+        m_frames = testFrames(m_scene, pairsOfShard(pairs, m_options.shard));
         takeFinished(finished);
         tell(nullptr);
         work();
@@ -228,7 +224,8 @@ private:
             jointErrors(m_results.joints, namedJointPositions(m_scene.hands, targets.poses(pair.start)), reference);
         const JointErrors end = jointErrors(m_results.joints, namedJointPositions(m_scene.hands, fit.poses), reference);
         const int iterations = static_cast<int>(fit.history.size());
-        return {pair, method, start.meanMm, end.meanMm, iterations, rounded(fit.seconds), end.perJointMm};
+        return {pair,       method,         start.meanMm,         end.meanMm,
+                iterations, costRises(fit), rounded(fit.seconds), end.perJointMm};
     }
 
     void add(PairResult row) {

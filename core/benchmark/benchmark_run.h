@@ -40,13 +40,6 @@ struct BenchmarkScene {
     std::vector<BenchmarkSequence> sequences;
 };
 
-/// Which part of the work this run does: test frames whose number modulo `count` is `index`.
-struct Shard {
-    int index = 0;
-    int count = 1;
-    bool operator==(const Shard&) const = default;
-};
-
 struct BenchmarkOptions {
     BenchmarkSetup setup = BenchmarkSetup::Synthetic;
     std::vector<std::string> methods = {"dch-thres"}; ///< as parseMethod reads them

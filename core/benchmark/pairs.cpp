@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "core/error.h"
@@ -58,6 +59,22 @@ std::vector<FramePair> drawPairs(const std::vector<PairFrames>& sequences, const
         }
     }
     return pairs;
+}
+
+std::vector<FramePair> pairsOfShard(const std::vector<FramePair>& pairs, const Shard& shard) {
+    if (shard.count < 1 || shard.index < 0 || shard.index >= shard.count) {
+        throw Error(ErrorCode::Usage, "", "shard", "must be i/n with 0 <= i < n");
+    }
+    std::map<std::pair<std::string, int>, int> numberOf;
+    std::vector<FramePair> mine;
+    for (const FramePair& pair : pairs) {
+        const auto next = static_cast<int>(numberOf.size());
+        const int number = numberOf.try_emplace({pair.sequence, pair.test}, next).first->second;
+        if (number % shard.count == shard.index) {
+            mine.push_back(pair);
+        }
+    }
+    return mine;
 }
 
 } // namespace core

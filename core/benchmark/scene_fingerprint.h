@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "core/benchmark/benchmark_run.h"
+
+namespace core {
+
+/// A short text (16 hexadecimal digits) that differs if hands, cameras, motions or annotated joints differ: results of
+/// equal fingerprints may be brought together. Not meant against forgery.
+std::string sceneFingerprint(const BenchmarkScene& scene);
+
+} // namespace core
