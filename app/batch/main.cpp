@@ -25,11 +25,13 @@ int fail(std::string message, int status) {
 }
 
 void addVerbs(CLI::App& program) {
+    app::addBenchmarkVerb(program);
     app::addCheckVerb(program);
     app::addFitVerb(program);
     app::addImportVerb(program);
     app::addInfoVerb(program);
     app::addJointsVerb(program);
+    app::addMergeVerb(program);
     app::addRenderVerb(program);
     app::addTriangulateVerb(program);
 }

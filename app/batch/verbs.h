@@ -8,11 +8,13 @@ class App;
 namespace app {
 
 // Every verb adds itself as a subcommand with its options and a callback that does the work. One file per verb.
+void addBenchmarkVerb(CLI::App& program);
 void addCheckVerb(CLI::App& program);
 void addFitVerb(CLI::App& program);
 void addImportVerb(CLI::App& program);
 void addInfoVerb(CLI::App& program);
 void addJointsVerb(CLI::App& program);
+void addMergeVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
 void addTriangulateVerb(CLI::App& program);
 

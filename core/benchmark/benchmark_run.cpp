@@ -133,17 +133,14 @@ public:
         const BenchmarkProgressFunction& progress, std::stop_token stop)
         : m_scene(scene), m_options(options), m_estimator(estimator), m_progress(progress), m_stop(std::move(stop)) {
         m_results.methods = options.methods;
-        m_results.joints =
-            options.setup == BenchmarkSetup::Realistic ? annotatedJoints(scene) : jointNames(scene.hands);
+        m_results.joints = benchmarkJoints(scene, options.setup);
         for (const std::string& name : options.methods) {
             m_methods.push_back(parseMethod(name));
         }
     }
 
     BenchmarkResults run(const std::vector<FramePair>& pairs, const std::vector<PairResult>& finished) {
-        for (const FramePair& pair : pairs) {
-            requirePair(m_scene, pair, m_options.setup);
-        }
+        requireRunnable(m_scene, pairs, m_options);
         m_results.pairs = pairs;
         m_frames = testFrames(m_scene, pairsOfShard(pairs, m_options.shard));
         takeFinished(finished);
@@ -263,6 +260,27 @@ BenchmarkResults runBenchmark(const BenchmarkScene& scene, const std::vector<Fra
                               const BenchmarkProgressFunction& progress, std::stop_token stop,
                               const std::vector<PairResult>& finished) {
     return Run(scene, options, estimator, progress, std::move(stop)).run(pairs, finished);
+}
+
+void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& pairs, const BenchmarkOptions& options) {
+    std::set<std::string> methods;
+    for (const std::string& name : options.methods) {
+        parseMethod(name);
+        if (!methods.insert(name).second) {
+            throw Error(ErrorCode::Usage, "", "methods", name + " is named twice");
+        }
+    }
+    for (const FramePair& pair : pairs) {
+        requirePair(scene, pair, options.setup);
+    }
+    pairsOfShard(pairs, options.shard); // may be empty if there are more shards than test frames
+    if (pairs.empty()) {
+        throw Error(ErrorCode::Usage, "", "pairs", "there are none: too few frames for this fraction and these differences");
+    }
+}
+
+std::vector<JointId> benchmarkJoints(const BenchmarkScene& scene, BenchmarkSetup setup) {
+    return setup == BenchmarkSetup::Realistic ? annotatedJoints(scene) : jointNames(scene.hands);
 }
 
 PairEstimator poseEstimatorOf(const BenchmarkScene& scene) {

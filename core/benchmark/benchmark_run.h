@@ -70,6 +70,12 @@ BenchmarkResults runBenchmark(const BenchmarkScene& scene, const std::vector<Fra
                               const BenchmarkProgressFunction& progress = {}, std::stop_token stop = {},
                               const std::vector<PairResult>& finished = {});
 
+/// Throws what runBenchmark would throw for methods, pairs and shard that make no sense, before any work is done.
+void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& pairs, const BenchmarkOptions& options);
+
+/// The joints over which errors are taken: all named joints, or (realistic) those of the model that somebody annotated.
+std::vector<JointId> benchmarkJoints(const BenchmarkScene& scene, BenchmarkSetup setup);
+
 /// The estimator that users get: a PoseEstimator over the scene's hands and cameras, one thread per fit.
 PairEstimator poseEstimatorOf(const BenchmarkScene& scene);
 

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "app/batch/interrupt.h"
+#include "app/batch/progress.h"
+#include "app/batch/verbs.h"
+#include "core/benchmark/benchmark_run.h"
+#include "core/benchmark/result_table.h"
+#include "core/benchmark/scene_fingerprint.h"
+#include "core/error.h"
+#include "core/io/benchmark_folder.h"
+#include "core/io/benchmark_journal.h"
+#include "core/io/benchmark_scene.h"
+#include "core/io/dataset.h"
+#include "core/io/pairs_file.h"
+
+namespace app {
+
+namespace {
+
+struct BenchmarkArguments {
+    std::string dataset, setup = "synthetic", pairs, shard, out;
+    std::vector<std::string> sequences;
+    std::vector<std::string> methods = {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"};
+    core::PairOptions draw;
+    int threads = 1;
+};
+
+core::Shard shardFrom(const std::string& text) {
+    core::Shard shard;
+    char rest = 0;
+    if (!text.empty() && std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2) {
+        throw core::Error(core::ErrorCode::Usage, "", "--shard", "'" + text + "' is not i/n, such as 0/4");
+    }
+    return shard;
+}
+
+core::BenchmarkOptions optionsFrom(const BenchmarkArguments& arguments) {
+    core::BenchmarkOptions options;
+    options.setup = arguments.setup == "realistic" ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+    options.methods = arguments.methods;
+    options.threads = arguments.threads;
+    options.shard = shardFrom(arguments.shard);
+    return options;
+}
+
+core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::BenchmarkOptions& options,
+                               const core::BenchmarkScene& scene) {
+    core::BenchmarkRunInfo info;
+    info.dataset = arguments.dataset;
+    info.fingerprint = core::sceneFingerprint(scene);
+    info.setup = options.setup;
+    info.methods = options.methods;
+    info.shard = options.shard;
+    info.joints = core::benchmarkJoints(scene, options.setup);
+    info.pairs = arguments.pairs.empty() ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
+                                         : core::readPairs(arguments.pairs);
+    return info;
+}
+
+void benchmark(const BenchmarkArguments& arguments) {
+    const core::BenchmarkOptions options = optionsFrom(arguments);
+    const core::Dataset dataset = core::readDataset(arguments.dataset);
+    const core::BenchmarkScene scene = core::readBenchmarkScene(dataset, arguments.sequences, options.setup);
+    core::BenchmarkFolder folder{runInfo(arguments, options, scene), {}};
+    core::requireRunnable(scene, folder.info.pairs, options);
+    core::BenchmarkJournal journal(arguments.out, folder.info);
+    Progress bar("benchmark");
+    const auto progress = [&](const core::BenchmarkProgress& state) {
+        if (state.latest != nullptr) {
+            journal.append(*state.latest);
+        }
+        bar.show(state.finished, state.total);
+    };
+    folder.results = core::runBenchmark(scene, folder.info.pairs, options, core::poseEstimatorOf(scene), progress,
+                                        interruptToken(), journal.finished());
+    core::writeBenchmarkTables(arguments.out, folder);
+    std::printf("%s", core::markdownTable(core::resultTable(folder.results, options.setup)).c_str());
+    if (folder.results.stopped) {
+        throw core::Error(core::ErrorCode::Io, arguments.out, "",
+                          "stopped; what is finished is kept, and the same command goes on from there");
+    }
+}
+
+void merge(const std::vector<std::string>& folders, const std::string& out) {
+    const core::BenchmarkFolder merged =
+        core::mergedBenchmarkFolders(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
+    core::writeBenchmarkFolder(out, merged);
+    std::printf("%s", core::markdownTable(core::resultTable(merged.results, merged.info.setup)).c_str());
+}
+
+} // namespace
+
+void addBenchmarkVerb(CLI::App& program) {
+    auto arguments = std::make_shared<BenchmarkArguments>();
+    CLI::App* verb = program.add_subcommand("benchmark", "Compare methods on seeded frame pairs: tables, curves and a report");
+    verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
+    verb->add_option("--sequences", arguments->sequences, "Names of the sequences (all with a recorded motion)")->delimiter(',');
+    verb->add_option("--setup", arguments->setup, "synthetic: targets rendered from the recorded poses; realistic: from the masks")
+        ->check(CLI::IsMember({"synthetic", "realistic"}));
+    verb->add_option("--fraction", arguments->draw.fraction, "Share of the frames that are test frames (0.1)");
+    verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")->delimiter(',');
+    verb->add_option("--seed", arguments->draw.seed, "Seed of the draw (0)");
+    verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")->delimiter(',');
+    verb->add_option("--pairs", arguments->pairs, "A pairs.json to use instead of drawing pairs");
+    verb->add_option("--threads", arguments->threads, "Pairs that are solved side by side (1)")->check(CLI::Range(1, 256));
+    verb->add_option("--shard", arguments->shard, "i/n: only the i-th of n parts of the work, counted from 0");
+    verb->add_option("--out", arguments->out, "The folder for the results; a second run goes on where the first one ended")->required();
+    verb->callback([arguments] { benchmark(*arguments); });
+}
+
+void addMergeVerb(CLI::App& program) {
+    auto folders = std::make_shared<std::vector<std::string>>();
+    auto out = std::make_shared<std::string>();
+    CLI::App* verb = program.add_subcommand("merge", "Bring the results of all shards of a benchmark together");
+    verb->add_option("folders", *folders, "The folders of the shards")->required();
+    verb->add_option("--out", *out, "The folder for the merged results")->required();
+    verb->callback([folders, out] { merge(*folders, *out); });
+}
+
+} // namespace app
