@@ -62,7 +62,13 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    void paint(QPainter& painter, const QRectF& area) const;
+    struct Frame;
+    Frame frame(const QRectF& area) const;
+    void paint(QPainter& painter, const QRectF& area, const QPalette& colours) const;
+    void paintAxes(QPainter& painter, const Frame& frame, const QPalette& colours) const;
+    void paintCurves(QPainter& painter, const Frame& frame, const QPalette& colours) const;
+    void paintLegend(QPainter& painter, const Frame& frame, const QPalette& colours) const;
+    void paintReadout(QPainter& painter, const Frame& frame) const;
 
     CurvePlotSettings m_settings;
     std::vector<Curve> m_curves;

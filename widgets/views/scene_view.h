@@ -2,51 +2,32 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include <QColor>
 #include <QImage>
 #include <QWidget>
 
-#include <Eigen/Core>
-
-#include "core/annotation/annotation_set.h"
 #include "core/geometry/camera.h"
 #include "widgets/views/mesh_layer.h"
+#include "widgets/views/scene_joint.h"
+
+class QMenu;
 
 namespace widgets {
 
-/// A 3D joint in the scene.
-struct SceneJoint {
-    core::JointId joint;
-    Eigen::Vector3d pointInWorld;              ///< mm
-    std::optional<Eigen::Matrix3d> covariance; ///< mm^2; drawn as the 95 % ellipsoid
-    QColor colour;
-    bool selected = false;
-};
-
-/// A bone between two joints in the world, mm.
-struct SceneBone {
-    Eigen::Vector3d from;
-    Eigen::Vector3d to;
-    QColor colour;
-};
-
-/// The 3D scene: meshes in their layer's colour, cameras as frusta, joints with their uncertainty. Left drag orbits,
-/// middle or Shift+left drag pans, right drag or the wheel zooms; it can also look through a calibrated camera,
+/// The 3D scene: meshes in their layer's colour, cameras as frusta, joints with their uncertainty. A left drag orbits,
+/// a middle or Shift+left drag pans, the wheel zooms at the pointer; it can also look through a calibrated camera,
 /// exactly.
 ///
-/// Holds the program's only OpenGL widget, in a native window of its own. QApplication must have been made with
-/// AA_DontCreateNativeWidgetSiblings and SceneView::useSurfaceFormat(). Without OpenGL (the offscreen platform) it says
-/// so instead.
+/// Holds the program's only OpenGL widget, in a native window of its own, so that repaints elsewhere stay cheap. Call
+/// prepareApplication() before QApplication is made. On a platform without OpenGL (offscreen) it says so instead.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    /// Sets the default surface format and the attributes that the scene needs. Call before QApplication is made.
+    /// Sets the surface format and the attributes that the scene needs. Before QApplication is made.
     static void prepareApplication();
 
     void setCameras(const std::vector<core::Camera>& cameras);
@@ -55,19 +36,21 @@ public:
     void setBones(const std::vector<SceneBone>& bones);
     /// The camera whose frustum stands out, or -1.
     void setCurrentCamera(int index);
-    /// The image shown on the far end of the current camera's frustum and behind the scene when looking through it;
-    /// null for none.
+    /// The image of the current camera: shown on the end of its frustum, and behind the scene when it is looked
+    /// through. Null for none.
     void setCameraImage(const QImage& image);
-    /// Looks through a camera (index) or orbits freely (-1).
+    /// Looks through a camera (index), without its lens; or orbits freely (-1).
     void lookThrough(int camera);
     int lookedThrough() const;
     void setCamerasShown(bool shown);
     void setGridShown(bool shown);
 
-    /// Looks at everything from the front: at the meshes and joints if there are any, else at the cameras.
+    /// Looks at the hands and the cameras around them. Happens by itself when the first content arrives.
     void resetView();
-    /// The scene as a picture of the widget's size times `scale`.
-    QImage grabPicture(double scale = 1) const;
+    /// The scene as it is now, in device pixels. Renders at once.
+    QImage grabPicture() const;
+    /// Appends "Copy picture", "Save picture...", "Reset view" and "Look through" to a menu.
+    void addActions(QMenu& menu);
 
 signals:
     void jointClicked(const core::JointId& joint);
@@ -75,12 +58,17 @@ signals:
     void lookedThroughChanged(int index);
 
 protected:
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Impl;
+    void requestRender();
+    void renderNow() const;
+    void contentChanged();
+    bool handlePointer(QEvent* event);
+    void click(QPointF place);
+
     std::unique_ptr<Impl> m_impl;
 };
 
