@@ -303,6 +303,7 @@ void CameraView::paintImage(QPainter& painter, double pixelsPerImagePixel) const
     const double across = whole.width() / m_pyramid.size().width(), down = whole.height() / m_pyramid.size().height();
     const QRectF target(0, 0, image.width() * across * (1 << index), image.height() * down * (1 << index));
     painter.save();
+    painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setClipRect(whole, Qt::IntersectClip);
     painter.drawImage(target, image);
     painter.restore();

@@ -6,35 +6,16 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
+#include "tests/support/ball.h"
+
 namespace {
 
 using namespace core;
 
-struct Ball {
-    std::vector<Eigen::Vector3d> vertices, normals;
-    std::vector<std::array<int, 3>> triangles;
-    ShadedSurface surface(const Eigen::Vector3f& colour) const { return {{&vertices, &triangles}, &normals, colour}; }
-};
+using test::makeBall;
 
-Ball makeBall(const Eigen::Vector3d& centre, double radius, int rings = 24, int sectors = 48) {
-    Ball ball;
-    for (int i = 0; i <= rings; ++i) {
-        for (int j = 0; j < sectors; ++j) {
-            const double polar = M_PI * i / rings, azimuth = 2 * M_PI * j / sectors;
-            const Eigen::Vector3d n(std::sin(polar) * std::cos(azimuth), std::cos(polar),
-                                    std::sin(polar) * std::sin(azimuth));
-            ball.normals.push_back(n);
-            ball.vertices.push_back(centre + radius * n);
-        }
-    }
-    for (int i = 0; i < rings; ++i) {
-        for (int j = 0; j < sectors; ++j) {
-            const int a = i * sectors + j, b = i * sectors + (j + 1) % sectors;
-            ball.triangles.push_back({a, b, b + sectors});
-            ball.triangles.push_back({a, b + sectors, a + sectors});
-        }
-    }
-    return ball;
+ShadedSurface shaded(const test::Ball& ball, const Eigen::Vector3f& colour) {
+    return {{&ball.vertices, &ball.triangles}, &ball.normals, colour};
 }
 
 Camera makeCamera() {
@@ -52,13 +33,13 @@ bool isBackdrop(const cv::Vec3b& bgr) {
 }
 
 TEST(ShadedImage, SilhouetteIsThatOfTheMask) {
-    const Ball one = makeBall({-30, 0, 0}, 50), two = makeBall({40, 20, -30}, 35);
+    const test::Ball one = makeBall({-30, 0, 0}, 50), two = makeBall({40, 20, -30}, 35);
     const Camera camera = makeCamera();
-    const cv::Mat mask = renderMask(camera, {one.surface({}).surface, two.surface({}).surface});
-    const cv::Mat overlay = renderOverlay(camera, {one.surface({1, 0, 0}), two.surface({0, 1, 0})}, {});
+    const cv::Mat mask = renderMask(camera, {shaded(one, {}).surface, shaded(two, {}).surface});
+    const cv::Mat overlay = renderOverlay(camera, {shaded(one, {1, 0, 0}), shaded(two, {0, 1, 0})}, {});
     // Bright surfaces on a black backdrop: what is lit is the silhouette.
     const cv::Mat image =
-        renderShaded(camera, {one.surface({1, 1, 1}), two.surface({1, 1, 1})}, {}, {{0, 0, 0}, {0, 0, 0}});
+        renderShaded(camera, {shaded(one, {1, 1, 1}), shaded(two, {1, 1, 1})}, {}, {{0, 0, 0}, {0, 0, 0}});
     ASSERT_EQ(image.size(), mask.size());
     int covered = 0;
     for (int y = 0; y < mask.rows; ++y) {
@@ -73,14 +54,14 @@ TEST(ShadedImage, SilhouetteIsThatOfTheMask) {
 }
 
 TEST(ShadedImage, KeyLightComesFromItsSide) {
-    const Ball ball = makeBall({0, 0, 0}, 60, 64, 128);
+    const test::Ball ball = makeBall({0, 0, 0}, 60, 64, 128);
     Camera camera = makeCamera();
     camera.distortion.clear();
     camera.cameraFromWorld.translation = {0, 0, 400};
     Lighting lighting;
     lighting.keyDirection = {-1, 0, -0.2f};
     lighting.fill = lighting.rim = lighting.specular = lighting.warmth = 0;
-    const cv::Mat image = renderShaded(camera, {ball.surface({0.8f, 0.8f, 0.8f})}, lighting);
+    const cv::Mat image = renderShaded(camera, {shaded(ball, {0.8f, 0.8f, 0.8f})}, lighting);
     const int y = 60;
     for (int x = 57; x <= 100; ++x) { // from the lit left side to the right, it only gets darker
         EXPECT_LE(image.at<cv::Vec3b>(y, x + 1)[1], image.at<cv::Vec3b>(y, x)[1] + 1) << x;
@@ -89,8 +70,8 @@ TEST(ShadedImage, KeyLightComesFromItsSide) {
 }
 
 TEST(ShadedImage, BackdropFillsTheRestAndDarkensTowardsCorners) {
-    const Ball ball = makeBall({0, 0, 0}, 20);
-    const cv::Mat image = renderShaded(makeCamera(), {ball.surface(skinColour(Side::Left))});
+    const test::Ball ball = makeBall({0, 0, 0}, 20);
+    const cv::Mat image = renderShaded(makeCamera(), {shaded(ball, skinColour(Side::Left))});
     EXPECT_TRUE(isBackdrop(image.at<cv::Vec3b>(0, 0)));
     EXPECT_TRUE(isBackdrop(image.at<cv::Vec3b>(119, 159)));
     EXPECT_FALSE(isBackdrop(image.at<cv::Vec3b>(60, 80)));
@@ -98,8 +79,8 @@ TEST(ShadedImage, BackdropFillsTheRestAndDarkensTowardsCorners) {
 }
 
 TEST(ShadedImage, NearestSurfaceWins) {
-    const Ball far = makeBall({0, 0, 60}, 40), near = makeBall({0, 0, -60}, 20);
-    const cv::Mat image = renderOverlay(makeCamera(), {near.surface({1, 0, 0}), far.surface({0, 0, 1})},
+    const test::Ball far = makeBall({0, 0, 60}, 40), near = makeBall({0, 0, -60}, 20);
+    const cv::Mat image = renderOverlay(makeCamera(), {shaded(near, {1, 0, 0}), shaded(far, {0, 0, 1})},
                                         {OverlayStyle::Shaded, 1.0f, false});
     const auto middle = image.at<cv::Vec4b>(60, 80);
     EXPECT_GT(middle[2], 2 * middle[0]); // red is in front
@@ -108,8 +89,8 @@ TEST(ShadedImage, NearestSurfaceWins) {
 }
 
 TEST(ShadedImage, OverlayIsPremultipliedAndItsEdgeIsStrong) {
-    const Ball ball = makeBall({0, 0, 0}, 50);
-    const cv::Mat image = renderOverlay(makeCamera(), {ball.surface({1, 1, 1})}, {OverlayStyle::Shaded, 0.35f, true});
+    const test::Ball ball = makeBall({0, 0, 0}, 50);
+    const cv::Mat image = renderOverlay(makeCamera(), {shaded(ball, {1, 1, 1})}, {OverlayStyle::Shaded, 0.35f, true});
     int edge = 0, inner = 0;
     for (int y = 0; y < image.rows; ++y) {
         for (int x = 0; x < image.cols; ++x) {
@@ -126,11 +107,11 @@ TEST(ShadedImage, OverlayIsPremultipliedAndItsEdgeIsStrong) {
 }
 
 TEST(ShadedImage, WiresLeaveHolesAndShadedDoesNot) {
-    const Ball ball = makeBall({0, 0, 0}, 60, 6, 8);
+    const test::Ball ball = makeBall({0, 0, 0}, 60, 6, 8);
     const cv::Mat wires =
-        renderOverlay(makeCamera(), {ball.surface({1, 1, 1})}, {OverlayStyle::Wireframe, 1.0f, false});
+        renderOverlay(makeCamera(), {shaded(ball, {1, 1, 1})}, {OverlayStyle::Wireframe, 1.0f, false});
     int strong = 0, holes = 0, covered = 0;
-    const cv::Mat mask = renderMask(makeCamera(), {ball.surface({}).surface});
+    const cv::Mat mask = renderMask(makeCamera(), {shaded(ball, {}).surface});
     for (int y = 0; y < wires.rows; ++y) {
         for (int x = 0; x < wires.cols; ++x) {
             const int alpha = wires.at<cv::Vec4b>(y, x)[3];
