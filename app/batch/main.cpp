@@ -25,8 +25,10 @@ int fail(std::string message, int status) {
 }
 
 void addVerbs(CLI::App& program) {
+    app::addAnnotationsVerb(program);
     app::addBenchmarkVerb(program);
     app::addCheckVerb(program);
+    app::addExportVerb(program);
     app::addFitVerb(program);
     app::addImportVerb(program);
     app::addInfoVerb(program);

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/batch/verbs.h"
+#include "core/error.h"
+#include "core/io/annotation_formats.h"
+#include "core/io/annotation_store.h"
+
+namespace app {
+
+namespace {
+
+struct ExportArguments {
+    std::string dataset, sequence, kind, map, rater, out;
+    double sigmaPx = 1;
+};
+
+std::string kindList() {
+    std::string kinds;
+    for (const core::AnnotationFormat& format : core::annotationFormats()) {
+        kinds += (kinds.empty() ? "" : ", ") + std::string(format.kind);
+    }
+    return kinds;
+}
+
+/// The annotations of a sequence; none if nobody has annotated it yet.
+core::AnnotationSet readAnnotations(const core::Dataset& dataset, const core::Sequence& sequence) {
+    const auto file = dataset.folder / sequence.annotations;
+    if (sequence.annotations.empty() || !std::filesystem::exists(file)) {
+        return {};
+    }
+    return core::AnnotationStore::open(file, core::StoreAccess::ReadOnly).annotations();
+}
+
+void exportSequence(const ExportArguments& arguments) {
+    const core::Dataset dataset = core::readDataset(arguments.dataset);
+    const core::Sequence& sequence = dataset.sequence(arguments.sequence);
+    core::AnnotationExportOptions options;
+    options.triangulation.sigmaPx = arguments.sigmaPx;
+    options.jointMap = arguments.map;
+    if (!arguments.rater.empty()) {
+        options.rater = arguments.rater;
+    }
+    core::exportAnnotations(dataset, sequence, readAnnotations(dataset, sequence), arguments.kind, arguments.out, options);
+}
+
+} // namespace
+
+void addExportVerb(CLI::App& program) {
+    auto arguments = std::make_shared<ExportArguments>();
+    CLI::App* verb = program.add_subcommand("export", "Write the annotations of a sequence for other programs");
+    verb->add_option("dataset", arguments->dataset, "Dataset folder")->required();
+    verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
+    verb->add_option("--to", arguments->kind, "Kind: " + kindList())->required();
+    verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
+    verb->add_option("--rater", arguments->rater, "Only the marks of this rater");
+    verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-6, 1e6));
+    verb->add_option("--out", arguments->out, "The file (or folder) to write")->required();
+    verb->callback([arguments] { exportSequence(*arguments); });
+}
+
+} // namespace app
