@@ -18,6 +18,7 @@
 #include "core/io/benchmark_journal.h"
 #include "core/io/benchmark_scene.h"
 #include "core/io/dataset.h"
+#include "core/io/external_estimates.h"
 #include "core/io/pairs_file.h"
 
 namespace app {
@@ -28,6 +29,7 @@ struct BenchmarkArguments {
     std::string dataset, setup = "synthetic", pairs, shard, out;
     std::vector<std::string> sequences;
     std::vector<std::string> methods = {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"};
+    std::vector<std::string> external;
     core::PairOptions draw;
     int threads = 1;
 };
@@ -50,6 +52,18 @@ core::BenchmarkOptions optionsFrom(const BenchmarkArguments& arguments) {
     return options;
 }
 
+std::vector<core::ExternalEstimates> externalFrom(const BenchmarkArguments& arguments, const core::Dataset& dataset) {
+    std::vector<core::ExternalEstimates> external;
+    for (const std::string& text : arguments.external) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos) {
+            throw core::Error(core::ErrorCode::Usage, "", "--external", "'" + text + "' is not NAME=FILE");
+        }
+        external.push_back(core::readExternalEstimates(text.substr(0, equals), text.substr(equals + 1), dataset.hands));
+    }
+    return external;
+}
+
 core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::BenchmarkOptions& options,
                                const core::BenchmarkScene& scene) {
     core::BenchmarkRunInfo info;
@@ -64,13 +78,25 @@ core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::
     return info;
 }
 
-void benchmark(const BenchmarkArguments& arguments) {
-    const core::BenchmarkOptions options = optionsFrom(arguments);
-    const core::Dataset dataset = core::readDataset(arguments.dataset);
-    const core::BenchmarkScene scene = core::readBenchmarkScene(dataset, arguments.sequences, options.setup);
-    core::BenchmarkFolder folder{runInfo(arguments, options, scene), {}};
-    core::requireRunnable(scene, folder.info.pairs, options);
-    core::BenchmarkJournal journal(arguments.out, folder.info);
+/// The rows of all other trackers in this shard; adds their names to the run.
+std::vector<core::PairResult> externalRows(const std::vector<core::ExternalEstimates>& external,
+                                           const core::BenchmarkScene& scene, const core::BenchmarkOptions& options,
+                                           core::BenchmarkRunInfo& info) {
+    std::vector<core::PairResult> rows;
+    for (const core::ExternalEstimates& estimates : external) {
+        const std::vector<core::PairResult> all =
+            core::externalRows(scene, options.setup, info.pairs, estimates);
+        for (const core::PairResult& row : core::rowsOfPairs(all, core::pairsOfShard(info.pairs, options.shard))) {
+            rows.push_back(row);
+        }
+        info.methods.push_back(estimates.name);
+        info.external.push_back(estimates.name);
+    }
+    return rows;
+}
+
+core::BenchmarkResults run(const core::BenchmarkScene& scene, const core::BenchmarkRunInfo& info,
+                           const core::BenchmarkOptions& options, core::BenchmarkJournal& journal) {
     Progress bar("benchmark");
     const auto progress = [&](const core::BenchmarkProgress& state) {
         if (state.latest != nullptr) {
@@ -78,8 +104,24 @@ void benchmark(const BenchmarkArguments& arguments) {
         }
         bar.show(state.finished, state.total);
     };
-    folder.results = core::runBenchmark(scene, folder.info.pairs, options, core::poseEstimatorOf(scene), progress,
-                                        interruptToken(), journal.finished());
+    return core::runBenchmark(scene, info.pairs, options, core::poseEstimatorOf(scene), progress, interruptToken(),
+                              journal.finished());
+}
+
+void benchmark(const BenchmarkArguments& arguments) {
+    const core::BenchmarkOptions options = optionsFrom(arguments);
+    const core::Dataset dataset = core::readDataset(arguments.dataset);
+    const core::BenchmarkScene scene = core::readBenchmarkScene(dataset, arguments.sequences, options.setup);
+    core::BenchmarkFolder folder{runInfo(arguments, options, scene), {}};
+    core::requireRunnable(scene, folder.info.pairs, options);
+    const std::vector<core::PairResult> external =
+        externalRows(externalFrom(arguments, dataset), scene, options, folder.info);
+    core::BenchmarkJournal journal(arguments.out, folder.info);
+    folder.results = run(scene, folder.info, options, journal);
+    for (const core::PairResult& row : external) {
+        journal.append(row);
+    }
+    core::addExternalRows(folder.results, folder.info.external, external);
     core::writeBenchmarkTables(arguments.out, folder);
     std::printf("%s", core::markdownTable(core::resultTable(folder.results, options.setup)).c_str());
     if (folder.results.stopped) {
@@ -108,6 +150,8 @@ void addBenchmarkVerb(CLI::App& program) {
     verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")->delimiter(',');
     verb->add_option("--seed", arguments->draw.seed, "Seed of the draw (0)");
     verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")->delimiter(',');
+    verb->add_option("--external", arguments->external,
+                     "NAME=FILE: another tracker's joints (CSV sequence,start,test,hand,name,x,y,z, or JSON), a row of their own");
     verb->add_option("--pairs", arguments->pairs, "A pairs.json to use instead of drawing pairs");
     verb->add_option("--threads", arguments->threads, "Pairs that are solved side by side (1)")->check(CLI::Range(1, 256));
     verb->add_option("--shard", arguments->shard, "i/n: only the i-th of n parts of the work, counted from 0");

@@ -35,4 +35,11 @@ struct BenchmarkResults {
 /// Brings rows into the order of `pairs`, then `methods`.
 void sortRows(BenchmarkResults& results);
 
+/// Those of the rows whose pair is among `pairs`.
+std::vector<PairResult> rowsOfPairs(const std::vector<PairResult>& rows, const std::vector<FramePair>& pairs);
+
+/// Adds other trackers and their rows to finished results.
+void addExternalRows(BenchmarkResults& results, const std::vector<std::string>& names,
+                     const std::vector<PairResult>& rows);
+
 } // namespace core

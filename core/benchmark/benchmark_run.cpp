@@ -104,11 +104,6 @@ public:
         return m_masks;
     }
 
-    JointPositions reference() const {
-        return m_setup == BenchmarkSetup::Realistic ? m_frame.sequence->annotatedJoints.at(m_frame.test)
-                                                    : namedJointPositions(m_scene.hands, poses(m_frame.test));
-    }
-
     const HandPoses& poses(int frame) const { return m_frame.sequence->motion[static_cast<std::size_t>(frame)]; }
 
 private:
@@ -208,17 +203,15 @@ private:
                 }
                 const FitResult fit = m_estimator(targets.masks(), targets.poses(pair.start), m_methods[m], m_stop);
                 if (fit.termination != FitTermination::Stopped) {
-                    add(measured(pair, m_options.methods[m], fit, targets));
+                    add(measured(pair, m_options.methods[m], fit));
                 }
             }
         }
     }
 
-    PairResult measured(const FramePair& pair, const std::string& method, const FitResult& fit,
-                        const Targets& targets) const {
-        const JointPositions reference = targets.reference();
-        const JointErrors start =
-            jointErrors(m_results.joints, namedJointPositions(m_scene.hands, targets.poses(pair.start)), reference);
+    PairResult measured(const FramePair& pair, const std::string& method, const FitResult& fit) const {
+        const JointPositions reference = referenceJoints(m_scene, m_options.setup, pair);
+        const JointErrors start = jointErrors(m_results.joints, startJoints(m_scene, pair), reference);
         const JointErrors end = jointErrors(m_results.joints, namedJointPositions(m_scene.hands, fit.poses), reference);
         const int iterations = static_cast<int>(fit.history.size());
         return {pair,       method,         start.meanMm,         end.meanMm,
@@ -281,6 +274,18 @@ void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& 
 
 std::vector<JointId> benchmarkJoints(const BenchmarkScene& scene, BenchmarkSetup setup) {
     return setup == BenchmarkSetup::Realistic ? annotatedJoints(scene) : jointNames(scene.hands);
+}
+
+JointPositions referenceJoints(const BenchmarkScene& scene, BenchmarkSetup setup, const FramePair& pair) {
+    const BenchmarkSequence& sequence = sequenceOf(scene, pair.sequence);
+    return setup == BenchmarkSetup::Realistic
+               ? sequence.annotatedJoints.at(pair.test)
+               : namedJointPositions(scene.hands, sequence.motion[static_cast<std::size_t>(pair.test)]);
+}
+
+JointPositions startJoints(const BenchmarkScene& scene, const FramePair& pair) {
+    const BenchmarkSequence& sequence = sequenceOf(scene, pair.sequence);
+    return namedJointPositions(scene.hands, sequence.motion[static_cast<std::size_t>(pair.start)]);
 }
 
 PairEstimator poseEstimatorOf(const BenchmarkScene& scene) {

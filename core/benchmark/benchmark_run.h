@@ -76,6 +76,11 @@ void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& 
 /// The joints over which errors are taken: all named joints, or (realistic) those of the model that somebody annotated.
 std::vector<JointId> benchmarkJoints(const BenchmarkScene& scene, BenchmarkSetup setup);
 
+/// The joints that errors are measured against: recorded at the test frame, or (realistic) annotated there.
+JointPositions referenceJoints(const BenchmarkScene& scene, BenchmarkSetup setup, const FramePair& pair);
+/// The joints of the recorded pose of the start frame.
+JointPositions startJoints(const BenchmarkScene& scene, const FramePair& pair);
+
 /// The estimator that users get: a PoseEstimator over the scene's hands and cameras, one thread per fit.
 PairEstimator poseEstimatorOf(const BenchmarkScene& scene);
 

@@ -23,7 +23,7 @@ Rows rowsOf(const BenchmarkResults& results, const std::string& method, std::opt
 }
 
 /// The first row of every pair: all rows of a pair have the same start.
-Rows rowsOfPairs(const BenchmarkResults& results, std::optional<int> difference) {
+Rows firstRows(const BenchmarkResults& results, std::optional<int> difference) {
     Rows rows;
     std::set<FramePair> seen;
     for (const PairResult& row : results.rows) {
@@ -100,7 +100,7 @@ ErrorStatistics errorStatistics(const BenchmarkResults& results, const std::stri
 }
 
 ErrorStatistics initialStatistics(const BenchmarkResults& results, std::optional<int> difference) {
-    return statisticsOf(errorsOf(rowsOfPairs(results, difference), &PairResult::initialErrorMm));
+    return statisticsOf(errorsOf(firstRows(results, difference), &PairResult::initialErrorMm));
 }
 
 std::vector<int> differencesOf(const BenchmarkResults& results) {
@@ -113,7 +113,7 @@ std::vector<int> differencesOf(const BenchmarkResults& results) {
 
 std::vector<ErrorCurve> errorCurves(const BenchmarkResults& results, double stepMm, double maxMm) {
     std::vector<ErrorCurve> curves;
-    const Rows pairs = rowsOfPairs(results, {});
+    const Rows pairs = firstRows(results, {});
     curves.push_back(curveOf("initial", errorsOf(pairs, &PairResult::initialErrorMm), stepMm, maxMm));
     for (const std::string& method : results.methods) {
         const Rows rows = rowsOf(results, method, {});

@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
+#include "core/io/annotation_store.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
 
@@ -43,6 +45,45 @@ std::vector<cv::Mat> readMasks(const fs::path& folder, const std::string& patter
     return masks;
 }
 
+/// The 3D joints that a frame's marks give: the mean over its raters.
+JointPositions annotatedJointsOf(const AnnotationSet& annotations, const std::vector<Camera>& cameras, int frame) {
+    ReconstructionOptions options;
+    options.details = false;
+    std::map<JointId, std::vector<Eigen::Vector3d>> points;
+    for (const std::string& rater : ratersOf(annotations, frame)) {
+        for (const auto& [joint, found] : reconstructFrame(annotations, cameras, frame, rater, options)) {
+            if (found.hasPoint()) {
+                points[joint].push_back(found.result.point->pointInWorld);
+            }
+        }
+    }
+    JointPositions joints;
+    for (const auto& [joint, raters] : points) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        for (const Eigen::Vector3d& point : raters) {
+            sum += point;
+        }
+        joints[joint] = sum / static_cast<double>(raters.size());
+    }
+    return joints;
+}
+
+std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const Sequence& sequence) {
+    std::map<int, JointPositions> joints;
+    const fs::path file = dataset.folder / sequence.annotations;
+    if (sequence.annotations.empty() || !fs::exists(file)) {
+        return joints;
+    }
+    const AnnotationSet annotations = AnnotationStore::open(file, StoreAccess::ReadOnly).annotations();
+    for (const int frame : annotatedFrames(annotations)) {
+        JointPositions found = annotatedJointsOf(annotations, dataset.cameras, frame);
+        if (!found.empty()) {
+            joints.emplace(frame, std::move(found));
+        }
+    }
+    return joints;
+}
+
 void addRealisticParts(const Dataset& dataset, const Sequence& sequence, BenchmarkSequence& result) {
     if (sequence.masks.empty()) {
         throwLacks(dataset, sequence, "has no masks, which the realistic setup takes its silhouettes from");
@@ -50,6 +91,7 @@ void addRealisticParts(const Dataset& dataset, const Sequence& sequence, Benchma
     result.masks = [folder = dataset.folder, pattern = sequence.masks, cameras = dataset.cameras](int frame) {
         return readMasks(folder, pattern, cameras, frame);
     };
+    result.annotatedJoints = readAnnotatedJoints(dataset, sequence);
     if (result.annotatedJoints.empty()) {
         throwLacks(dataset, sequence, "has no annotated 3D joints, which the realistic setup measures errors against");
     }
