@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/interrupt.h"
+#include "app/batch/option_text.h"
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
@@ -21,20 +22,10 @@ struct TzionasArguments {
     std::string out;
 };
 
-/// "1080x1920"
-core::ImageSize parseSize(const std::string& text) {
-    core::ImageSize size;
-    char rest = 0;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 || size.width < 1 || size.height < 1) {
-        throw core::Error(core::ErrorCode::Usage, "", "--size", "width and height are expected, such as 1080x1920");
-    }
-    return size;
-}
-
 void importTzionas(const TzionasArguments& arguments) {
     core::TzionasImportOptions options = arguments.options;
     if (!arguments.size.empty()) {
-        options.imageSize = parseSize(arguments.size);
+        options.imageSize = parseImageSize(arguments.size, "--size");
     }
     core::ImportedDataset imported;
     {

@@ -27,6 +27,7 @@ int fail(std::string message, int status) {
 void addVerbs(CLI::App& program) {
     app::addAnnotationsVerb(program);
     app::addBenchmarkVerb(program);
+    app::addCalibrationVerb(program);
     app::addCheckVerb(program);
     app::addExportVerb(program);
     app::addFitVerb(program);

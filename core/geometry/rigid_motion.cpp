@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 namespace core {
 
@@ -79,6 +80,14 @@ bool isRotation(const Eigen::Matrix3d& rotation, double tolerance) {
     return rotation.allFinite() &&
            (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= tolerance &&
            rotation.determinant() > 0;
+}
+
+std::optional<Eigen::Matrix3d> nearestRotation(const Eigen::Matrix3d& matrix, double tolerance) {
+    if (!isRotation(matrix, tolerance)) {
+        return std::nullopt;
+    }
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return svd.matrixU() * svd.matrixV().transpose();
 }
 
 } // namespace core

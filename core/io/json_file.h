@@ -19,6 +19,9 @@ nlohmann::json readJsonFile(const std::filesystem::path& file);
 /// is not known), then the whole is checked against the schema of that kind (resources/schemas/<kind>.schema.json).
 nlohmann::json readOwnFile(const std::filesystem::path& file, const std::string& kind);
 
+/// How deep lists and objects are nested in JSON-like text, found without parsing: a hostile file must not reach recursive code.
+int nestingDepth(std::string_view text);
+
 /// Throws Error(BadInput) naming the field that breaks the schema of that kind.
 void checkSchema(const nlohmann::json& value, std::string_view kind, const std::string& file);
 

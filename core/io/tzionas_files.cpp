@@ -7,8 +7,6 @@
 #include <numbers>
 #include <set>
 
-#include <Eigen/SVD>
-
 #include "core/error.h"
 #include "core/io/cameras_file.h"
 #include "core/io/text_file.h"
@@ -55,15 +53,6 @@ std::vector<int> splitBoneNames(std::string_view line, const std::vector<Bone>& 
         line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
     }
     return order;
-}
-
-/// The nearest rotation to a matrix of few digits; nothing if it is not close to one.
-std::optional<Eigen::Matrix3d> nearestRotation(const Eigen::Matrix3d& matrix) {
-    if (!isRotation(matrix, 1e-2)) {
-        return std::nullopt;
-    }
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
 }
 
 /// Axis letters of LIMITS; Y bends, Z spreads, X twists.
@@ -206,7 +195,7 @@ std::vector<std::vector<RigidMotion>> readMotionTable(const fs::path& file, cons
         }
         for (std::size_t f = 0; f < frameCount; ++f) {
             const std::vector<double> row = lines.nextNumbers(12, "a pose of " + bones[static_cast<std::size_t>(bone)].name);
-            const std::optional<Eigen::Matrix3d> rotation = nearestRotation(rowMajor(row));
+            const std::optional<Eigen::Matrix3d> rotation = nearestRotation(rowMajor(row), 1e-2);
             if (!rotation) {
                 throw lines.errorHere("the first nine numbers are no rotation");
             }
@@ -235,7 +224,7 @@ std::vector<Camera> readTzionasCameras(const fs::path& file, std::optional<Image
             camera.cameraFromWorld.rotation.row(i) << row[0], row[1], row[2];
             camera.cameraFromWorld.translation[i] = row[3];
         }
-        camera.cameraFromWorld.rotation = nearestRotation(camera.cameraFromWorld.rotation).value_or(camera.cameraFromWorld.rotation);
+        camera.cameraFromWorld.rotation = nearestRotation(camera.cameraFromWorld.rotation, 1e-2).value_or(camera.cameraFromWorld.rotation);
         const Eigen::Vector2d principal = camera.intrinsics.topRightCorner<2, 1>();
         if (!size && (principal.minCoeff() < 0.5 || principal.maxCoeff() > 50000)) {
             throw Error(ErrorCode::BadInput, file.string(), camera.name + ".K", "the image size does not follow from the principal point; give --size WxH");

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/camera.h"
+
+namespace core {
+
+/// A kind of calibration file, by the name that the command line uses.
+struct CalibrationKind {
+    std::string_view name;
+    std::string_view description; ///< English, for lists
+    double mmPerUnit = 1;         ///< the unit that such files are usually in
+    bool canWrite = false;
+};
+/// All kinds: handlens, anipose, opencv, easymocap, jarvis, dannce, interhand, hanco, tzionas.
+const std::vector<CalibrationKind>& calibrationKinds();
+
+struct CalibrationOptions {
+    std::string kind;                ///< empty: told from the content
+    std::optional<ImageSize> size;   ///< for files that hold none; files that do hold one keep theirs
+    std::optional<double> mmPerUnit; ///< overrides the kind's usual unit
+    std::string section;             ///< which capture of an InterHand file; empty if there is one only
+};
+
+/// Which kind of calibration a file or folder holds. Throws Error(Unsupported) if it is none of the known ones.
+std::string sniffCalibration(const std::filesystem::path& path);
+
+/// Reads cameras from a file, or from a folder for kinds that have a file per camera, and brings them to our conventions: x_cam = R x_world + t
+/// in mm, pixel centres from 0, matrices not transposed. Cameras are named by the file and sorted by name, numbers in names by value.
+/// Throws Error naming file and field, also if an image size is needed and not given.
+std::vector<Camera> readCalibration(const std::filesystem::path& path, const CalibrationOptions& options = {});
+
+/// Writes all cameras into one file of that kind (mm). Throws Error(Usage) for a kind that cannot be written.
+void writeCalibration(const std::filesystem::path& file, std::string_view kind, const std::vector<Camera>& cameras);
+
+/// The point nearest to all optical axes (mm), where the cameras look; nothing if they are parallel or there is only one.
+/// For a check after an import: its distance from the cameras tells a wrong unit or a transposed rotation at a glance.
+std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras);
+
+} // namespace core

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "tests/architecture/rules.h"
+
+namespace {
+
+using architecture::parseSource;
+using architecture::SourceFile;
+using architecture::Violations;
+
+const std::vector<SourceFile>& tree() {
+    static const std::vector<SourceFile> files = architecture::readSourceTree(HANDLENS_SOURCE_DIR);
+    return files;
+}
+
+std::string joined(const Violations& violations) {
+    std::string text;
+    for (const std::string& violation : violations) {
+        text += "\n  " + violation;
+    }
+    return text;
+}
+
+#define EXPECT_NO_VIOLATIONS(violations)                                                                               \
+    do {                                                                                                               \
+        const Violations found = (violations);                                                                         \
+        EXPECT_TRUE(found.empty()) << joined(found);                                                                   \
+    } while (false)
+
+TEST(Architecture, FindsTheSources) { EXPECT_GT(tree().size(), 50u); }
+TEST(Architecture, IncludesPointInTheRightDirection) { EXPECT_NO_VIOLATIONS(architecture::wrongDirections(tree())); }
+TEST(Architecture, HasNoCycles) { EXPECT_NO_VIOLATIONS(architecture::includeCycles(tree())); }
+TEST(Architecture, LibrariesStayInsideTheirFences) { EXPECT_NO_VIOLATIONS(architecture::brokenFences(tree())); }
+TEST(Architecture, IncludesAreNamedFromTheRoot) { EXPECT_NO_VIOLATIONS(architecture::unknownIncludes(tree())); }
+TEST(Architecture, FilesAreShort) { EXPECT_NO_VIOLATIONS(architecture::longFiles(tree())); }
+TEST(Architecture, FunctionsAreShort) { EXPECT_NO_VIOLATIONS(architecture::longFunctions(tree())); }
+TEST(Architecture, FilesAreTidy) { EXPECT_NO_VIOLATIONS(architecture::untidyFiles(tree())); }
+
+// The rules themselves: each must catch what it is there for.
+
+/// What a rule says of one made-up file.
+template <typename Rule>
+Violations judge(Rule rule, const std::string& path, const std::string& text) {
+    return rule({parseSource(path, text)});
+}
+
+TEST(Rules, CatchIncludesAgainstTheDirection) {
+    const auto caught = [](const std::string& path, const std::string& included) {
+        return judge(architecture::wrongDirections, path, "#include \"" + included + "\"\n").size() == 1;
+    };
+    EXPECT_TRUE(caught("core/geometry/a.h", "core/hand/b.h"));
+    EXPECT_TRUE(caught("core/numeric/a.cpp", "core/io/b.h"));
+    EXPECT_TRUE(caught("core/io/a.cpp", "widgets/document/b.h"));
+    EXPECT_TRUE(caught("widgets/views/a.cpp", "widgets/panels/b.h"));
+    EXPECT_TRUE(caught("widgets/views/a.cpp", "app/desktop/b.h"));
+    EXPECT_TRUE(caught("app/batch/a.cpp", "widgets/views/b.h"));
+    EXPECT_TRUE(caught("app/batch/a.cpp", "app/desktop/b.h"));
+    EXPECT_TRUE(caught("core/io/a.cpp", "tests/support/b.h"));
+}
+
+TEST(Rules, LetIncludesPassThatGoDown) {
+    const auto passes = [](const std::string& path, const std::string& included) {
+        return judge(architecture::wrongDirections, path, "#include \"" + included + "\"\n").empty();
+    };
+    EXPECT_TRUE(passes("core/hand/a.h", "core/geometry/b.h"));
+    EXPECT_TRUE(passes("core/geometry/a.h", "core/error.h"));
+    EXPECT_TRUE(passes("widgets/panels/a.h", "widgets/views/b.h"));
+    EXPECT_TRUE(passes("widgets/views/a.h", "core/io/b.h"));
+    EXPECT_TRUE(passes("app/desktop/a.h", "widgets/panels/b.h"));
+    EXPECT_TRUE(passes("tests/core/io/a.cpp", "core/io/b.h"));
+}
+
+TEST(Rules, CatchCycles) {
+    const std::vector<SourceFile> circle{parseSource("core/hand/a.h", "#include \"core/hand/b.h\"\n"),
+                                         parseSource("core/hand/b.h", "#include \"core/hand/c.h\"\n"),
+                                         parseSource("core/hand/c.h", "#include \"core/hand/a.h\"\n")};
+    ASSERT_EQ(architecture::includeCycles(circle).size(), 1u);
+    EXPECT_EQ(architecture::includeCycles(circle).front(), "core/hand/a.h -> core/hand/b.h -> core/hand/c.h -> core/hand/a.h");
+    const std::vector<SourceFile> diamond{parseSource("core/hand/a.h", "#include \"core/hand/b.h\"\n#include \"core/hand/c.h\"\n"),
+                                          parseSource("core/hand/b.h", "#include \"core/hand/c.h\"\n"), parseSource("core/hand/c.h", "")};
+    EXPECT_TRUE(architecture::includeCycles(diamond).empty());
+}
+
+TEST(Rules, CatchLibrariesOutsideTheirFence) {
+    const auto caught = [](const std::string& path, const std::string& header) {
+        return judge(architecture::brokenFences, path, "#include <" + header + ">\n").size() == 1;
+    };
+    EXPECT_TRUE(caught("core/io/a.cpp", "QString"));
+    EXPECT_TRUE(caught("core/io/a.cpp", "QtCore/QString"));
+    EXPECT_TRUE(caught("app/batch/a.cpp", "QApplication"));
+    EXPECT_TRUE(caught("widgets/panels/a.cpp", "vtkActor.h"));
+    EXPECT_TRUE(caught("widgets/views/camera_view.cpp", "QVTKOpenGLNativeWidget.h"));
+    EXPECT_TRUE(caught("core/hand/a.cpp", "assimp/scene.h"));
+    EXPECT_TRUE(caught("core/geometry/a.h", "opencv2/core.hpp"));
+    EXPECT_TRUE(caught("core/annotation/a.cpp", "SQLiteCpp/SQLiteCpp.h"));
+    EXPECT_TRUE(caught("core/fitting/a.cpp", "ceres/ceres.h"));
+    EXPECT_FALSE(caught("widgets/views/scene_view.cpp", "vtkActor.h"));
+    EXPECT_FALSE(caught("core/contour/a.h", "opencv2/core.hpp"));
+    EXPECT_FALSE(caught("core/io/off_mesh.cpp", "assimp/scene.h"));
+    EXPECT_FALSE(caught("core/io/a.cpp", "queue"));
+}
+
+TEST(Rules, CatchIncludesThatAreNotNamedFromTheRoot) {
+    EXPECT_EQ(judge(architecture::unknownIncludes, "core/hand/a.cpp", "#include \"b.h\"\n").size(), 1u);
+    EXPECT_EQ(judge(architecture::unknownIncludes, "core/hand/a.h", "#include \"core/hand/a.h\"\n").size(), 0u);
+}
+
+TEST(Rules, CatchLongFilesAndFunctions) {
+    std::string body;
+    for (int i = 0; i < 58; ++i) {
+        body += "    call();\n";
+    }
+    const std::string just = "void f(int x) {\n" + body + "}\n", tooLong = "void f(int x) {\n" + body + "    call();\n}\n";
+    EXPECT_TRUE(judge(architecture::longFunctions, "core/hand/a.cpp", just).empty());
+    EXPECT_EQ(judge(architecture::longFunctions, "core/hand/a.cpp", tooLong).size(), 1u);
+    EXPECT_TRUE(judge(architecture::longFunctions, "core/hand/a.cpp", "namespace core {\n" + just + just + "}\n").empty());
+    EXPECT_TRUE(judge(architecture::longFiles, "core/hand/a.cpp", std::string(400, '\n')).empty());
+    EXPECT_EQ(judge(architecture::longFiles, "core/hand/a.cpp", std::string(401, '\n')).size(), 1u);
+}
+
+TEST(Rules, CatchUntidyFiles) {
+    const std::string licence = "// SPDX-License-Identifier: MIT\n";
+    EXPECT_TRUE(judge(architecture::untidyFiles, "core/hand/a.h", licence + "#pragma once\n").empty());
+    EXPECT_EQ(judge(architecture::untidyFiles, "core/hand/a.h", "#pragma once\n").size(), 1u);
+    EXPECT_EQ(judge(architecture::untidyFiles, "core/hand/a.h", licence).size(), 1u);
+    EXPECT_EQ(judge(architecture::untidyFiles, "core/util/a.cpp", licence).size(), 1u);
+    EXPECT_EQ(judge(architecture::untidyFiles, "core/hand/helpers.cpp", licence).size(), 1u);
+}
+
+} // namespace

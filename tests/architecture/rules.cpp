@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+#include "tests/architecture/rules.h"
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace architecture {
+
+namespace {
+
+constexpr std::size_t kMostLines = 400;
+constexpr std::size_t kMostFunctionLines = 60;
+
+// Lowest first: a folder may include those before it.
+const std::vector<std::string> kCoreFolders{"core/numeric", "core/geometry",   "core/hand",      "core/contour", "core/distance",
+                                            "core/fitting", "core/annotation", "core/benchmark", "core/io"};
+const std::vector<std::string> kWidgetFolders{"widgets/document", "widgets/jobs", "widgets/models", "widgets/views", "widgets/panels"};
+const std::vector<std::string> kTops{"core", "widgets", "app"};
+
+/// A library: how its headers look, and the paths that may include them.
+struct Fence {
+    std::string library;
+    std::regex header;
+    std::regex allowed;
+};
+
+const std::vector<Fence>& fences() {
+    static const std::vector<Fence> list{
+        {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*|q[a-z]+\\.h|qt[a-z]+\\.h"), std::regex("(widgets/|app/desktop/|tests/).*")},
+        {"VTK", std::regex("vtk.*|QVTK.*"), std::regex("(widgets/views/(scene|curve|private_display)|app/desktop/main|tests/).*")},
+        {"assimp", std::regex("assimp/.*"), std::regex("core/io/(off_mesh|gltf)[a-z_]*\\.cpp|tests/.*")},
+        {"OpenCV", std::regex("opencv2?/.*"), std::regex("(core/(contour|distance|fitting|benchmark|io)/|widgets/|app/|tests/).*")},
+        {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/|tests/).*")},
+        {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
+        {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/.*")},
+        {"FFMS2", std::regex("ffms\\.h"), std::regex("core/io/.*")},
+        {"matio", std::regex("matio\\.h"), std::regex("core/io/.*")},
+        {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
+        {"spdlog", std::regex("spdlog/.*"), std::regex("(widgets/|app/).*")},
+        {"Ceres", std::regex("ceres/.*"), std::regex("tests/.*")}};
+    return list;
+}
+
+std::string at(const SourceFile& file, int line, const std::string& what) { return file.path + ":" + std::to_string(line) + ": " + what; }
+
+int rank(const std::vector<std::string>& order, const std::string& folder) {
+    const auto found = std::find(order.begin(), order.end(), folder);
+    return found == order.end() ? -1 : static_cast<int>(found - order.begin());
+}
+
+std::string folderOf(const std::string& path, int depth) { return SourceFile{path, {}, {}}.folder(depth); }
+
+/// Why one include goes the wrong way, or nothing.
+std::string directionProblem(const std::string& from, const std::string& to) {
+    const std::string topFrom = folderOf(from, 1), topTo = folderOf(to, 1);
+    if (topFrom == "tests" || rank(kTops, topTo) < 0) {
+        return topTo == "tests" && topFrom != "tests" ? "the product includes a test" : "";
+    }
+    if (rank(kTops, topTo) > rank(kTops, topFrom)) {
+        return topFrom + " includes " + topTo;
+    }
+    const std::string folderFrom = folderOf(from, 2), folderTo = folderOf(to, 2);
+    if (topFrom == "app" && topTo == "app" && folderFrom != folderTo) {
+        return folderFrom + " includes " + folderTo;
+    }
+    if (folderFrom == "app/batch" && topTo == "widgets") {
+        return "app/batch includes widgets";
+    }
+    for (const auto& order : {kCoreFolders, kWidgetFolders}) {
+        if (rank(order, folderFrom) >= 0 && rank(order, folderTo) > rank(order, folderFrom)) {
+            return folderFrom + " includes " + folderTo;
+        }
+    }
+    return "";
+}
+
+/// Depth-first search for a way back to a file that is still being visited.
+class CycleSearch {
+public:
+    explicit CycleSearch(const std::vector<SourceFile>& files) {
+        for (const SourceFile& file : files) {
+            m_files[file.path] = &file;
+        }
+    }
+
+    Violations run() {
+        for (const auto& [path, file] : m_files) {
+            visit(path);
+        }
+        return m_violations;
+    }
+
+private:
+    void visit(const std::string& path) {
+        const auto found = m_files.find(path);
+        if (found == m_files.end() || m_done.count(path) > 0) {
+            return;
+        }
+        const auto open = std::find(m_open.begin(), m_open.end(), path);
+        if (open != m_open.end()) {
+            std::string circle;
+            for (auto i = open; i != m_open.end(); ++i) {
+                circle += *i + " -> ";
+            }
+            m_violations.push_back(circle + path);
+            return;
+        }
+        m_open.push_back(path);
+        for (const Include& include : found->second->includes) {
+            visit(include.path);
+        }
+        m_open.pop_back();
+        m_done.insert(path);
+    }
+
+    std::map<std::string, const SourceFile*> m_files;
+    std::vector<std::string> m_open;
+    std::set<std::string> m_done;
+    Violations m_violations;
+};
+
+std::size_t indentation(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
+
+/// Whether a line that ends with `{` opens the body of a function (and not a class, a namespace, a loop or a list).
+bool opensFunction(const std::string& line) {
+    static const std::regex other("\\s*(namespace|class|struct|enum|union|extern|if|else|for|while|do|switch|try|catch|return|case)\\b.*");
+    static const std::regex list(".*=\\s*\\{|.*\\w\\{");
+    return line.ends_with("{") && !std::regex_match(line, other) && !std::regex_match(line, list);
+}
+
+} // namespace
+
+Violations wrongDirections(const std::vector<SourceFile>& files) {
+    Violations violations;
+    for (const SourceFile& file : files) {
+        for (const Include& include : file.includes) {
+            const std::string problem = include.isQuoted ? directionProblem(file.path, include.path) : "";
+            if (!problem.empty()) {
+                violations.push_back(at(file, include.line, problem + " (" + include.path + ")"));
+            }
+        }
+    }
+    return violations;
+}
+
+Violations includeCycles(const std::vector<SourceFile>& files) { return CycleSearch(files).run(); }
+
+Violations brokenFences(const std::vector<SourceFile>& files) {
+    Violations violations;
+    for (const SourceFile& file : files) {
+        for (const Include& include : file.includes) {
+            for (const Fence& fence : fences()) {
+                const bool isOfLibrary = !include.isQuoted && std::regex_match(include.path, fence.header);
+                if (isOfLibrary && !std::regex_match(file.path, fence.allowed) && !file.path.starts_with("tests/")) {
+                    violations.push_back(at(file, include.line, fence.library + " is not used here (" + include.path + ")"));
+                }
+            }
+        }
+    }
+    return violations;
+}
+
+Violations unknownIncludes(const std::vector<SourceFile>& files) {
+    std::set<std::string> paths;
+    for (const SourceFile& file : files) {
+        paths.insert(file.path);
+    }
+    static const std::regex generated(".*\\.moc|moc_.*|ui_.*");
+    Violations violations;
+    for (const SourceFile& file : files) {
+        for (const Include& include : file.includes) {
+            if (include.isQuoted && paths.count(include.path) == 0 && !std::regex_match(include.path, generated)) {
+                violations.push_back(at(file, include.line, "\"" + include.path + "\" is no file of the project, named from its root"));
+            }
+        }
+    }
+    return violations;
+}
+
+Violations longFiles(const std::vector<SourceFile>& files) {
+    Violations violations;
+    for (const SourceFile& file : files) {
+        if (file.lines.size() > kMostLines) {
+            violations.push_back(at(file, 1, std::to_string(file.lines.size()) + " lines, at most " + std::to_string(kMostLines)));
+        }
+    }
+    return violations;
+}
+
+Violations longFunctions(const std::vector<SourceFile>& files) {
+    Violations violations;
+    for (const SourceFile& file : files) {
+        for (std::size_t i = 0; i < file.lines.size(); ++i) {
+            const std::size_t indent = indentation(file.lines[i]);
+            if (indent > 4 || !opensFunction(file.lines[i])) {
+                continue;
+            }
+            const std::string closing = std::string(indent, ' ') + "}";
+            std::size_t end = i + 1;
+            while (end < file.lines.size() && !file.lines[end].starts_with(closing)) {
+                ++end;
+            }
+            if (end - i + 1 > kMostFunctionLines) {
+                violations.push_back(at(file, static_cast<int>(i) + 1, "a function of " + std::to_string(end - i + 1) + " lines, at most " + std::to_string(kMostFunctionLines)));
+            }
+        }
+    }
+    return violations;
+}
+
+Violations untidyFiles(const std::vector<SourceFile>& files) {
+    static const std::regex meaningless("(.*/)?(util|utils|common|misc|globals|helpers)(/.*|\\.(h|cpp))");
+    Violations violations;
+    for (const SourceFile& file : files) {
+        if (file.lines.empty() || file.lines.front() != "// SPDX-License-Identifier: MIT") {
+            violations.push_back(at(file, 1, "the licence line is missing"));
+        }
+        if (file.isHeader() && std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end()) {
+            violations.push_back(at(file, 1, "#pragma once is missing"));
+        }
+        if (std::regex_match(file.path, meaningless)) {
+            violations.push_back(at(file, 1, "the name says nothing"));
+        }
+    }
+    return violations;
+}
+
+} // namespace architecture

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/architecture/source_tree.h"
+
+namespace architecture {
+
+/// What breaks a rule, one line each: path:line: why. Empty if all is well.
+using Violations = std::vector<std::string>;
+
+/// core <- widgets <- app, and inside core and widgets a folder includes only itself and folders below it.
+Violations wrongDirections(const std::vector<SourceFile>& files);
+/// Files that include each other in a circle.
+Violations includeCycles(const std::vector<SourceFile>& files);
+/// Libraries outside the folders that may use them (Qt, VTK, assimp, OpenCV, SQLite, ...).
+Violations brokenFences(const std::vector<SourceFile>& files);
+/// Quoted includes that name no file of the project: includes go from the root.
+Violations unknownIncludes(const std::vector<SourceFile>& files);
+/// Files of more than 400 lines.
+Violations longFiles(const std::vector<SourceFile>& files);
+/// Functions of more than 60 lines, found by their indentation (the formatter guarantees it).
+Violations longFunctions(const std::vector<SourceFile>& files);
+/// Files without the licence line, headers without #pragma once, folders with names that mean nothing.
+Violations untidyFiles(const std::vector<SourceFile>& files);
+
+} // namespace architecture
