@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "core/hand/triangle_mesh.h"
+
+namespace core {
+
+/// A solid: negative inside, positive outside, about the distance to its surface in mm near it.
+using SolidField = std::function<double(const Eigen::Vector3d& point)>;
+
+/// Smooth minimum of two distances: C2, equal to the plain minimum where they differ by more than `widthMm`,
+/// at most widthMm / 6 below it (a rounded union of two solids).
+double smoothMin(double a, double b, double widthMm);
+
+/// The closed, outward oriented surface of a solid by marching tetrahedra (six per cube, so there are no ambiguous
+/// cases). `box` must contain the solid with a margin of at least one step.
+TriangleMesh polygonise(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm);
+
+/// The same closed surface with about `triangleCount` triangles: edges are collapsed by the error that this makes.
+TriangleMesh simplified(const TriangleMesh& mesh, int triangleCount);
+
+/// Evens out the triangles: every vertex moves to the middle of its neighbours and back onto the solid's surface,
+/// and edges flip where that brings the valences closer to six. Keeps the mesh closed and oriented.
+void relaxOnto(const SolidField& field, TriangleMesh& mesh, int iterations);
+
+} // namespace core
