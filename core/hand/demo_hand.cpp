@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/hand/demo_skinning.h"
+#include "core/hand/remeshing.h"
 
 namespace core {
 
@@ -36,8 +37,8 @@ HandModel makeDemoHand(const DemoHandShape& shape, const Rig& rig) {
     HandModel hand;
     hand.side = Side::Right;
     hand.skeleton = riggedSkeleton(rig, hand.side, restFrames(shape, rig));
-    hand.mesh = simplified(polygonise(field, solid.bounds(), shape.gridStepMm), shape.triangleCount);
-    relaxOnto(field, hand.mesh, shape.relaxations);
+    const EdgeLengthField edgeLength = [&solid](const Eigen::Vector3d& point) { return solid.edgeLengthMm(point); };
+    hand.mesh = remeshed(field, polygonise(field, solid.bounds(), shape.gridStepMm), edgeLength, shape.relaxations);
     hand.weights = demoSkinWeights(shape, solid, hand.skeleton, hand.mesh);
     return hand;
 }

@@ -44,8 +44,9 @@ struct DemoHandShape {
     double webBlendMm = 0;    ///< between neighbouring fingers
     double fingerBlendMm = 0; ///< between fingers and palm
     double thumbBlendMm = 0;
-    double gridStepMm = 0;
-    int triangleCount = 0;
+    double gridStepMm = 0;    ///< of the first, fine surface
+    double fingerEdgeMm = 0;  ///< wanted edge length on the fingers
+    double palmEdgeMm = 0;    ///< on palm and forearm
     int relaxations = 0;
 };
 
@@ -57,6 +58,8 @@ public:
     double distance(const Eigen::Vector3d& point) const;
     /// Per ray: distance to that ray's flesh, and the place along its joints (0 = CMC, 1 = MCP, ...).
     std::vector<SweepPosition> alongRays(const Eigen::Vector3d& point) const;
+    /// How long the edges of the surface should be here: short on the fingers, longer on palm and forearm.
+    double edgeLengthMm(const Eigen::Vector3d& point) const;
     /// A box around the solid.
     Eigen::AlignedBox3d bounds() const;
 

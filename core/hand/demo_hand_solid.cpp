@@ -50,6 +50,16 @@ std::vector<SweepPosition> DemoHandSolid::alongRays(const Eigen::Vector3d& point
     return positions;
 }
 
+double DemoHandSolid::edgeLengthMm(const Eigen::Vector3d& point) const {
+    constexpr double kTransitionMm = 15;
+    double toFinger = kTransitionMm;
+    for (const SweptSolid& digit : m_digits) {
+        toFinger = std::min(toFinger, digit.locate(point).distanceMm);
+    }
+    const double t = std::clamp(toFinger / kTransitionMm, 0.0, 1.0);
+    return m_shape.fingerEdgeMm + t * (m_shape.palmEdgeMm - m_shape.fingerEdgeMm);
+}
+
 Eigen::AlignedBox3d DemoHandSolid::bounds() const {
     constexpr double kMarginMm = 26;
     Eigen::AlignedBox3d box;

@@ -21,11 +21,4 @@ double smoothMin(double a, double b, double widthMm);
 /// cases). `box` must contain the solid with a margin of at least one step.
 TriangleMesh polygonise(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm);
 
-/// The same closed surface with about `triangleCount` triangles: edges are collapsed by the error that this makes.
-TriangleMesh simplified(const TriangleMesh& mesh, int triangleCount);
-
-/// Evens out the triangles: every vertex moves to the middle of its neighbours and back onto the solid's surface,
-/// and edges flip where that brings the valences closer to six. Keeps the mesh closed and oriented.
-void relaxOnto(const SolidField& field, TriangleMesh& mesh, int iterations);
-
 } // namespace core

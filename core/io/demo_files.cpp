@@ -53,7 +53,8 @@ DemoHandShape demoHandShapeFromJson(const json& value) {
     shape.fingerBlendMm = blend["finger"].get<double>();
     shape.thumbBlendMm = blend["thumb"].get<double>();
     shape.gridStepMm = value["surface"]["gridStep"].get<double>();
-    shape.triangleCount = value["surface"]["triangles"].get<int>();
+    shape.fingerEdgeMm = value["surface"]["fingerEdge"].get<double>();
+    shape.palmEdgeMm = value["surface"]["palmEdge"].get<double>();
     shape.relaxations = value["surface"]["relaxations"].get<int>();
     return shape;
 }

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "core/hand/hand_model.h"
+
+namespace core {
+
+/// One hand at one instant of a choreography, on a stage of its own (mm, y down).
+struct HandKey {
+    double frame = 0;
+    Eigen::Vector3d wristInStage = Eigen::Vector3d::Zero();
+    Eigen::Quaterniond stageFromWrist = Eigen::Quaterniond::Identity(); ///< of the wrist's bone
+    Eigen::VectorXd anglesRad;                                          ///< one per degree of freedom
+};
+
+/// Where the stage stands in the world at one instant.
+struct StageKey {
+    double frame = 0;
+    Eigen::Vector3d stageInWorld = Eigen::Vector3d::Zero();
+    Eigen::Vector3d turnRad = Eigen::Vector3d::Zero(); ///< rotation vector
+};
+
+/// How near the hands come at one instant.
+struct GapKey {
+    double frame = 0;
+    double gapMm = 0;
+};
+
+/// Keeps two hands in touch: along `direction` (from the first hand to the second) they are moved until the room between
+/// their skins is the gap. The second hand does `secondShare` of the movement, the first one the rest.
+struct ContactRule {
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+    double secondShare = 0.5;
+    std::vector<GapKey> gaps;
+};
+
+/// Key poses of two hands that play together, and how they are tied. Between keys every value follows a monotone cubic, so
+/// nothing overshoots a key and angles that are within their limits at the keys stay there.
+struct Choreography {
+    std::string name;
+    int frameCount = 0;
+    std::vector<std::vector<HandKey>> keys; ///< per hand, frames ascending
+    std::vector<StageKey> stage;
+    std::optional<ContactRule> contact;
+};
+
+/// The poses of all hands in every frame.
+std::vector<HandPoses> play(const Choreography& choreography, const std::vector<HandModel>& hands);
+
+/// Room between two surfaces along `direction` (unit, from the first to the second): how far the second may move
+/// against it until they touch; negative if it has to move along it. Surfaces that do not face each other give infinity.
+/// Sampled on a grid of `cellMm`.
+double gapAlong(const Eigen::Vector3d& direction, const std::vector<Eigen::Vector3d>& first,
+                const std::vector<std::array<int, 3>>& firstTriangles, const std::vector<Eigen::Vector3d>& second,
+                const std::vector<std::array<int, 3>>& secondTriangles, double cellMm = 1.5);
+
+/// Mean joint displacement between frames `apart` frames apart, over all pairs of one motion, mm.
+double meanDisplacementMm(const std::vector<HandModel>& hands, const std::vector<HandPoses>& motion, int apart);
+
+} // namespace core
