@@ -31,6 +31,7 @@ void addVerbs(CLI::App& program) {
     app::addCheckVerb(program);
     app::addExportVerb(program);
     app::addFitVerb(program);
+    app::addDemoVerb(program);
     app::addImportVerb(program);
     app::addInfoVerb(program);
     app::addJointsVerb(program);

@@ -14,6 +14,7 @@ void addCalibrationVerb(CLI::App& program);
 void addCheckVerb(CLI::App& program);
 void addExportVerb(CLI::App& program);
 void addFitVerb(CLI::App& program);
+void addDemoVerb(CLI::App& program);
 void addImportVerb(CLI::App& program);
 void addInfoVerb(CLI::App& program);
 void addJointsVerb(CLI::App& program);

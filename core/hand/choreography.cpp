@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/hand/choreography.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/numeric/monotone_cubic.h"
 
@@ -95,18 +95,54 @@ Pose poseOf(const Skeleton& skeleton, const RigidMotion& worldFromStage, const H
     return pose;
 }
 
-/// Moves both hands along the rule's direction until their gap is the wanted one. Where the fingers pass beside each other
-/// (no gap can be told), they stay.
-void keepInTouch(const ContactRule& rule, double wantedGapMm, const Eigen::Vector3d& directionInWorld,
-                 const std::vector<HandModel>& hands, HandPoses& poses) {
-    const double gap = gapAlong(directionInWorld, posedVertices(hands[0], poses[0]), hands[0].mesh.triangles,
-                                posedVertices(hands[1], poses[1]), hands[1].mesh.triangles);
-    if (!std::isfinite(gap)) {
-        return;
+/// The least smooth curve that lies nowhere below `values`, by `reach` samples to both sides: the highest in the
+/// neighbourhood, then the weighted mean over the neighbourhood.
+std::vector<double> smoothEnvelope(const std::vector<double>& values, int reach) {
+    const int count = static_cast<int>(values.size());
+    const auto sample = [&](const std::vector<double>& list, int i) { return list[std::clamp(i, 0, count - 1)]; };
+    std::vector<double> highest(values), smooth(values);
+    for (int i = 0; i < count; ++i) {
+        for (int k = -reach; k <= reach; ++k) {
+            highest[i] = std::max(highest[i], sample(values, i + k));
+        }
     }
-    const Eigen::Vector3d apart = (wantedGapMm - gap) * directionInWorld;
-    poses[0].head<3>() -= (1 - rule.secondShare) * apart;
-    poses[1].head<3>() += rule.secondShare * apart;
+    for (int i = 0; i < count; ++i) {
+        double sum = 0, weights = 0;
+        for (int k = -reach; k <= reach; ++k) {
+            const double weight = reach + 1 - std::abs(k);
+            sum += weight * sample(highest, i + k);
+            weights += weight;
+        }
+        smooth[i] = sum / weights;
+    }
+    return smooth;
+}
+
+/// How far the hands must move apart in each frame for the wanted gap. Where no part of one hand lies over the other there
+/// is nothing to keep apart: 0.
+std::vector<double> neededShifts(const ContactRule& rule, const StageCurves& stage, const std::vector<HandModel>& hands,
+                                 const std::vector<HandPoses>& motion) {
+    const MonotoneCubic wantedGap = curve(rule.gaps, [](const GapKey& key) { return key.gapMm; });
+    std::vector<double> shifts;
+    for (std::size_t frame = 0; frame < motion.size(); ++frame) {
+        const auto time = static_cast<double>(frame);
+        const double gap = gapAlong(stage.worldFromStage(time).rotation * rule.direction.normalized(),
+                                    posedVertices(hands[0], motion[frame][0]), hands[0].mesh.triangles,
+                                    posedVertices(hands[1], motion[frame][1]), hands[1].mesh.triangles);
+        shifts.push_back(std::isfinite(gap) ? wantedGap(time) - gap : 0);
+    }
+    return shifts;
+}
+
+void keepInTouch(const ContactRule& rule, const StageCurves& stage, const std::vector<HandModel>& hands,
+                 std::vector<HandPoses>& motion) {
+    const std::vector<double> shifts = smoothEnvelope(neededShifts(rule, stage, hands, motion), rule.smoothFrames);
+    for (std::size_t frame = 0; frame < motion.size(); ++frame) {
+        const Eigen::Vector3d apart = shifts[frame] * (stage.worldFromStage(static_cast<double>(frame)).rotation *
+                                                       rule.direction.normalized());
+        motion[frame][0].head<3>() -= (1 - rule.secondShare) * apart;
+        motion[frame][1].head<3>() += rule.secondShare * apart;
+    }
 }
 
 } // namespace
@@ -117,10 +153,6 @@ std::vector<HandPoses> play(const Choreography& choreography, const std::vector<
         curves.emplace_back(keys);
     }
     const StageCurves stage(choreography.stage);
-    std::optional<MonotoneCubic> gap;
-    if (choreography.contact && hands.size() == 2) {
-        gap = curve(choreography.contact->gaps, [](const GapKey& key) { return key.gapMm; });
-    }
     std::vector<HandPoses> motion;
     for (int frame = 0; frame < choreography.frameCount; ++frame) {
         const RigidMotion worldFromStage = stage.worldFromStage(frame);
@@ -128,11 +160,10 @@ std::vector<HandPoses> play(const Choreography& choreography, const std::vector<
         for (std::size_t h = 0; h < hands.size(); ++h) {
             poses.push_back(poseOf(hands[h].skeleton, worldFromStage, curves[h].at(frame)));
         }
-        if (gap) {
-            keepInTouch(*choreography.contact, (*gap)(frame),
-                        worldFromStage.rotation * choreography.contact->direction.normalized(), hands, poses);
-        }
         motion.push_back(std::move(poses));
+    }
+    if (choreography.contact && hands.size() == 2) {
+        keepInTouch(*choreography.contact, stage, hands, motion);
     }
     return motion;
 }

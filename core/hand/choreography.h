@@ -34,10 +34,12 @@ struct GapKey {
 };
 
 /// Keeps two hands in touch: along `direction` (from the first hand to the second) they are moved until the room between
-/// their skins is the gap. The second hand does `secondShare` of the movement, the first one the rest.
+/// their skins is the gap, or somewhat more where the movement would not be smooth. The second hand does `secondShare`
+/// of the movement, the first one the rest.
 struct ContactRule {
-    Eigen::Vector3d direction = Eigen::Vector3d::UnitX();
+    Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< on the stage
     double secondShare = 0.5;
+    int smoothFrames = 4; ///< a shift that is needed in one frame begins this many frames before and ends as many after
     std::vector<GapKey> gaps;
 };
 

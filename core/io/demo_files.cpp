@@ -59,21 +59,4 @@ DemoHandShape demoHandShapeFromJson(const json& value) {
     return shape;
 }
 
-Rig rigFromJson(const json& value, const std::string&) {
-    Rig rig;
-    rig.name = value["name"].get<std::string>();
-    rig.forwardInJoint = vectorFrom(value["jointAxes"]["forward"]);
-    rig.dorsalInJoint = vectorFrom(value["jointAxes"]["dorsal"]);
-    for (const json& joint : value["joints"]) {
-        rig.joints.push_back({joint["name"].get<std::string>(),
-                              joint["parent"].is_null() ? "" : joint["parent"].get<std::string>(),
-                              joint.value("namesInFile", std::vector<std::string>{})});
-    }
-    for (const json& dof : value["dofs"]) {
-        rig.dofs.push_back({dof["joint"].get<std::string>(), dof["name"].get<std::string>(), vectorFrom(dof["axis"]),
-                            dof["limitsDeg"][0].get<double>(), dof["limitsDeg"][1].get<double>()});
-    }
-    return rig;
-}
-
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "core/hand/choreography.h"
 #include "core/hand/demo_hand.h"
 
 namespace core {
@@ -10,9 +11,10 @@ namespace core {
 /// The demo hand's shape out of a parsed file of format handlens-demo-hand, which has passed its schema.
 DemoHandShape demoHandShapeFromJson(const nlohmann::json& value);
 
-/// A rig out of a parsed file of format handlens-rig, which has passed its schema. Throws Error(BadInput) naming `file` and
-/// the field: a parent that does not come earlier, a joint named twice, an axis of no length, limits that
-/// exclude the rest pose, joint axes that are parallel.
-Rig rigFromJson(const nlohmann::json& value, const std::string& file);
+/// The choreographies out of a parsed file of format handlens-demo-choreographies, which has passed its schema, for two
+/// hands, left and right, with the demo's degrees of freedom. Throws Error(BadInput) naming `file` and the field: an unknown
+/// shape, frames that do not ascend, a first key that leaves something open.
+std::vector<Choreography> choreographiesFromJson(const nlohmann::json& value, const std::vector<HandModel>& hands,
+                                                 const std::string& file);
 
 } // namespace core

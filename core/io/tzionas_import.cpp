@@ -8,6 +8,7 @@
 #include "core/geometry/camera_ring.h"
 #include "core/io/hand_file.h"
 #include "core/io/off_mesh.h"
+#include "core/io/ring_views.h"
 #include "core/io/tzionas_files.h"
 
 namespace core {
@@ -85,32 +86,6 @@ void checkSameHand(const HandModel& hand, const Recording& recording, const fs::
         throw Error(ErrorCode::BadInput, fileOf(folder, hand.side, "MOTION").string(), "",
                     "was recorded with another hand than the first sequence; import it into a dataset of its own");
     }
-}
-
-/// Every vertex that may touch the image border, thinned out: enough to place cameras.
-std::vector<Eigen::Vector3d> recordedVolume(const std::vector<HandModel>& hands, const std::vector<Motion>& motions) {
-    constexpr std::size_t kKeepEvery = 20;
-    std::vector<HandModel> thinned;
-    for (const HandModel& hand : hands) {
-        HandModel few{hand.side, {}, hand.skeleton, {{0}, {}}};
-        for (std::size_t v = 0; v < hand.mesh.vertices.size(); v += kKeepEvery) {
-            few.mesh.vertices.push_back(hand.mesh.vertices[v]);
-            few.weights.entries.insert(few.weights.entries.end(), hand.weights.entries.begin() + hand.weights.firstEntry[v],
-                                       hand.weights.entries.begin() + hand.weights.firstEntry[v + 1]);
-            few.weights.firstEntry.push_back(static_cast<int>(few.weights.entries.size()));
-        }
-        thinned.push_back(std::move(few));
-    }
-    std::vector<Eigen::Vector3d> points;
-    for (const Motion& motion : motions) {
-        for (std::size_t f = 0; f < motion.size(); f += 2) {
-            for (std::size_t h = 0; h < thinned.size(); ++h) {
-                const std::vector<Eigen::Vector3d> posed = posedVertices(thinned[h], motion[f][h]);
-                points.insert(points.end(), posed.begin(), posed.end());
-            }
-        }
-    }
-    return points;
 }
 
 /// The state of an import between its steps.
@@ -222,11 +197,7 @@ private:
         } else {
             dataset.cameras = readTzionasCameras(m_options.camerasFile, m_options.imageSize);
         }
-        for (Sequence& sequence : dataset.sequences) {
-            for (const Camera& camera : dataset.cameras) {
-                sequence.views.push_back({camera.name, ViewKind::Rendered, "", 0});
-            }
-        }
+        addRenderedViews(dataset);
     }
 
     const TzionasImportOptions& m_options;
