@@ -38,7 +38,9 @@ HandModel makeDemoHand(const DemoHandShape& shape, const Rig& rig) {
     hand.side = Side::Right;
     hand.skeleton = riggedSkeleton(rig, hand.side, restFrames(shape, rig));
     const EdgeLengthField edgeLength = [&solid](const Eigen::Vector3d& point) { return solid.edgeLengthMm(point); };
-    hand.mesh = remeshed(field, polygonise(field, solid.bounds(), shape.gridStepMm), edgeLength, shape.relaxations);
+    const Eigen::Vector3d wrist = Eigen::Vector3d::Zero();
+    const TriangleMesh fine = polygonise(field, solid.bounds(), shape.gridStepMm, wrist);
+    hand.mesh = remeshed(field, fine, edgeLength, shape.relaxations);
     hand.weights = demoSkinWeights(shape, solid, hand.skeleton, hand.mesh);
     return hand;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace core {
@@ -19,30 +20,30 @@ std::uint64_t edgeKey(int a, int b) {
     return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
 }
 
-/// The field sampled on a regular grid, and the surface that grows while its cubes are visited.
+/// The field on a regular grid, sampled where it is needed, and the surface that grows while its cubes are visited.
 class TetrahedraMarcher {
 public:
     TetrahedraMarcher(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm)
-        : m_origin(box.min()), m_stepMm(stepMm),
-          m_count(((box.sizes() / stepMm).array().ceil() + 1).cast<int>().matrix()) {
-        m_values.resize(static_cast<std::size_t>(m_count.prod()));
-        for (int z = 0; z < m_count.z(); ++z) {
-            for (int y = 0; y < m_count.y(); ++y) {
-                for (int x = 0; x < m_count.x(); ++x) {
-                    const double value = field(point({x, y, z}));
-                    // A sample exactly on the surface would make triangles without area.
-                    m_values[static_cast<std::size_t>(index({x, y, z}))] = std::abs(value) < 1e-9 ? 1e-9 : value;
-                }
-            }
-        }
-    }
+        : m_field(field), m_origin(box.min()), m_stepMm(stepMm),
+          m_count(((box.sizes() / stepMm).array().ceil() + 1).cast<int>().matrix()),
+          m_values(static_cast<std::size_t>(m_count.prod()), std::numeric_limits<double>::quiet_NaN()),
+          m_isQueued(m_values.size(), false) {}
 
-    TriangleMesh run() {
-        for (int z = 0; z + 1 < m_count.z(); ++z) {
-            for (int y = 0; y + 1 < m_count.y(); ++y) {
-                for (int x = 0; x + 1 < m_count.x(); ++x) {
-                    visitCube({x, y, z});
-                }
+    TriangleMesh run(const Eigen::Vector3d& inside) {
+        Eigen::Vector3i cell = ((inside - m_origin) / m_stepMm).array().floor().cast<int>().matrix();
+        while (isCube(cell) && value(cell) < 0) {
+            cell.z() += 1;
+        }
+        cell.z() -= 1;
+        enqueue(cell);
+        while (!m_queue.empty()) {
+            const Eigen::Vector3i cube = m_queue.back();
+            m_queue.pop_back();
+            const std::size_t before = m_mesh.triangles.size();
+            visitCube(cube);
+            for (int axis = 0; axis < 3 && m_mesh.triangles.size() > before; ++axis) {
+                enqueue(cube + Eigen::Vector3i::Unit(axis));
+                enqueue(cube - Eigen::Vector3i::Unit(axis));
             }
         }
         return std::move(m_mesh);
@@ -53,7 +54,26 @@ private:
     int index(const Eigen::Vector3i& cell) const {
         return (cell.z() * m_count.y() + cell.y()) * m_count.x() + cell.x();
     }
-    double value(const Eigen::Vector3i& cell) const { return m_values[static_cast<std::size_t>(index(cell))]; }
+    bool isCube(const Eigen::Vector3i& low) const {
+        return (low.array() >= 0).all() && (low.array() + 1 < m_count.array()).all();
+    }
+
+    double value(const Eigen::Vector3i& cell) {
+        double& stored = m_values[static_cast<std::size_t>(index(cell))];
+        if (std::isnan(stored)) {
+            const double sampled = m_field(point(cell));
+            // A sample exactly on the surface would make triangles without area.
+            stored = std::abs(sampled) < 1e-9 ? 1e-9 : sampled;
+        }
+        return stored;
+    }
+
+    void enqueue(const Eigen::Vector3i& cube) {
+        if (isCube(cube) && !m_isQueued[static_cast<std::size_t>(index(cube))]) {
+            m_isQueued[static_cast<std::size_t>(index(cube))] = true;
+            m_queue.push_back(cube);
+        }
+    }
 
     /// The six tetrahedra of a cube: one per order in which the three axes are walked from its low to its high corner.
     void visitCube(const Eigen::Vector3i& low) {
@@ -111,18 +131,22 @@ private:
         return entry->second;
     }
 
+    const SolidField& m_field;
     Eigen::Vector3d m_origin;
     double m_stepMm;
     Eigen::Vector3i m_count;
-    std::vector<double> m_values;
+    std::vector<double> m_values; ///< NaN = not sampled yet
+    std::vector<bool> m_isQueued;
+    std::vector<Eigen::Vector3i> m_queue;
     std::unordered_map<std::uint64_t, int> m_vertexOfEdge;
     TriangleMesh m_mesh;
 };
 
 } // namespace
 
-TriangleMesh polygonise(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm) {
-    return TetrahedraMarcher(field, box, stepMm).run();
+TriangleMesh polygonise(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm,
+                        const Eigen::Vector3d& inside) {
+    return TetrahedraMarcher(field, box, stepMm).run(inside);
 }
 
 } // namespace core

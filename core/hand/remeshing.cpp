@@ -280,8 +280,8 @@ void relaxOnto(const SolidField& field, TriangleMesh& mesh) {
 
 TriangleMesh remeshed(const SolidField& field, TriangleMesh mesh, const EdgeLengthField& edgeLength, int iterations) {
     constexpr int kMostPasses = 40;
-    for (int pass = 0; pass < kMostPasses && collapseShortEdges(mesh, edgeLength) > 0; ++pass) {
-        flipEdges(mesh);
+    const auto enough = [&mesh] { return static_cast<int>(mesh.vertices.size() / 100); };
+    for (int pass = 0; pass < kMostPasses && collapseShortEdges(mesh, edgeLength) > enough(); ++pass) {
     }
     for (int iteration = 0; iteration < iterations; ++iteration) {
         flipEdges(mesh);
