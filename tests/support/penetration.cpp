@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace test_support {
+namespace test {
 
 namespace {
 
@@ -108,4 +108,4 @@ double deepestInside(const std::vector<Eigen::Vector3d>& points, const std::vect
     return deepest;
 }
 
-} // namespace test_support
+} // namespace test

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-namespace test_support {
+namespace test {
 
 /// How deep the deepest of `points` lies inside a closed surface, mm; 0 if none is inside. Inside is told by counting
 /// crossings of a ray, depth is the distance to the nearest triangle.
@@ -17,4 +17,4 @@ double deepestInside(const std::vector<Eigen::Vector3d>& points, const std::vect
 double distanceToTriangle(const Eigen::Vector3d& point, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                           const Eigen::Vector3d& c);
 
-} // namespace test_support
+} // namespace test
