@@ -47,7 +47,8 @@ MatchRule matchRule(const Method& method) {
     rule.truncatePx2 = static_cast<float>(method.truncatePx2);
     rule.binWeights = method.binWeights;
     rule.wholePixels = method.kind == MethodKind::DchDt3;
-    rule.bins = OrientationBins(method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins), method.signedOrientation);
+    const int bins = method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins);
+    rule.bins = OrientationBins(bins, method.signedOrientation, method.binCentre);
     return rule;
 }
 

@@ -86,7 +86,9 @@ void setOption(Method& m, std::string_view text, std::string_view key, std::stri
     } else if (key == "lambda" && m.kind == MethodKind::DchDt3) {
         m.lambdaPxPerRad = number(text, key, value, 0, 1000);
     } else if (key == "bins" && (quant || m.kind == MethodKind::DchDt3)) {
-        m.bins = integer(text, key, value, 1, 360);
+        m.bins = integer(text, key, value, 1, 256);
+    } else if (key == "centre" && (quant || m.kind == MethodKind::DchDt3)) {
+        m.binCentre = number(text, key, value, 0, 0.999);
     } else if (key == "weights" && m.kind == MethodKind::DchQuant2) {
         m.binWeights = flag(text, key, value);
     } else if (key == "backend" && m.kind == MethodKind::DchDt3) {
@@ -163,6 +165,7 @@ std::string methodName(const Method& method) {
     add(method.signedOrientation != plain.signedOrientation, "signed", method.signedOrientation ? "1" : "0");
     add(method.lambdaPxPerRad != plain.lambdaPxPerRad, "lambda", shortest(method.lambdaPxPerRad));
     add(method.bins != plain.bins, "bins", std::to_string(method.bins));
+    add(method.binCentre != plain.binCentre, "centre", shortest(method.binCentre));
     add(method.binWeights != plain.binWeights, "weights", method.binWeights ? "1" : "0");
     add(method.backend != plain.backend, "backend", method.backend == Dt3Backend::Tensor ? "tensor" : "direct");
     add(method.live != plain.live, "live", method.live ? "1" : "0");

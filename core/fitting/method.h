@@ -22,6 +22,7 @@ struct Method {
     bool signedOrientation = true; ///< signed: [0, pi]; else [0, pi/2] (paper: signed)
     double lambdaPxPerRad = 25; ///< lambda, DT3 only (paper: 25)
     int bins = 0;               ///< 0 = the method's default: Quant 8, DT3 16
+    double binCentre = 0;       ///< centre=0.5: bins begin at the x axis instead of being centred on it (in bins, [0, 1))
     bool binWeights = false;    ///< Quant2 only: weights=1 weighs the two matches by how near their bin centres are
     double gatePx = 0;          ///< 0 = the method's default: Quant and Quant2 60, the others none
     double truncatePx2 = 0;     ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
