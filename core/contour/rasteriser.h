@@ -24,10 +24,20 @@ struct DepthImage {
     cv::Mat triangle;
 };
 
-/// Draws by the pixel-centre rule: a pixel belongs to a triangle if its centre does (centres at integers; shared edges go to
-/// exactly one triangle). Vertices are projected with the lens, edges between them are straight. Triangles with a vertex
-/// behind the camera are left out. Front and back faces are both drawn, the nearest wins.
+/// Draws by the pixel-centre rule: a pixel belongs to a triangle if its centre does (centres at integers; shared edges
+/// go to exactly one triangle). Vertices are projected with the lens, edges between them are straight. Triangles with a
+/// vertex behind the camera are left out. Front and back faces are both drawn, the nearest wins.
 DepthImage renderDepth(const Camera& camera, const std::vector<PosedSurface>& surfaces);
+
+/// The part of a depth image in which something is drawn: its pixel (x, y) is the camera's (x + window.x, y +
+/// window.y).
+struct DepthWindow {
+    cv::Rect window; ///< within the camera's image; empty if nothing is drawn
+    DepthImage image;
+};
+
+/// renderDepth without the background around the surfaces: the same pixels, a fraction of the memory.
+DepthWindow renderDepthWindow(const Camera& camera, const std::vector<PosedSurface>& surfaces);
 
 /// The silhouette alone: CV_8U, 255 inside, 0 outside. Same rule, same pixels as renderDepth.
 cv::Mat renderMask(const Camera& camera, const std::vector<PosedSurface>& surfaces);

@@ -80,12 +80,14 @@ struct VertexLook {
 
 /// Interpolates over one triangle: weights of its second and third vertex at a pixel.
 struct ScreenTriangle {
+    const ShadedSurface* surface = nullptr;
     std::array<const VertexLook*, 3> vertices{};
     Eigen::Vector2f bByPx, cByPx;
 
     ScreenTriangle() = default;
-    explicit ScreenTriangle(const std::array<const VertexLook*, 3>& v)
-        : vertices(v) {
+    ScreenTriangle(const ShadedSurface& s, const std::array<const VertexLook*, 3>& v)
+        : surface(&s)
+        , vertices(v) {
         const Eigen::Vector2f ab = v[1]->px - v[0]->px, ac = v[2]->px - v[0]->px;
         const float area = ab.x() * ac.y() - ab.y() * ac.x();
         const float inverse = std::abs(area) > 1e-9f ? 1 / area : 0;
@@ -101,11 +103,12 @@ struct ScreenTriangle {
     Eigen::Vector3f rgb(const Eigen::Vector3f& w) const {
         return w[0] * vertices[0]->rgb + w[1] * vertices[1]->rgb + w[2] * vertices[2]->rgb;
     }
-    /// Distance in px from a pixel with these weights to the triangle's nearest edge.
-    float edgeDistance(const Eigen::Vector3f& w) const {
+    /// 1 on the triangle's edges, 0 from one pixel away on.
+    float wireStrength(const Eigen::Vector3f& w) const {
         const float perA = (bByPx + cByPx).norm(), perB = bByPx.norm(), perC = cByPx.norm();
         const auto distance = [](float weight, float perPx) { return perPx > 0 ? weight / perPx : 0; };
-        return std::min({distance(w[0], perA), distance(w[1], perB), distance(w[2], perC)});
+        const float nearest = std::min({distance(w[0], perA), distance(w[1], perB), distance(w[2], perC)});
+        return std::clamp(1 - nearest, 0.0f, 1.0f);
     }
 };
 
@@ -130,7 +133,7 @@ public:
         const std::size_t t =
             static_cast<std::size_t>(globalTriangle) + triangles.size() - static_cast<std::size_t>(m_end[s]);
         const auto [a, b, c] = triangles[t];
-        return ScreenTriangle({look(s, a), look(s, b), look(s, c)});
+        return ScreenTriangle(m_surfaces[s], {look(s, a), look(s, b), look(s, c)});
     }
 
 private:
@@ -155,14 +158,15 @@ private:
     std::vector<Eigen::Array3f> m_albedo;
 };
 
-/// Calls paint(x, y, triangle, weights) for every covered pixel, row by row.
+/// Calls paint(x, y, triangle, weights) for every covered pixel of the camera's image, row by row.
 template <typename Paint>
-void forEachCoveredPixel(const cv::Mat& triangleIndex, VisibleTriangles& visible, Paint&& paint) {
+void forEachCoveredPixel(const DepthWindow& depth, VisibleTriangles& visible, Paint&& paint) {
     ScreenTriangle current;
     int currentIndex = -1;
-    for (int y = 0; y < triangleIndex.rows; ++y) {
-        const int* row = triangleIndex.ptr<int>(y);
-        for (int x = 0; x < triangleIndex.cols; ++x) {
+    for (int windowY = 0; windowY < depth.window.height; ++windowY) {
+        const int* row = depth.image.triangle.ptr<int>(windowY) - depth.window.x;
+        const int y = windowY + depth.window.y;
+        for (int x = depth.window.x; x < depth.window.br().x; ++x) {
             if (row[x] < 0) {
                 continue;
             }
@@ -217,11 +221,12 @@ cv::Mat drawBackdrop(const ImageSize& size, const Backdrop& backdrop) {
     return image;
 }
 
-/// True on covered pixels with an uncovered or missing neighbour to the left, right, above or below.
-bool isOnEdge(const cv::Mat& triangleIndex, int x, int y) {
+/// True on covered pixels with an uncovered neighbour to the left, right, above or below, within the image.
+bool isOnEdge(const DepthWindow& depth, const ImageSize& size, int x, int y) {
     const auto uncovered = [&](int nx, int ny) {
-        return nx >= 0 && ny >= 0 && nx < triangleIndex.cols && ny < triangleIndex.rows &&
-               triangleIndex.ptr<int>(ny)[nx] < 0;
+        const bool inImage = nx >= 0 && ny >= 0 && nx < size.width && ny < size.height;
+        return inImage && (!depth.window.contains({nx, ny}) ||
+                           depth.image.triangle.ptr<int>(ny - depth.window.y)[nx - depth.window.x] < 0);
     };
     return uncovered(x - 1, y) || uncovered(x + 1, y) || uncovered(x, y - 1) || uncovered(x, y + 1);
 }
@@ -234,10 +239,10 @@ Eigen::Vector3f skinColour(Side side) {
 
 cv::Mat renderShaded(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const Lighting& lighting,
                      const Backdrop& backdrop) {
-    const DepthImage depth = renderDepth(camera, posedSurfaces(surfaces));
+    const DepthWindow depth = renderDepthWindow(camera, posedSurfaces(surfaces));
     cv::Mat image = drawBackdrop(camera.size, backdrop);
     VisibleTriangles visible(camera, surfaces, lighting);
-    forEachCoveredPixel(depth.triangle, visible,
+    forEachCoveredPixel(depth, visible,
                         [&](int x, int y, const ScreenTriangle& triangle, const Eigen::Vector3f& weights) {
                             const Eigen::Vector3f rgb = triangle.rgb(weights);
                             image.ptr<cv::Vec3b>(y)[x] = {toByte(rgb[2]), toByte(rgb[1]), toByte(rgb[0])};
@@ -258,22 +263,22 @@ cv::Mat renderHandsShaded(const Camera& camera, const std::vector<HandModel>& ha
 
 cv::Mat renderOverlay(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const OverlayOptions& options,
                       const Lighting& lighting) {
-    const DepthImage depth = renderDepth(camera, posedSurfaces(surfaces));
+    const DepthWindow depth = renderDepthWindow(camera, posedSurfaces(surfaces));
     cv::Mat image(camera.size.height, camera.size.width, CV_8UC4, cv::Scalar(0, 0, 0, 0));
     VisibleTriangles visible(camera, surfaces, lighting);
-    constexpr float kEdgeStrength = 1.0f;
-    forEachCoveredPixel(
-        depth.triangle, visible, [&](int x, int y, const ScreenTriangle& triangle, const Eigen::Vector3f& weights) {
-            float alpha = options.opacity;
-            if (options.style == OverlayStyle::Wireframe) {
-                alpha *= std::clamp(1.0f - triangle.edgeDistance(weights), 0.0f, 1.0f);
-            }
-            if (options.silhouetteEdge && isOnEdge(depth.triangle, x, y)) {
-                alpha = kEdgeStrength;
-            }
-            const Eigen::Vector3f rgb = alpha * triangle.rgb(weights);
-            image.ptr<cv::Vec4b>(y)[x] = {toByte(rgb[2]), toByte(rgb[1]), toByte(rgb[0]), toByte(alpha)};
-        });
+    const auto paint = [&](int x, int y, const ScreenTriangle& triangle, const Eigen::Vector3f& weights) {
+        auto& pixel = image.ptr<cv::Vec4b>(y)[x];
+        if (options.silhouetteEdge && isOnEdge(depth, camera.size, x, y)) {
+            const Eigen::Vector3f& plain = triangle.surface->colour;
+            pixel = {toByte(plain[2]), toByte(plain[1]), toByte(plain[0]), 255};
+            return;
+        }
+        const bool wires = options.style == OverlayStyle::Wireframe;
+        const float alpha = options.opacity * (wires ? triangle.wireStrength(weights) : 1);
+        const Eigen::Vector3f rgb = alpha * triangle.rgb(weights);
+        pixel = {toByte(rgb[2]), toByte(rgb[1]), toByte(rgb[0]), toByte(alpha)};
+    };
+    forEachCoveredPixel(depth, visible, paint);
     return image;
 }
 

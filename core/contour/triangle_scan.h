@@ -13,14 +13,16 @@
 namespace core {
 
 /// A pixel position in 1/4096 px: exact integer edge functions make the pixel-centre rule exact.
+/// Within 2^17 px of the origin, so that differences fit as well.
 struct FixedPoint {
-    std::int64_t x;
-    std::int64_t y;
+    std::int32_t x;
+    std::int32_t y;
 };
 inline constexpr std::int64_t kFixedPerPixel = 4096;
 
 inline FixedPoint toFixed(const Eigen::Vector2d& px) {
-    return {std::llround(px.x() * kFixedPerPixel), std::llround(px.y() * kFixedPerPixel)};
+    return {static_cast<std::int32_t>(std::lrint(px.x() * kFixedPerPixel)),
+            static_cast<std::int32_t>(std::lrint(px.y() * kFixedPerPixel))};
 }
 
 /// Calls visit(x, y) for every pixel of the image whose centre lies in the triangle, whatever its orientation.
@@ -28,21 +30,22 @@ inline FixedPoint toFixed(const Eigen::Vector2d& px) {
 /// overlap nor leave a gap.
 template <typename Visit>
 void scanTriangle(FixedPoint a, FixedPoint b, FixedPoint c, const ImageSize& size, Visit&& visit) {
-    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    constexpr int kShift = 12;
+    constexpr std::int32_t kLast = static_cast<std::int32_t>(kFixedPerPixel) - 1;
+    const int x0 = std::max(0, (std::min({a.x, b.x, c.x}) + kLast) >> kShift);
+    const int x1 = std::min(size.width - 1, std::max({a.x, b.x, c.x}) >> kShift);
+    const int y0 = std::max(0, (std::min({a.y, b.y, c.y}) + kLast) >> kShift);
+    const int y1 = std::min(size.height - 1, std::max({a.y, b.y, c.y}) >> kShift);
+    if (x0 > x1 || y0 > y1) {
+        return;
+    }
+    const auto product = [](std::int32_t p, std::int32_t q) { return static_cast<std::int64_t>(p) * q; };
+    const std::int64_t area = product(b.x - a.x, c.y - a.y) - product(b.y - a.y, c.x - a.x);
     if (area == 0) {
         return;
     }
     if (area < 0) {
         std::swap(b, c);
-    }
-    constexpr int kShift = 12;
-    const auto ceilPx = [](std::int64_t v) { return (v + kFixedPerPixel - 1) >> kShift; };
-    const std::int64_t x0 = std::max<std::int64_t>(0, ceilPx(std::min({a.x, b.x, c.x})));
-    const std::int64_t y0 = std::max<std::int64_t>(0, ceilPx(std::min({a.y, b.y, c.y})));
-    const std::int64_t x1 = std::min<std::int64_t>(size.width - 1, std::max({a.x, b.x, c.x}) >> kShift);
-    const std::int64_t y1 = std::min<std::int64_t>(size.height - 1, std::max({a.y, b.y, c.y}) >> kShift);
-    if (x0 > x1 || y0 > y1) {
-        return;
     }
     struct Edge {
         std::int64_t value, byX, byY;
@@ -56,11 +59,15 @@ void scanTriangle(FixedPoint a, FixedPoint b, FixedPoint c, const ImageSize& siz
         return Edge{value, -dy * kFixedPerPixel, dx * kFixedPerPixel};
     };
     std::array<Edge, 3> edges{edge(a, b), edge(b, c), edge(c, a)};
-    for (std::int64_t y = y0; y <= y1; ++y) {
+    for (int y = y0; y <= y1; ++y) {
         std::int64_t e0 = edges[0].value, e1 = edges[1].value, e2 = edges[2].value;
-        for (std::int64_t x = x0; x <= x1; ++x) {
+        bool entered = false;
+        for (int x = x0; x <= x1; ++x) {
             if ((e0 | e1 | e2) >= 0) {
-                visit(static_cast<int>(x), static_cast<int>(y));
+                entered = true;
+                visit(x, y);
+            } else if (entered) {
+                break; // a row of a triangle is one run
             }
             e0 += edges[0].byX;
             e1 += edges[1].byX;
