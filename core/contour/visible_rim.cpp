@@ -6,7 +6,8 @@
 
 namespace core {
 
-void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx) {
+void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx) {
+    m_cellPx = cellPx;
     m_originPx = minPx;
     m_width = std::max(0, static_cast<int>(std::ceil((maxPx.x() - minPx.x()) / m_cellPx)) + 1);
     m_height = std::max(0, static_cast<int>(std::ceil((maxPx.y() - minPx.y()) / m_cellPx)) + 1);
@@ -16,7 +17,14 @@ void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx)
 void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
     const float scale = 1.0f / m_cellPx;
     std::array<Eigen::Vector2f, 3> p{(a - m_originPx) * scale, (b - m_originPx) * scale, (c - m_originPx) * scale};
-    std::sort(p.begin(), p.end(), [](const auto& u, const auto& v) { return u.y() < v.y(); });
+    const auto order = [&](int u, int v) {
+        if (p[v].y() < p[u].y()) {
+            std::swap(p[u], p[v]);
+        }
+    };
+    order(0, 1);
+    order(1, 2);
+    order(0, 1);
     const int y0 = std::max(0, static_cast<int>(std::ceil(p[0].y())));
     const int y1 = std::min(m_height - 1, static_cast<int>(std::floor(p[2].y())));
     const auto slope = [](const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
@@ -44,6 +52,21 @@ bool Coverage::covers(const Eigen::Vector2f& px) const {
         return false;
     }
     return m_cells[static_cast<std::size_t>(y) * m_width + x] != 0;
+}
+
+double Coverage::differencePx2(const cv::Mat& mask) const {
+    std::size_t cells = 0;
+    for (int row = 0; row < m_height; ++row) {
+        const long y = std::lround(m_originPx.y() + static_cast<float>(row) * m_cellPx);
+        const unsigned char* observed = y >= 0 && y < mask.rows ? mask.ptr<unsigned char>(static_cast<int>(y)) : nullptr;
+        const unsigned char* drawn = m_cells.data() + static_cast<std::size_t>(row) * m_width;
+        for (int column = 0; column < m_width; ++column) {
+            const long x = std::lround(m_originPx.x() + static_cast<float>(column) * m_cellPx);
+            const bool inside = observed && x >= 0 && x < mask.cols;
+            cells += inside && (observed[x] != 0) != (drawn[column] != 0);
+        }
+    }
+    return static_cast<double>(cells) * static_cast<double>(m_cellPx * m_cellPx);
 }
 
 namespace {
@@ -91,13 +114,19 @@ struct FastCamera {
     bool lens;
 };
 
-void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands, RimScratch& scratch) {
+/// `alsoPx`: a rectangle of the image that the coverage must stand for, too.
+void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands, float cellPx, const cv::Rect& alsoPx,
+                  RimScratch& scratch) {
     std::size_t count = 0;
     for (const RimSource& hand : hands) {
         count += hand.coverPoints->positions.size();
     }
     scratch.px.resize(count);
     Eigen::Vector2f low(1e9f, 1e9f), high(-1e9f, -1e9f);
+    if (!alsoPx.empty()) {
+        low = {static_cast<float>(alsoPx.x), static_cast<float>(alsoPx.y)};
+        high = {static_cast<float>(alsoPx.br().x), static_cast<float>(alsoPx.br().y)};
+    }
     std::size_t i = 0;
     for (const RimSource& hand : hands) {
         for (const Eigen::Vector3f& p : hand.coverPoints->positions) {
@@ -112,7 +141,7 @@ void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands,
     const Eigen::Vector2f margin(8, 8);
     low = low.cwiseMax(-margin);
     high = high.cwiseMin(size + margin);
-    scratch.coverage.reset(low, high);
+    scratch.coverage.reset(low, high, cellPx);
     std::size_t offset = 0;
     for (const RimSource& hand : hands) {
         for (const auto& [a, b, c] : hand.coverSurface->triangles) {
@@ -175,10 +204,16 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
 
 } // namespace
 
+double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
+                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch) {
+    drawCoverage(FastCamera(camera), hands, options.cellPx, maskBounds, scratch);
+    return scratch.coverage.differencePx2(mask);
+}
+
 void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                 RimScratch& scratch, std::vector<RimPoint>& rim) {
     const FastCamera fast(camera);
-    drawCoverage(fast, hands, scratch);
+    drawCoverage(fast, hands, options.cellPx, {}, scratch);
     scratch.candidates.clear();
     for (std::size_t h = 0; h < hands.size(); ++h) {
         collectCandidates(fast, hands[h], static_cast<int>(h), options.outwardPx, scratch);

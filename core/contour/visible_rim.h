@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
 
 #include "core/geometry/camera.h"
 #include "core/hand/skinned_surface.h"
@@ -26,20 +27,19 @@ struct RimPoint {
 /// Silhouette of the union of surfaces at reduced resolution, for asking whether a pixel is covered.
 class Coverage {
 public:
-    /// pixelsPerCell: size of a cell in image pixels.
-    explicit Coverage(float pixelsPerCell = 2.0f) : m_cellPx(pixelsPerCell) {}
-
-    /// Forgets everything and covers the rectangle of image pixels [minPx, maxPx], clipped by nothing.
-    void reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx);
+    /// Forgets everything; from now on stands for the rectangle [minPx, maxPx] in cells of cellPx image pixels.
+    void reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx);
     /// Adds one triangle given by image pixels.
     void add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c);
     /// True if the cell under the pixel is covered; false outside.
     bool covers(const Eigen::Vector2f& px) const;
+    /// Area (px^2) where the coverage and the mask disagree, sampled at the cells' centres. mask: CV_8U.
+    double differencePx2(const cv::Mat& mask) const;
     int width() const { return m_width; }
     int height() const { return m_height; }
 
 private:
-    float m_cellPx;
+    float m_cellPx = 1;
     Eigen::Vector2f m_originPx = Eigen::Vector2f::Zero();
     int m_width = 0;
     int m_height = 0;
@@ -55,6 +55,7 @@ struct RimSource {
 };
 
 struct RimOptions {
+    float cellPx = 2;        ///< resolution of the coverage
     float outwardPx = 2.5f;  ///< a rim point is on the outline if the pixel this far outside it is not covered
     int maxPoints = 300;     ///< per camera; more are thinned evenly
 };
@@ -66,6 +67,11 @@ struct RimScratch {
     std::vector<Eigen::Vector2f> px;
     std::vector<RimPoint> candidates;
 };
+
+/// Area in px^2 of the symmetric difference between the hands' silhouette (of their coverage level, in cells of
+/// options.cellPx) and an observed mask; maskBounds holds all of the mask's foreground.
+double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
+                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch);
 
 /// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another hand,
 /// nothing outside the image. Deterministic. (method: P(theta, c))

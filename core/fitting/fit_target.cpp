@@ -12,7 +12,7 @@ namespace core {
 namespace {
 
 /// Points whose ray the lens model cannot give are dropped.
-CameraTarget makeTarget(const Camera& camera, int index, const OrientedContour& found,
+CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, const OrientedContour& found,
                         const FitTargetOptions& options) {
     OrientedContour kept;
     std::vector<Eigen::Vector3d> directions;
@@ -34,8 +34,9 @@ CameraTarget makeTarget(const Camera& camera, int index, const OrientedContour& 
             searched.y[i] = std::round(searched.y[i]);
         }
     }
-    return {index, std::move(kept), std::move(directions), camera.centreInWorld(),
-            ContourIndex(searched, options.bins)};
+    ContourIndex contourIndex(searched, options.bins);
+    return {index,           mask, maskBounds(mask), std::move(kept), std::move(directions), camera.centreInWorld(),
+            std::move(contourIndex)};
 }
 
 } // namespace
@@ -46,7 +47,7 @@ std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, con
     const auto make = [&](std::size_t c) {
         const OrientedContour contour = orientedContour(masks[c], options.contour);
         if (!contour.empty()) {
-            made[c] = makeTarget(cameras[c], static_cast<int>(c), contour, options);
+            made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], contour, options);
         }
     };
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });

@@ -15,6 +15,8 @@ namespace core {
 /// What one camera observed, prepared for matching.
 struct CameraTarget {
     int camera = 0;                            ///< index into the cameras
+    cv::Mat mask;                              ///< the observed silhouette, shared, not copied
+    cv::Rect maskBounds;
     OrientedContour contour;
     std::vector<Eigen::Vector3d> rayDirection; ///< unit, in the world, parallel to the contour
     Eigen::Vector3d centre;                    ///< the camera's centre in the world

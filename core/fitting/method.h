@@ -12,7 +12,8 @@ enum class MethodKind { Ch, DchThres, DchQuant, DchQuant2, DchDt3, Best };
 
 /// Where DCH-DT3 looks up its matches: both give the same ones.
 enum class Dt3Backend { Direct, Tensor };
-/// Whether a first phase moves only the six rigid degrees of freedom of each hand.
+/// Paper: every iteration moves all degrees of freedom. RigidFirst, the default: the first 14 iterations move only the six
+/// rigid ones of each hand, on coarser levels of the mesh; the last two fifths narrow the gate of Quant and Quant2 to 12 px.
 enum class Schedule { RigidFirst, Paper };
 
 /// A method with all its options. Every field is an option of the method's name: `dch-thres:tau=22.5:signed=1`.

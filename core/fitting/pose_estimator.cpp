@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/fitting/pose_estimator.h"
 
+#include <algorithm>
 #include <string>
 
 #include "core/error.h"
@@ -13,7 +14,10 @@ namespace core {
 
 namespace {
 
-constexpr int kRigidIterations = 8;    ///< of the first phase of the default schedule
+constexpr int kRigidIterations = 14;      ///< of the first phase of the default schedule
+constexpr int kFullDetailIterations = 5; ///< of the default schedule use the full mesh; those before, coarser levels
+constexpr double kSettledShare = 0.6;  ///< of the iterations, after which the default schedule narrows the gate of Quant and Quant2
+constexpr float kNarrowGatePx = 12;
 constexpr double kConvergedMm = 0.01;  ///< mean joint displacement of a step below which a phase ends
 
 void checkInput(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
@@ -56,6 +60,7 @@ void runPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule&
     settings.rule = rule;
     settings.damping = method.damping;
     settings.rigidOnly = method.schedule == Schedule::RigidFirst;
+    const bool gated = method.kind == MethodKind::DchQuant || method.kind == MethodKind::DchQuant2;
     result.termination = FitTermination::MaxIterations;
     for (int i = 0; i < method.maxIterations; ++i) {
         if (stop.stop_requested()) {
@@ -64,6 +69,13 @@ void runPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule&
         }
         if (i == kRigidIterations) {
             settings.rigidOnly = false;
+        }
+        if (method.schedule == Schedule::RigidFirst) {
+            const bool last = i >= method.maxIterations - kFullDetailIterations;
+            settings.detail = settings.rigidOnly ? Detail::Coarse : last ? Detail::Full : Detail::Medium;
+        }
+        if (method.schedule == Schedule::RigidFirst && gated && i >= kSettledShare * method.maxIterations) {
+            settings.rule.gatePx = std::min(rule.gatePx, kNarrowGatePx);
         }
         FitIteration record = refiner.iterate(result.poses, settings);
         record.iteration = i;

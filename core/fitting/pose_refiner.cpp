@@ -24,6 +24,9 @@ constexpr double kLimitPull = 1e4;     ///< mm^2 per rad^2
 constexpr double kAngleFloor = 20;     ///< mm^2 per rad^2: holds what no camera sees
 constexpr double kRigidFloor = 1e-3;
 
+constexpr float kCoarseCellPx = 4;
+constexpr float kCoarseOutwardPx = 4;
+
 RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target, int contourPoint, double weight,
                                  const IterationSettings& settings) {
     RayCorrespondence c;
@@ -112,16 +115,25 @@ void PoseRefiner::poseSurfaces(const HandPoses& poses, Detail detail) {
     m_profile.skinning += watch.seconds();
 }
 
-void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail detail, int points) {
-    const Stopwatch watch;
+std::vector<RimSource> PoseRefiner::rimSources(Detail detail) const {
     const auto level = static_cast<std::size_t>(detail);
     std::vector<RimSource> sources;
     for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         sources.push_back({&m_hands.levels[h][level], &m_posed[h][level], &m_hands.levels[h][0], &m_posed[h][0]});
     }
+    return sources;
+}
+
+void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail detail, int points) {
+    const Stopwatch watch;
     RimOptions options;
     options.maxPoints = points;
-    visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], sources, options, view.scratch, view.rim);
+    if (detail == Detail::Coarse) {
+        options.cellPx = kCoarseCellPx;
+        options.outwardPx = kCoarseOutwardPx;
+    }
+    visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch,
+               view.rim);
     view.secondsRim += watch.seconds();
 }
 
@@ -237,41 +249,24 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
     return step;
 }
 
-void PoseRefiner::scoreView(View& view, const CameraTarget& target, float tauRad, float gatePx) const {
-    double sum = 0;
-    std::size_t count = 0;
-    for (const RimPoint& rim : view.rim) {
-        const ContourMatch match = target.index.nearestWithin(
-            rim.px.x(), rim.px.y(), std::atan2(rim.normalPx.y(), rim.normalPx.x()), tauRad, gatePx);
-        sum += static_cast<double>(match.index >= 0 ? match.distance : gatePx);
-        ++count;
-    }
-    const ContourIndex index(rimContour(view.rim), OrientationBins(16, true));
-    const std::size_t points = target.contour.size();
-    const std::size_t wanted = std::min(points, std::max<std::size_t>(1, view.rim.size()));
-    for (std::size_t k = 0; k < wanted; ++k) {
-        const std::size_t q = k * points / wanted;
-        const ContourMatch match = index.nearestWithin(target.contour.x[q], target.contour.y[q],
-                                                       target.contour.angleRad[q], tauRad, gatePx);
-        sum += static_cast<double>(match.index >= 0 ? match.distance : gatePx);
-        ++count;
-    }
-    view.score = count ? sum / static_cast<double>(count) : static_cast<double>(gatePx);
-}
-
-double PoseRefiner::score(const HandPoses& poses, Detail detail, int pointsPerCamera, float tauRad, float gatePx) {
-    poseSurfaces(poses, detail);
+double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses) {
+    poseSurfaces(poses, Detail::Coarse);
+    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
+    RimOptions options;
+    options.cellPx = kCoarseCellPx;
     forEachView([&](View& view, const CameraTarget& target) {
-        extractRim(view, target, detail, pointsPerCamera);
         const Stopwatch watch;
-        scoreView(view, target, tauRad, gatePx);
+        view.differencePx2 = core::silhouetteDifferencePx2(m_cameras[static_cast<std::size_t>(target.camera)], sources,
+                                                           options, target.mask, target.maskBounds, view.scratch);
         view.secondsScore += watch.seconds();
     });
-    double sum = 0;
-    for (const View& view : m_views) {
-        sum += view.score;
+    double area = 0;
+    std::size_t length = 0;
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        area += m_views[v].differencePx2;
+        length += m_targets[v].contour.size();
     }
-    return m_views.empty() ? 0 : sum / static_cast<double>(m_views.size());
+    return length ? area / static_cast<double>(length) : 0;
 }
 
 } // namespace core

@@ -48,9 +48,11 @@ public:
     /// One iteration; `poses` moves. The record's number and poses are left to the caller.
     FitIteration iterate(HandPoses& poses, const IterationSettings& settings);
 
-    /// Mean distance (mm) of matched rim and contour points both ways, unmatched ones counted with the gate: how badly the
-    /// poses explain the contours. Lower is better.
-    double score(const HandPoses& poses, Detail detail, int pointsPerCamera, float tauRad, float gatePx);
+    const FittingHands& hands() const { return m_hands; }
+
+    /// How badly the poses explain the masks: area of the symmetric difference over length of the outlines, that is the mean
+    /// distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all is well.
+    double silhouetteDifferencePx(const HandPoses& poses);
 
 private:
     struct View {
@@ -60,7 +62,7 @@ private:
         std::vector<std::vector<RayCorrespondence>> correspondences; ///< per hand
         std::vector<NormalEquations> equations;                      ///< per hand
         int rejected = 0;
-        double score = 0;
+        double differencePx2 = 0;
         double secondsRim = 0, secondsMatch = 0, secondsSolve = 0, secondsScore = 0;
     };
 
@@ -68,7 +70,7 @@ private:
     void extractRim(View& view, const CameraTarget& target, Detail detail, int points);
     void matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const;
     void matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const;
-    void scoreView(View& view, const CameraTarget& target, float tauRad, float gatePx) const;
+    std::vector<RimSource> rimSources(Detail detail) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                               const IterationSettings& settings) const;
     template <typename Work>
