@@ -5,54 +5,120 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/io/annotation_jobs.h"
 #include "core/io/ground_truth_file.h"
 
 namespace core {
 
 namespace fs = std::filesystem;
 
-const std::vector<AnnotationFormat>& annotationFormats() {
-    static const std::vector<AnnotationFormat> formats{
-        {"handlens", "Handlens ground truth (JSON)", true, false},
-    };
-    return formats;
-}
-
 namespace {
 
-const AnnotationFormat& formatOf(std::string_view kind) {
-    const auto& formats = annotationFormats();
-    const auto found = std::find_if(formats.begin(), formats.end(), [kind](const AnnotationFormat& format) { return format.kind == kind; });
-    if (found == formats.end()) {
+using Writer = void (*)(const ExportJob&);
+using Reader = void (*)(ImportJob&);
+
+/// How one kind is written and read; the ground truth goes its own way because it holds all raters.
+struct Handler {
+    AnnotationFormat format;
+    Writer write;
+    Reader read;
+    const char* map; ///< built-in joint map; empty: every joint keeps its name
+};
+
+const std::vector<Handler>& handlers() {
+    static const std::vector<Handler> list{
+        {{"handlens", "Handlens ground truth (JSON)", true, false}, nullptr, nullptr, ""},
+        {{"tzionas", "The method authors' NNN.txt, a folder per camera", true, true}, writeTzionasAnnotations, readTzionasAnnotations, "tzionas"},
+        {{"coco", "COCO keypoints (JSON)", true, false}, writeCocoAnnotations, readCocoAnnotations, "coco"},
+        {{"anipose2d", "Anipose 2D tables, a CSV file per camera", true, true}, writeAnipose2d, readPoseTables, ""},
+        {{"anipose3d", "Anipose 3D table (CSV)", true, false}, writeAnipose3d, readAnipose3d, ""},
+        {{"deeplabcut", "DeepLabCut or Lightning Pose labels, a CSV file per camera", true, true}, writeDeepLabCut, readPoseTables, ""},
+        {{"trc", "Marker trajectories (TRC)", false, false}, writeTrc, nullptr, ""},
+        {{"interhand", "InterHand2.6M-style joints and cameras (JSON)", false, true}, writeInterHand, nullptr, "interhand"},
+        {{"freihand", "HanCo-style joints and calibrations in FreiHAND's order (JSON)", false, true}, writeFreiHand, nullptr, "freihand"},
+        {{"csv", "Plain table of 3D joints (CSV)", false, false}, writePointCsv, nullptr, ""},
+        {{"csv-marks", "Plain table of marks (CSV)", true, false}, writeMarkCsv, readMarkCsv, ""},
+    };
+    return list;
+}
+
+const Handler& handlerOf(std::string_view kind) {
+    const auto& list = handlers();
+    const auto found = std::find_if(list.begin(), list.end(), [kind](const Handler& handler) { return handler.format.kind == kind; });
+    if (found == list.end()) {
         std::string known;
-        for (const AnnotationFormat& format : formats) {
-            known += (known.empty() ? "" : ", ") + std::string(format.kind);
+        for (const Handler& handler : list) {
+            known += (known.empty() ? "" : ", ") + std::string(handler.format.kind);
         }
         throw Error(ErrorCode::Usage, "", std::string(kind), "is no kind of annotations; known are " + known);
     }
     return *found;
 }
 
+JointMap mapFor(const Handler& handler, const fs::path& given) {
+    if (!given.empty()) {
+        return readJointMap(given);
+    }
+    return handler.map[0] == '\0' ? JointMap() : readJointMap(handler.map);
+}
+
+/// The one that is asked for, or the one with most marks (the first of equals); "" if there are no marks.
+std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, const std::optional<std::string>& asked) {
+    std::map<std::string, int> marks;
+    for (const auto& [key, mark] : set.marks) {
+        ++marks[key.rater];
+    }
+    if (asked) {
+        if (!marks.contains(*asked)) {
+            throw Error(ErrorCode::NotFound, sequence.annotations, "rater", "\"" + *asked + "\" has made no marks");
+        }
+        return *asked;
+    }
+    const auto most = std::max_element(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == marks.end() ? std::string() : most->first;
+}
+
 } // namespace
+
+const std::vector<AnnotationFormat>& annotationFormats() {
+    static const std::vector<AnnotationFormat> formats = [] {
+        std::vector<AnnotationFormat> list;
+        for (const Handler& handler : handlers()) {
+            list.push_back(handler.format);
+        }
+        return list;
+    }();
+    return formats;
+}
 
 void exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
                        const fs::path& path, const AnnotationExportOptions& options) {
-    formatOf(kind);
-    if (options.rater) {
-        const auto raters = ratersOf(set);
-        if (std::find(raters.begin(), raters.end(), *options.rater) == raters.end()) {
-            throw Error(ErrorCode::NotFound, sequence.annotations, "rater", "\"" + *options.rater + "\" has made no marks");
-        }
+    const Handler& handler = handlerOf(kind);
+    const std::string rater = chosenRater(sequence, set, options.rater);
+    if (!handler.write) {
+        writeGroundTruth(path, dataset, sequence, set, options);
+        return;
     }
-    writeGroundTruth(path, dataset, sequence, set, options);
+    const JointMap map = mapFor(handler, options.jointMap);
+    handler.write({dataset, sequence, set, rater, map, options.triangulation, path});
 }
 
 ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& sequence, std::string_view kind, const fs::path& path,
-                                      const AnnotationImportOptions&) {
-    if (!formatOf(kind).canImport) {
+                                      const AnnotationImportOptions& options) {
+    const Handler& handler = handlerOf(kind);
+    if (!handler.format.canImport) {
         throw Error(ErrorCode::Unsupported, "", std::string(kind), "can be written, not read");
     }
-    return readGroundTruth(path, dataset, sequence);
+    if (!handler.read) {
+        return readGroundTruth(path, dataset, sequence);
+    }
+    const JointMap map = mapFor(handler, options.jointMap);
+    ImportNotes notes(dataset, sequence);
+    ImportedAnnotations imported;
+    ImportJob job{dataset, sequence, options, map, path, notes, imported.set};
+    handler.read(job);
+    imported.warnings = notes.warnings();
+    return imported;
 }
 
 } // namespace core

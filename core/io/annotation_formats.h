@@ -20,7 +20,7 @@ struct AnnotationFormat {
     bool canImport = false;
     bool isFolder = false;        ///< the export is a folder with one file per view or frame
 };
-/// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, trc, interhand, freihand, csv.
+/// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, trc, interhand, freihand, csv, csv-marks.
 const std::vector<AnnotationFormat>& annotationFormats();
 
 struct AnnotationExportOptions {

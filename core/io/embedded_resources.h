@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,8 +9,9 @@
 
 namespace core {
 
-/// The text of a file of resources/demo or resources/rigs that is built into the library, named like "demo/hand.json".
-/// Throws std::logic_error if there is none.
+/// The text of a JSON file of resources that is built into the library, named like "demo/hand.json"; nothing if there is none.
+std::optional<std::string_view> findEmbeddedResource(std::string_view name);
+/// The same; throws std::logic_error if there is none.
 std::string_view embeddedResource(std::string_view name);
 
 /// The same, parsed and checked against the schema of that kind. Throws Error as for a file of that name.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/annotation_jobs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "core/annotation/edits.h"
+#include "core/error.h"
+
+namespace core {
+
+namespace fs = std::filesystem;
+
+std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& joint, const std::string& camera) {
+    const auto mark = markAt(job.set, {frame, job.rater, joint, camera});
+    return mark && mark->isPlaced() ? mark : std::nullopt;
+}
+
+std::vector<JointId> markedJoints(const ExportJob& job) {
+    std::set<JointId> joints;
+    for (const auto& [key, mark] : job.set.marks) {
+        if (key.rater == job.rater) {
+            joints.insert(key.joint);
+        }
+    }
+    return {joints.begin(), joints.end()};
+}
+
+std::vector<int> markedFrames(const ExportJob& job) {
+    std::vector<int> frames = annotatedFrames(job.set);
+    std::erase_if(frames, [&job](int frame) { return marksOfFrame(job.set, frame, job.rater).empty(); });
+    return frames;
+}
+
+std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame) {
+    auto joints = reconstructFrame(job.set, job.dataset.cameras, frame, job.rater, {job.triangulation, false, std::nullopt});
+    std::erase_if(joints, [](const auto& item) { return !item.second.hasPoint(); });
+    return joints;
+}
+
+void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark) {
+    const MarkKey key{frame, job.options.rater, joint, camera};
+    if (job.notes.accepts(key) && !job.set.marks.emplace(key, mark).second) {
+        throw Error(ErrorCode::BadInput, job.path.string(), "frame " + std::to_string(frame),
+                    jointLabel(joint) + " occurs twice in camera \"" + camera + "\"");
+    }
+}
+
+void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld) {
+    if (job.notes.acceptsFrame(frame)) {
+        apply(job.set, proposeEdit(job.set, job.dataset.cameras, frame, job.options.rater, {{joint, pointInWorld}}, "import"));
+    }
+}
+
+std::vector<fs::path> viewFiles(const fs::path& path, const std::string& extension) {
+    if (!fs::exists(path)) {
+        throw Error(ErrorCode::NotFound, path.string(), "", "there is no such file or folder");
+    }
+    if (!fs::is_directory(path)) {
+        return {path};
+    }
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(path)) {
+        if (entry.is_regular_file() && entry.path().extension() == extension) {
+            files.push_back(entry.path());
+        }
+    }
+    if (files.empty()) {
+        throw Error(ErrorCode::NotFound, path.string(), "", "holds no file " + ("*" + extension));
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+namespace {
+
+bool isWordCharacter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+/// True if `word` occurs in `text` and no letter or digit touches it: cam_1 is not in cam_10.
+bool containsWord(const std::string& text, const std::string& word) {
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const std::size_t end = at + word.size();
+        if ((at == 0 || !isWordCharacter(text[at - 1])) && (end == text.size() || !isWordCharacter(text[end]))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The camera that is named in a text; the longest name wins, so that "front_left" is not taken for "left".
+std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& text) {
+    std::string found;
+    for (const Camera& camera : dataset.cameras) {
+        if (containsWord(text, camera.name) && camera.name.size() > found.size()) {
+            found = camera.name;
+        }
+    }
+    return found.empty() ? std::nullopt : std::optional(found);
+}
+
+} // namespace
+
+std::string cameraOfFile(const ImportJob& job, const fs::path& file) {
+    if (!job.options.camera.empty()) {
+        return job.options.camera;
+    }
+    if (const auto camera = cameraIn(job.dataset, file.stem().string())) {
+        return *camera;
+    }
+    if (const auto camera = cameraIn(job.dataset, fs::absolute(file).parent_path().filename().string())) {
+        return *camera;
+    }
+    throw Error(ErrorCode::BadInput, file.string(), "camera", "neither the file's name nor its folder's says which camera it is for");
+}
+
+std::optional<int> trailingNumber(const std::string& name) {
+    const std::string stem = fs::path(name).stem().string();
+    std::size_t first = stem.size();
+    while (first > 0 && std::isdigit(static_cast<unsigned char>(stem[first - 1]))) {
+        --first;
+    }
+    constexpr std::size_t kMostDigits = 9;
+    if (first == stem.size() || stem.size() - first > kMostDigits) {
+        return std::nullopt;
+    }
+    return std::stoi(stem.substr(first));
+}
+
+} // namespace core

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "core/io/annotation_formats.h"
+#include "core/io/import_notes.h"
+#include "core/io/joint_files.h"
+
+/// What the writers and readers of the single formats share. One pair of functions per format, one file per program.
+namespace core {
+
+/// Everything that a writer needs.
+struct ExportJob {
+    const Dataset& dataset;
+    const Sequence& sequence;
+    const AnnotationSet& set;
+    const std::string& rater;    ///< whose marks are written
+    const JointMap& map;
+    const TriangulationOptions& triangulation;
+    const std::filesystem::path& path;
+};
+
+/// The placed mark of the job's rater, or nothing.
+std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& joint, const std::string& camera);
+/// Joints that the rater has marked in any frame, ascending.
+std::vector<JointId> markedJoints(const ExportJob& job);
+/// Frames in which the rater has marks, ascending.
+std::vector<int> markedFrames(const ExportJob& job);
+/// Joints of a frame with a 3D point.
+std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame);
+
+/// Everything that a reader needs; it fills `set`.
+struct ImportJob {
+    const Dataset& dataset;
+    const Sequence& sequence;
+    const AnnotationImportOptions& options;
+    const JointMap& map;
+    const std::filesystem::path& path;
+    ImportNotes& notes;
+    AnnotationSet& set;
+};
+
+/// Adds a mark if frame and camera are known. Throws Error(BadInput) if there is one already.
+void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark);
+/// A 3D point becomes auto marks in all views that see it: it may be shown and moved, but is no evidence.
+void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld);
+
+/// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.
+std::vector<std::filesystem::path> viewFiles(const std::filesystem::path& path, const std::string& extension);
+/// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a word; else
+/// that of its folder. Throws Error(BadInput) if that does not tell.
+std::string cameraOfFile(const ImportJob& job, const std::filesystem::path& file);
+/// The number at the end of a file's stem, such as 41 in img041.png; nothing if there is none.
+std::optional<int> trailingNumber(const std::string& name);
+
+void writeTzionasAnnotations(const ExportJob& job);
+void readTzionasAnnotations(ImportJob& job);
+void writeCocoAnnotations(const ExportJob& job);
+void readCocoAnnotations(ImportJob& job);
+void writeAnipose2d(const ExportJob& job);
+void writeAnipose3d(const ExportJob& job);
+void readAnipose3d(ImportJob& job);
+void writeDeepLabCut(const ExportJob& job);
+/// Reads tables with the three header rows scorer, bodyparts, coords: DeepLabCut, Lightning Pose and Anipose 2D.
+void readPoseTables(ImportJob& job);
+void writeTrc(const ExportJob& job);
+void writeInterHand(const ExportJob& job);
+void writeFreiHand(const ExportJob& job);
+void writePointCsv(const ExportJob& job);
+void writeMarkCsv(const ExportJob& job);
+void readMarkCsv(ImportJob& job);
+
+} // namespace core

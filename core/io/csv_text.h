@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace core {
+
+using CsvRow = std::vector<std::string>;
+
+/// Cells of a CSV text (RFC 4180: quotes, doubled quotes, line breaks inside them; LF or CRLF). A byte order mark and empty
+/// lines are skipped. Throws Error(BadInput) naming the line of a quote that is never closed.
+std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file);
+std::vector<CsvRow> readCsv(const std::filesystem::path& file);
+
+/// One line with its line end; cells are quoted where needed.
+std::string csvLine(const CsvRow& row);
+
+/// The shortest text that reads back as exactly that number.
+std::string numberText(double value);
+
+/// The number in a cell; nothing for a missing value (empty, NaN, nan, null, NA). Throws Error(BadInput) naming file and
+/// `field` for anything else.
+std::optional<double> cellNumber(std::string_view cell, const std::string& file, const std::string& field);
+
+} // namespace core
