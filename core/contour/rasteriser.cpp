@@ -87,21 +87,26 @@ private:
     std::vector<std::vector<ProjectedVertex>> m_vertices;
 };
 
-/// 1/z is linear in the image: value + byX * x + byY * y.
+/// 1/z is linear in the image: value + byX * x + byY * y. A pixel's centre may fall into a sliver by the rounding of its
+/// corners alone: its depth is kept within theirs.
 struct InverseDepth {
     double value, byX, byY;
+    double low, high;
+
+    double at(int x, int y) const { return std::clamp(value + byX * x + byY * y, low, high); }
 };
 
 InverseDepth inverseDepth(const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c) {
     const Eigen::Vector2d ab = b.px - a.px, ac = c.px - a.px;
     const double area = ab.x() * ac.y() - ab.y() * ac.x();
     const double ia = a.inverseDepth, ib = b.inverseDepth - ia, ic = c.inverseDepth - ia;
+    const double low = ia + std::min({0.0, ib, ic}), high = ia + std::max({0.0, ib, ic});
     if (std::abs(area) < 1e-9) {
-        return {ia, 0, 0};
+        return {ia, 0, 0, low, high};
     }
     const double byX = (ib * ac.y() - ic * ab.y()) / area;
     const double byY = (ic * ab.x() - ib * ac.x()) / area;
-    return {ia - byX * a.px.x() - byY * a.px.y(), byX, byY};
+    return {ia - byX * a.px.x() - byY * a.px.y(), byX, byY, low, high};
 }
 
 /// Draws the part of the image that `window` covers.
@@ -119,7 +124,7 @@ DepthImage drawDepth(const ProjectedSurfaces& surfaces, const ImageSize& size, c
                 if (!plane) {
                     plane = inverseDepth(a, b, c);
                 }
-                const auto depth = static_cast<float>(1 / (plane->value + plane->byX * x + plane->byY * y));
+                const auto depth = static_cast<float>(1 / plane->at(x, y));
                 float& stored = image.depthMm.ptr<float>(y - window.y)[x - window.x];
                 if (depth < stored) {
                     stored = depth;
