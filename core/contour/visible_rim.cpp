@@ -34,8 +34,8 @@ void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eig
     for (int y = y0; y <= y1; ++y) {
         const float row = static_cast<float>(y);
         const float xLong = p[0].x() + (row - p[0].y()) * longSlope;
-        const float xShort = row < p[1].y() ? p[0].x() + (row - p[0].y()) * upperSlope
-                                            : p[1].x() + (row - p[1].y()) * lowerSlope;
+        const float xShort =
+            row < p[1].y() ? p[0].x() + (row - p[0].y()) * upperSlope : p[1].x() + (row - p[1].y()) * lowerSlope;
         const int x0 = std::max(0, static_cast<int>(std::ceil(std::min(xLong, xShort))));
         const int x1 = std::min(m_width - 1, static_cast<int>(std::floor(std::max(xLong, xShort))));
         unsigned char* cells = m_cells.data() + static_cast<std::size_t>(y) * m_width;
@@ -58,7 +58,8 @@ double Coverage::differencePx2(const cv::Mat& mask) const {
     std::size_t cells = 0;
     for (int row = 0; row < m_height; ++row) {
         const long y = std::lround(m_originPx.y() + static_cast<float>(row) * m_cellPx);
-        const unsigned char* observed = y >= 0 && y < mask.rows ? mask.ptr<unsigned char>(static_cast<int>(y)) : nullptr;
+        const unsigned char* observed =
+            y >= 0 && y < mask.rows ? mask.ptr<unsigned char>(static_cast<int>(y)) : nullptr;
         const unsigned char* drawn = m_cells.data() + static_cast<std::size_t>(row) * m_width;
         for (int column = 0; column < m_width; ++column) {
             const long x = std::lround(m_originPx.x() + static_cast<float>(column) * m_cellPx);
@@ -74,9 +75,12 @@ namespace {
 /// The camera in single precision, and its lens where it has one.
 struct FastCamera {
     explicit FastCamera(const Camera& c)
-        : camera(c), rotation(c.cameraFromWorld.rotation.cast<float>()),
-          translation(c.cameraFromWorld.translation.cast<float>()), centre(c.centreInWorld().cast<float>()),
-          intrinsics(c.intrinsics.cast<float>()), lens(c.hasLens()) {}
+        : camera(c)
+        , rotation(c.cameraFromWorld.rotation.cast<float>())
+        , translation(c.cameraFromWorld.translation.cast<float>())
+        , centre(c.centreInWorld().cast<float>())
+        , intrinsics(c.intrinsics.cast<float>())
+        , lens(c.hasLens()) {}
 
     Eigen::Vector2f project(const Eigen::Vector3f& world) const {
         const Eigen::Vector3f p = rotation * world + translation;
@@ -88,8 +92,8 @@ struct FastCamera {
                 intrinsics(1, 1) * n.y() + intrinsics(1, 2)};
     }
 
-    /// Image normal at a rim point: the camera-frame normal over the focal lengths, carried through the lens by the inverse
-    /// transpose of its Jacobian.
+    /// Image normal at a rim point: the camera-frame normal over the focal lengths, carried through the lens by the
+    /// inverse transpose of its Jacobian.
     Eigen::Vector2f imageNormal(const Eigen::Vector3f& world, const Eigen::Vector3f& normal) const {
         const Eigen::Vector3f n = rotation * normal;
         Eigen::Vector2f m = n.head<2>();
@@ -156,8 +160,9 @@ void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands,
     }
 }
 
-/// The point of the edge where the normal is perpendicular to the view, lifted off the chord towards the tangent planes of both
-/// ends (Phong tessellation with weight 3/4, Boubekeur and Alexa 2008): a coarse level then keeps the rim of the fine one.
+/// The point of the edge where the normal is perpendicular to the view, lifted off the chord towards the tangent planes
+/// of both ends (Phong tessellation with weight 3/4, Boubekeur and Alexa 2008): a coarse level then keeps the rim of
+/// the fine one.
 RimPoint crossing(const PosedPoints& points, int hand, int a, int b, float t) {
     constexpr float kBulge = 0.75f;
     RimPoint rim;

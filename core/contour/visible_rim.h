@@ -11,17 +11,17 @@
 
 namespace core {
 
-/// A point of the rim: on the edge (vertexA, vertexB) of one hand's surface where the normal turns from towards the camera
-/// to away from it.
+/// A point of the rim: on the edge (vertexA, vertexB) of one hand's surface where the normal turns from towards the
+/// camera to away from it.
 struct RimPoint {
     int hand = 0;
     int vertexA = 0;
     int vertexB = 0;
-    float t = 0;               ///< position on the edge: (1 - t) A + t B
-    Eigen::Vector3f point;     ///< in the world, mm; bulged between A and B along the normals' curvature
-    Eigen::Vector3f normal;    ///< outward, in the world, unit
-    Eigen::Vector2f px;        ///< its recorded pixel
-    Eigen::Vector2f normalPx;  ///< outward image normal, unit, y down
+    float t = 0;              ///< position on the edge: (1 - t) A + t B
+    Eigen::Vector3f point;    ///< in the world, mm; bulged between A and B along the normals' curvature
+    Eigen::Vector3f normal;   ///< outward, in the world, unit
+    Eigen::Vector2f px;       ///< its recorded pixel
+    Eigen::Vector2f normalPx; ///< outward image normal, unit, y down
 };
 
 /// Silhouette of the union of surfaces at reduced resolution, for asking whether a pixel is covered.
@@ -55,9 +55,9 @@ struct RimSource {
 };
 
 struct RimOptions {
-    float cellPx = 2;        ///< resolution of the coverage
-    float outwardPx = 2.5f;  ///< a rim point is on the outline if the pixel this far outside it is not covered
-    int maxPoints = 300;     ///< per camera; more are thinned evenly
+    float cellPx = 2;       ///< resolution of the coverage
+    float outwardPx = 2.5f; ///< a rim point is on the outline if the pixel this far outside it is not covered
+    int maxPoints = 300;    ///< per camera; more are thinned evenly
 };
 
 /// Scratch memory that is reused from call to call; one per thread.
@@ -73,8 +73,8 @@ struct RimScratch {
 double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                                const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch);
 
-/// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another hand,
-/// nothing outside the image. Deterministic. (method: P(theta, c))
+/// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another
+/// hand, nothing outside the image. Deterministic. (method: P(theta, c))
 void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                 RimScratch& scratch, std::vector<RimPoint>& rim);
 

@@ -9,7 +9,8 @@
 
 namespace core {
 
-ContourIndex::ContourIndex(const OrientedContour& contour, const OrientationBins& bins) : m_bins(bins) {
+ContourIndex::ContourIndex(const OrientedContour& contour, const OrientationBins& bins)
+    : m_bins(bins) {
     m_binDistance.resize(static_cast<std::size_t>(bins.count()) * bins.count());
     for (int a = 0; a < bins.count(); ++a) {
         for (int b = 0; b < bins.count(); ++b) {
@@ -81,7 +82,8 @@ ContourMatch ContourIndex::search(float x, float y, float gatePx, Cost&& costOf)
             }
         }
     };
-    // Rings that do not reach the grid are skipped; nothing in ring k is nearer than (k - 1) cells and the way to the border.
+    // Rings that do not reach the grid are skipped; nothing in ring k is nearer than (k - 1) cells and the way to the
+    // border.
     const int outside = std::max({0, -column, -row, column - m_columns + 1, row - m_rows + 1});
     const int last = outside + std::max(m_columns, m_rows);
     for (int ring = outside; ring <= last; ++ring) {
@@ -107,13 +109,13 @@ ContourMatch ContourIndex::nearest(float x, float y, float gatePx) const {
 }
 
 ContourMatch ContourIndex::nearestInBin(float x, float y, int bin, float gatePx) const {
-    return search(x, y, gatePx,
-                  [&](int i) { return m_bin[i] == bin ? 0.0f : std::numeric_limits<float>::infinity(); });
+    return search(x, y, gatePx, [&](int i) { return m_bin[i] == bin ? 0.0f : std::numeric_limits<float>::infinity(); });
 }
 
 ContourMatch ContourIndex::nearestWithin(float x, float y, float angleRad, float tauRad, float gatePx) const {
     return search(x, y, gatePx, [&](int i) {
-        return circularDistance(static_cast<double>(m_angle[i]), static_cast<double>(angleRad), m_bins.isSigned()) < static_cast<double>(tauRad)
+        return circularDistance(static_cast<double>(m_angle[i]), static_cast<double>(angleRad), m_bins.isSigned()) <
+                       static_cast<double>(tauRad)
                    ? 0.0f
                    : std::numeric_limits<float>::infinity();
     });

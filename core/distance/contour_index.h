@@ -15,9 +15,9 @@ struct ContourMatch {
     float distance = 0;
 };
 
-/// Exact nearest-point search over an oriented contour, for one camera: a uniform grid over the outline, searched in growing
-/// rings until nothing nearer can follow. No set-up worth mentioning and no rounding to pixels, against the distance
-/// transforms' fixed cost per pixel. Ties go to the smaller index.
+/// Exact nearest-point search over an oriented contour, for one camera: a uniform grid over the outline, searched in
+/// growing rings until nothing nearer can follow. No set-up worth mentioning and no rounding to pixels, against the
+/// distance transforms' fixed cost per pixel. Ties go to the smaller index.
 class ContourIndex {
 public:
     /// bins: how orientations are quantised for nearestInBin and nearestDirectional.

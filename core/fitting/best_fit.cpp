@@ -88,7 +88,10 @@ struct Attempt {
 class BestFit {
 public:
     BestFit(PoseRefiner& refiner, std::stop_token stop, const FitProgress& progress, int expectedIterations)
-        : m_refiner(refiner), m_stop(stop), m_progress(progress), m_expected(expectedIterations) {}
+        : m_refiner(refiner)
+        , m_stop(stop)
+        , m_progress(progress)
+        , m_expected(expectedIterations) {}
 
     /// False if the fit is over: stopped or without matches.
     bool run(const Phase& phase, Attempt& attempt) {
@@ -128,9 +131,7 @@ public:
         return true;
     }
 
-    double score(const Attempt& attempt) {
-        return m_refiner.silhouetteDifferencePx(attempt.poses);
-    }
+    double score(const Attempt& attempt) { return m_refiner.silhouetteDifferencePx(attempt.poses); }
 
     /// Replaces `best` by the alternative that explains the masks better. False if the fit is over.
     bool improve(Attempt& best, const HandPoses& start, std::span<const StartKind> otherStarts) {
@@ -154,7 +155,8 @@ public:
                 return true;
             }
             const bool goOn = kind == StartKind::Start ? tryFrom(start, {kLongPalm, kNarrowFingers})
-                                                       : tryFrom(withFingers(m_refiner.hands(), best.poses, kind), {kWideFingers, kNarrowFingers});
+                                                       : tryFrom(withFingers(m_refiner.hands(), best.poses, kind),
+                                                                 {kWideFingers, kNarrowFingers});
             if (!goOn) {
                 return false;
             }

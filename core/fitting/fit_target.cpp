@@ -11,6 +11,9 @@ namespace core {
 
 namespace {
 
+/// Around the outline: rim points are rarely farther out; those that are fall back to a search.
+const cv::Point kTensorMargin(60, 60);
+
 /// Points whose ray the lens model cannot give are dropped.
 CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, const OrientedContour& found,
                         const FitTargetOptions& options) {
@@ -35,8 +38,21 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
         }
     }
     ContourIndex contourIndex(searched, options.bins);
-    return {index,           mask, maskBounds(mask), std::move(kept), std::move(directions), camera.centreInWorld(),
-            std::move(contourIndex)};
+    const cv::Rect bounds = maskBounds(mask);
+    std::optional<Dt3Tensor> tensor;
+    if (options.tensorLambdaPxPerRad >= 0) {
+        const cv::Rect region =
+            cv::Rect(bounds.tl() - kTensorMargin, bounds.br() + kTensorMargin) & cv::Rect(0, 0, mask.cols, mask.rows);
+        tensor = computeDt3Tensor(kept, options.bins, options.tensorLambdaPxPerRad, region);
+    }
+    return {index,
+            mask,
+            bounds,
+            std::move(kept),
+            std::move(directions),
+            camera.centreInWorld(),
+            std::move(contourIndex),
+            std::move(tensor)};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -8,25 +9,28 @@
 
 #include "core/contour/oriented_contour.h"
 #include "core/distance/contour_index.h"
+#include "core/distance/dt3_tensor.h"
 #include "core/geometry/camera.h"
 
 namespace core {
 
 /// What one camera observed, prepared for matching.
 struct CameraTarget {
-    int camera = 0;                            ///< index into the cameras
-    cv::Mat mask;                              ///< the observed silhouette, shared, not copied
+    int camera = 0; ///< index into the cameras
+    cv::Mat mask;   ///< the observed silhouette, shared, not copied
     cv::Rect maskBounds;
     OrientedContour contour;
     std::vector<Eigen::Vector3d> rayDirection; ///< unit, in the world, parallel to the contour
     Eigen::Vector3d centre;                    ///< the camera's centre in the world
     ContourIndex index;
+    std::optional<Dt3Tensor> tensor; ///< only if the options ask for it
 };
 
 struct FitTargetOptions {
     ContourOptions contour;
     OrientationBins bins{16, true};
-    bool wholePixels = false; ///< match at pixel centres, as a distance transform does
+    double tensorLambdaPxPerRad = -1; ///< not negative: also build the DT3 tensor around the outline
+    bool wholePixels = false;         ///< match at pixel centres, as a distance transform does
 };
 
 /// Prepares every camera whose mask is not empty and shows an outline, in the cameras' order.

@@ -12,8 +12,8 @@ namespace core {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr int kQuantBins = 8;      // design: fewer bins are better for Quant
-constexpr int kDt3Bins = 16;       // paper: more than 8 are needed, 16 suffice
+constexpr int kQuantBins = 8;       // design: fewer bins are better for Quant
+constexpr int kDt3Bins = 16;        // paper: more than 8 are needed, 16 suffice
 constexpr double kQuantGatePx = 60; // without a gate a hard bin finds matches at any distance
 
 MatchRule::Search searchOf(MethodKind kind) {
@@ -68,10 +68,14 @@ void addInBins(const CameraTarget& target, const MatchRule& rule, const RimPoint
     }
 }
 
+ContourMatch nearestInTensor(const CameraTarget& target, const Eigen::Vector2f& px, float angle) {
+    const auto match = nearestFromTensor(*target.tensor, target.contour, px.cast<double>(), static_cast<double>(angle));
+    return match ? ContourMatch{match->index, static_cast<float>(match->distancePx)} : ContourMatch{};
+}
+
 bool withinTau(const CameraTarget& target, const MatchRule& rule, int index, double angle) {
-    return std::isinf(rule.tauRad) ||
-           circularDistance(static_cast<double>(target.contour.angleRad[index]), angle, rule.bins.isSigned()) <
-               static_cast<double>(rule.tauRad);
+    return std::isinf(rule.tauRad) || circularDistance(static_cast<double>(target.contour.angleRad[index]), angle,
+                                                       rule.bins.isSigned()) < static_cast<double>(rule.tauRad);
 }
 
 } // namespace
@@ -94,8 +98,13 @@ void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoi
         }
         break;
     case MatchRule::Search::Directional:
-        match = target.index.nearestDirectional(std::round(x), std::round(y), rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
-                                                rule.gatePx);
+        if (target.tensor) {
+            match = nearestInTensor(target, rim.px, angle);
+        } else {
+            match = target.index.nearestDirectional(std::round(x), std::round(y),
+                                                    rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
+                                                    rule.gatePx);
+        }
         if (match.index >= 0) {
             matches.push_back({match.index, 1});
         }

@@ -13,11 +13,11 @@ namespace core {
 /// How a rim point finds its contour point, with every default of the method filled in.
 struct MatchRule {
     enum class Search {
-        Nearest,      ///< on position only (CH); with a finite tauRad: match first, then reject (DCH-Thres)
-        InBin,        ///< nearest in the own orientation bin (DCH-Quant)
-        InTwoBins,    ///< nearest in each of the two nearest bins (DCH-Quant2)
-        Directional,  ///< least |p - q| + lambda circ(phi_p, phi_q) (DCH-DT3)
-        WithinTau     ///< nearest among those within tauRad
+        Nearest,     ///< on position only (CH); with a finite tauRad: match first, then reject (DCH-Thres)
+        InBin,       ///< nearest in the own orientation bin (DCH-Quant)
+        InTwoBins,   ///< nearest in each of the two nearest bins (DCH-Quant2)
+        Directional, ///< least |p - q| + lambda circ(phi_p, phi_q) (DCH-DT3)
+        WithinTau    ///< nearest among those within tauRad
     };
     Search search = Search::Nearest;
     float tauRad = std::numeric_limits<float>::infinity();

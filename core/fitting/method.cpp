@@ -43,8 +43,9 @@ double number(std::string_view text, std::string_view key, std::string_view valu
     double result = 0;
     const auto [end, code] = std::from_chars(value.data(), value.data() + value.size(), result);
     if (code != std::errc() || end != value.data() + value.size() || !(result >= low && result <= high)) {
-        fail(text, key, "'" + std::string(value) + "' is not a number from " + std::to_string(low) + " to " +
-                            std::to_string(high));
+        fail(text, key,
+             "'" + std::string(value) + "' is not a number from " + std::to_string(low) + " to " +
+                 std::to_string(high));
     }
     return result;
 }

@@ -12,28 +12,29 @@ enum class MethodKind { Ch, DchThres, DchQuant, DchQuant2, DchDt3, Best };
 
 /// Where DCH-DT3 looks up its matches: both give the same ones.
 enum class Dt3Backend { Direct, Tensor };
-/// Paper: every iteration moves all degrees of freedom. RigidFirst, the default: the first 14 iterations move only the six
-/// rigid ones of each hand, on coarser levels of the mesh; the last two fifths narrow the gate of Quant and Quant2 to 12 px.
+/// Paper: every iteration moves all degrees of freedom. RigidFirst, the default: the first 14 iterations move only the
+/// six rigid ones of each hand, on coarser levels of the mesh; the last two fifths narrow the gate of Quant and Quant2
+/// to 12 px.
 enum class Schedule { RigidFirst, Paper };
 
 /// A method with all its options. Every field is an option of the method's name: `dch-thres:tau=22.5:signed=1`.
 struct Method {
     MethodKind kind = MethodKind::DchThres;
-    double tauDeg = 22.5;       ///< tau, Thres only (paper: 22.5)
+    double tauDeg = 22.5;          ///< tau, Thres only (paper: 22.5)
     bool signedOrientation = true; ///< signed: [0, pi]; else [0, pi/2] (paper: signed)
-    double lambdaPxPerRad = 25; ///< lambda, DT3 only (paper: 25)
-    int bins = 0;               ///< 0 = the method's default: Quant 8, DT3 16
-    double binCentre = 0;       ///< centre=0.5: bins begin at the x axis instead of being centred on it (in bins, [0, 1))
-    bool binWeights = false;    ///< Quant2 only: weights=1 weighs the two matches by how near their bin centres are
-    double gatePx = 0;          ///< 0 = the method's default: Quant and Quant2 60, the others none
-    double truncatePx2 = 0;     ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
+    double lambdaPxPerRad = 25;    ///< lambda, DT3 only (paper: 25)
+    int bins = 0;                  ///< 0 = the method's default: Quant 8, DT3 16
+    double binCentre = 0;    ///< centre=0.5: bins begin at the x axis instead of being centred on it (in bins, [0, 1))
+    bool binWeights = false; ///< Quant2 only: weights=1 weighs the two matches by how near their bin centres are
+    double gatePx = 0;       ///< 0 = the method's default: Quant and Quant2 60, the others none
+    double truncatePx2 = 0;  ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
     double polygonEpsilonPx = 1.25; ///< approxPolyDP's epsilon for phi(q)
-    bool chordTangent = false;  ///< tangent=chord: phi(q) from a +-7 px chord instead of the polygon
+    bool chordTangent = false;      ///< tangent=chord: phi(q) from a +-7 px chord instead of the polygon
     int maxIterations = 25;
-    double damping = 1e-3;      ///< relative to diag(H)
+    double damping = 1e-3; ///< relative to diag(H)
     Schedule schedule = Schedule::RigidFirst;
     Dt3Backend backend = Dt3Backend::Direct;
-    bool live = false;          ///< best only: the real-time variant
+    bool live = false; ///< best only: the real-time variant
     bool operator==(const Method&) const = default;
 };
 

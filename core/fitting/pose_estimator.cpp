@@ -14,17 +14,19 @@ namespace core {
 
 namespace {
 
-constexpr int kRigidIterations = 14;      ///< of the first phase of the default schedule
+constexpr int kRigidIterations = 14;     ///< of the first phase of the default schedule
 constexpr int kFullDetailIterations = 5; ///< of the default schedule use the full mesh; those before, coarser levels
-constexpr double kSettledShare = 0.6;  ///< of the iterations, after which the default schedule narrows the gate of Quant and Quant2
+constexpr double kSettledShare =
+    0.6; ///< of the iterations, after which the default schedule narrows the gate of Quant and Quant2
 constexpr float kNarrowGatePx = 12;
-constexpr double kConvergedMm = 0.01;  ///< mean joint displacement of a step below which a phase ends
+constexpr double kConvergedMm = 0.01; ///< mean joint displacement of a step below which a phase ends
 
 void checkInput(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                 const std::vector<cv::Mat>& masks, const HandPoses& start) {
     if (masks.size() != cameras.size()) {
         throw Error(ErrorCode::BadInput, "", "masks",
-                    "there are " + std::to_string(masks.size()) + " for " + std::to_string(cameras.size()) + " cameras");
+                    "there are " + std::to_string(masks.size()) + " for " + std::to_string(cameras.size()) +
+                        " cameras");
     }
     for (std::size_t c = 0; c < cameras.size(); ++c) {
         const bool fits = masks[c].type() == CV_8U && masks[c].cols == cameras[c].size.width &&
@@ -50,6 +52,9 @@ FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
     options.contour.polygonEpsilonPx = method.polygonEpsilonPx;
     options.bins = rule.bins;
     options.wholePixels = rule.wholePixels;
+    if (method.kind == MethodKind::DchDt3 && method.backend == Dt3Backend::Tensor) {
+        options.tensorLambdaPxPerRad = method.lambdaPxPerRad;
+    }
     return options;
 }
 

@@ -16,21 +16,22 @@
 namespace core {
 
 enum class FitTermination { Converged, MaxIterations, NoMatches, Stopped };
-std::string_view terminationName(FitTermination termination); ///< "converged", "max_iterations", "no_matches", "stopped"
+std::string_view
+terminationName(FitTermination termination); ///< "converged", "max_iterations", "no_matches", "stopped"
 
 /// One iteration of a fit, as the solver saw it.
 struct FitIteration {
     int iteration = 0;
-    double costMm2 = 0;  ///< 1 / (2 N) sum of squared vertex-to-ray distances over the kept matches, before the step
-    int matches = 0;     ///< kept
+    double costMm2 = 0; ///< 1 / (2 N) sum of squared vertex-to-ray distances over the kept matches, before the step
+    int matches = 0;    ///< kept
     int rejected = 0;
-    double stepMm = 0;   ///< mean joint displacement of the step
-    HandPoses poses;     ///< after the step
+    double stepMm = 0; ///< mean joint displacement of the step
+    HandPoses poses;   ///< after the step
 };
 
 /// Seconds per stage of one fit.
 struct FitProfile {
-    double contours = 0; ///< from masks to oriented contours
+    double contours = 0;   ///< from masks to oriented contours
     double transforms = 0; ///< search structures and distance transforms
     double skinning = 0;
     double rims = 0;
@@ -43,15 +44,15 @@ struct FitResult {
     HandPoses poses;
     std::vector<FitIteration> history;
     FitTermination termination = FitTermination::Converged;
-    double seconds = 0;  ///< from masks in memory to the final pose
+    double seconds = 0; ///< from masks in memory to the final pose
     FitProfile profile;
 };
 
 /// Called after every iteration with its number and the most there can be.
 using FitProgress = std::function<void(int iteration, int maxIterations)>;
 
-/// Estimates the pose of the hands from silhouettes. Prepares coarser levels of the hands once; fit() may then be called
-/// from several threads at once. The result does not depend on `threads`.
+/// Estimates the pose of the hands from silhouettes. Prepares coarser levels of the hands once; fit() may then be
+/// called from several threads at once. The result does not depend on `threads`.
 class PoseEstimator {
 public:
     PoseEstimator(std::vector<HandModel> hands, std::vector<Camera> cameras);

@@ -17,11 +17,11 @@ namespace {
 /// Vertices of the coarser levels; the coarse one also decides what covers what.
 constexpr std::array<int, kSurfaceLevels> kLevelVertices{700, 2000, 0};
 
-/// Recorded angles leave their limits by a few degrees: beyond a limit the pose is pulled back softly, and held hard only
-/// this far outside.
+/// Recorded angles leave their limits by a few degrees: beyond a limit the pose is pulled back softly, and held hard
+/// only this far outside.
 constexpr double kLimitSlackRad = 0.2;
-constexpr double kLimitPull = 1e4;     ///< mm^2 per rad^2
-constexpr double kAngleFloor = 20;     ///< mm^2 per rad^2: holds what no camera sees
+constexpr double kLimitPull = 1e4; ///< mm^2 per rad^2
+constexpr double kAngleFloor = 20; ///< mm^2 per rad^2: holds what no camera sees
 constexpr double kRigidFloor = 1e-3;
 
 constexpr float kCoarseCellPx = 4;
@@ -75,8 +75,14 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
 PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& cameras,
                          const std::vector<CameraTarget>& targets, const HandPoses& start, int threads,
                          FitProfile& profile)
-    : m_hands(hands), m_cameras(cameras), m_targets(targets), m_start(start), m_threads(threads), m_profile(profile),
-      m_views(targets.size()), m_posed(hands.models.size()) {
+    : m_hands(hands)
+    , m_cameras(cameras)
+    , m_targets(targets)
+    , m_start(start)
+    , m_threads(threads)
+    , m_profile(profile)
+    , m_views(targets.size())
+    , m_posed(hands.models.size()) {
     for (View& view : m_views) {
         view.correspondences.resize(hands.models.size());
         view.equations.resize(hands.models.size());
@@ -132,8 +138,7 @@ void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail deta
         options.cellPx = kCoarseCellPx;
         options.outwardPx = kCoarseOutwardPx;
     }
-    visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch,
-               view.rim);
+    visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch, view.rim);
     view.secondsRim += watch.seconds();
 }
 

@@ -38,20 +38,21 @@ struct IterationSettings {
     double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
 };
 
-/// Extracts correspondences and solves for one step, again and again. One object per fit; not for several threads at once,
-/// though it may use several itself.
+/// Extracts correspondences and solves for one step, again and again. One object per fit; not for several threads at
+/// once, though it may use several itself.
 class PoseRefiner {
 public:
-    PoseRefiner(const FittingHands& hands, const std::vector<Camera>& cameras,
-                const std::vector<CameraTarget>& targets, const HandPoses& start, int threads, FitProfile& profile);
+    PoseRefiner(const FittingHands& hands, const std::vector<Camera>& cameras, const std::vector<CameraTarget>& targets,
+                const HandPoses& start, int threads, FitProfile& profile);
 
     /// One iteration; `poses` moves. The record's number and poses are left to the caller.
     FitIteration iterate(HandPoses& poses, const IterationSettings& settings);
 
     const FittingHands& hands() const { return m_hands; }
 
-    /// How badly the poses explain the masks: area of the symmetric difference over length of the outlines, that is the mean
-    /// distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all is well.
+    /// How badly the poses explain the masks: area of the symmetric difference over length of the outlines, that is the
+    /// mean distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all
+    /// is well.
     double silhouetteDifferencePx(const HandPoses& poses);
 
 private:

@@ -24,7 +24,8 @@ NormalEquations& NormalEquations::operator+=(const NormalEquations& other) {
 }
 
 HandLinearisation::HandLinearisation(const HandModel& hand, const SkinnedSurface& surface, const Pose& pose)
-    : m_surface(surface), m_poseSize(hand.skeleton.poseSize()) {
+    : m_surface(surface)
+    , m_poseSize(hand.skeleton.poseSize()) {
     const Skeleton& skeleton = hand.skeleton;
     const std::vector<RigidMotion> worldFromBone = boneTransforms(skeleton, pose);
     for (std::size_t b = 0; b < skeleton.bones.size(); ++b) {
@@ -101,7 +102,7 @@ void HandLinearisation::writeRow(const Carried& carried, const Eigen::Vector3d& 
 
 void HandLinearisation::accumulate(const std::vector<RayCorrespondence>& correspondences,
                                    NormalEquations& equations) const {
-    constexpr Eigen::Index kBlock = 256; // rows of one rank update: fits the first-level cache
+    constexpr Eigen::Index kBlock = 256;      // rows of one rank update: fits the first-level cache
     Eigen::MatrixXd rows(m_poseSize, kBlock); // one column per residual row
     Eigen::VectorXd residuals(kBlock);
     Carried carried;

@@ -13,15 +13,15 @@ namespace core {
 
 /// A point on an edge of a hand's surface and the projection ray that it should lie on.
 struct RayCorrespondence {
-    int vertexA = 0;                ///< indices into the surface
+    int vertexA = 0; ///< indices into the surface
     int vertexB = 0;
-    double t = 0;                   ///< the point is (1 - t) A + t B
-    Eigen::Vector3d point;          ///< current position in the world, mm (bulge of the rim included)
-    Eigen::Vector3d rayPoint;       ///< any point of the ray, for instance the camera's centre
-    Eigen::Vector3d rayDirection;   ///< unit
-    Eigen::Vector3d normal;         ///< outward surface normal at the point
-    double weight = 1;              ///< of the squared distance
-    double tangentWeight = 1;       ///< extra factor on the part of the distance along the outline; 1 = the full distance
+    double t = 0;                 ///< the point is (1 - t) A + t B
+    Eigen::Vector3d point;        ///< current position in the world, mm (bulge of the rim included)
+    Eigen::Vector3d rayPoint;     ///< any point of the ray, for instance the camera's centre
+    Eigen::Vector3d rayDirection; ///< unit
+    Eigen::Vector3d normal;       ///< outward surface normal at the point
+    double weight = 1;            ///< of the squared distance
+    double tangentWeight = 1;     ///< extra factor on the part of the distance along the outline; 1 = the full distance
 };
 
 /// H s = -g of sum_i w_i |v_i(s) x d_i - m_i|^2 / 2 with exp(theta xi) ~ I + theta xi about the current pose.
@@ -36,8 +36,8 @@ struct NormalEquations {
 };
 
 /// What the Jacobians of one hand in one pose need: bone transforms and degree-of-freedom axes.
-/// Column of dof k with axis w_k through q_k: w_k x (S_k - a_k q_k), S_k = sum over bones below k of a_vj T_j v, a_k = the sum of
-/// their weights.
+/// Column of dof k with axis w_k through q_k: w_k x (S_k - a_k q_k), S_k = sum over bones below k of a_vj T_j v, a_k =
+/// the sum of their weights.
 class HandLinearisation {
 public:
     HandLinearisation(const HandModel& hand, const SkinnedSurface& surface, const Pose& pose);

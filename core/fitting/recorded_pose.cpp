@@ -14,10 +14,10 @@ namespace core {
 namespace {
 
 constexpr int kMaxIterations = 30;
-constexpr double kMinStep = 1e-9;        ///< the solver ends when no entry of a step (mm, rad) exceeds it
-constexpr double kRotationWeightMm = 5;  ///< 1 rad of rotation counts as much as this many mm
-constexpr double kLeastLeverMm = 10;     ///< ends of shorter bones are taken this far out
-constexpr double kDamping = 1e-6;        ///< relative to the diagonal
+constexpr double kMinStep = 1e-9;       ///< the solver ends when no entry of a step (mm, rad) exceeds it
+constexpr double kRotationWeightMm = 5; ///< 1 rad of rotation counts as much as this many mm
+constexpr double kLeastLeverMm = 10;    ///< ends of shorter bones are taken this far out
+constexpr double kDamping = 1e-6;       ///< relative to the diagonal
 
 /// Rigid part from the root, angles from each bone's rotation relative to its parent.
 Pose closedFormStart(const Skeleton& skeleton, const std::vector<RigidMotion>& worldFromBone) {
@@ -31,12 +31,15 @@ Pose closedFormStart(const Skeleton& skeleton, const std::vector<RigidMotion>& w
         const Eigen::Matrix3d atRest = skeleton.bones[parent].worldFromBoneAtRest.rotation.transpose() *
                                        skeleton.bones[bone].worldFromBoneAtRest.rotation;
         const Eigen::Matrix3d now = worldFromBone[parent].rotation.transpose() * worldFromBone[bone].rotation;
-        pose[kRigidDofs + static_cast<Eigen::Index>(d)] = skeleton.dofs[d].axisInBone.dot(rotationLog(atRest.transpose() * now));
+        pose[kRigidDofs + static_cast<Eigen::Index>(d)] =
+            skeleton.dofs[d].axisInBone.dot(rotationLog(atRest.transpose() * now));
     }
     return pose;
 }
 
-Eigen::Vector3d endInBone(const Bone& bone) { return {std::max(bone.lengthMm, kLeastLeverMm), 0, 0}; }
+Eigen::Vector3d endInBone(const Bone& bone) {
+    return {std::max(bone.lengthMm, kLeastLeverMm), 0, 0};
+}
 
 /// moved[b][d]: whether degree of freedom d moves bone b.
 std::vector<std::vector<bool>> movedBones(const Skeleton& skeleton) {
