@@ -13,6 +13,7 @@
 #include "core/benchmark/benchmark_run.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/scene_fingerprint.h"
+#include "core/benchmark/sweep.h"
 #include "core/error.h"
 #include "core/io/benchmark_folder.h"
 #include "core/io/benchmark_journal.h"
@@ -26,7 +27,7 @@ namespace app {
 namespace {
 
 struct BenchmarkArguments {
-    std::string dataset, setup = "synthetic", pairs, shard, out;
+    std::string dataset, setup = "synthetic", pairs, shard, sweep, out;
     std::vector<std::string> sequences;
     std::vector<std::string> methods = {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"};
     std::vector<std::string> external;
@@ -46,7 +47,7 @@ core::Shard shardFrom(const std::string& text) {
 core::BenchmarkOptions optionsFrom(const BenchmarkArguments& arguments) {
     core::BenchmarkOptions options;
     options.setup = arguments.setup == "realistic" ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
-    options.methods = arguments.methods;
+    options.methods = arguments.sweep.empty() ? arguments.methods : core::sweepMethods();
     options.threads = arguments.threads;
     options.shard = shardFrom(arguments.shard);
     return options;
@@ -72,6 +73,7 @@ core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::
     info.setup = options.setup;
     info.methods = options.methods;
     info.shard = options.shard;
+    info.sweep = !arguments.sweep.empty();
     info.joints = core::benchmarkJoints(scene, options.setup);
     info.pairs = arguments.pairs.empty() ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
                                          : core::readPairs(arguments.pairs);
@@ -150,6 +152,8 @@ void addBenchmarkVerb(CLI::App& program) {
     verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")->delimiter(',');
     verb->add_option("--seed", arguments->draw.seed, "Seed of the draw (0)");
     verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")->delimiter(',');
+    verb->add_option("--sweep", arguments->sweep, "figures: the settings of the paper's figures and every open option, instead of --methods")
+        ->check(CLI::IsMember({"figures"}));
     verb->add_option("--external", arguments->external,
                      "NAME=FILE: another tracker's joints (CSV sequence,start,test,hand,name,x,y,z, or JSON), a row of their own");
     verb->add_option("--pairs", arguments->pairs, "A pairs.json to use instead of drawing pairs");

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "core/benchmark/report.h"
 #include "core/benchmark/result_csv.h"
 #include "core/benchmark/result_table.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/gnuplot.h"
 
 namespace core {
 
@@ -64,6 +66,17 @@ void requireAllShards(const std::vector<BenchmarkFolder>& parts, const std::vect
     }
 }
 
+std::string reportOf(const BenchmarkFolder& content) {
+    ReportContent report{content.info.dataset, content.info.setup, content.info.sweep, &content.results, {}, {}};
+    report.figures = reportFigures(content.results, content.info.sweep);
+    std::vector<std::string> programs;
+    for (const Figure& figure : report.figures) {
+        programs.push_back(figure.gnuplot);
+    }
+    report.pictures = drawWithGnuplot(programs);
+    return reportHtml(report);
+}
+
 } // namespace
 
 BenchmarkFolder readBenchmarkFolder(const fs::path& folder) {
@@ -112,6 +125,7 @@ void writeBenchmarkTables(const fs::path& folder, const BenchmarkFolder& content
     writeFileAtomically(folder / "curves.csv", curvesCsv(content.results));
     writeFileAtomically(folder / "table.md", markdownTable(table));
     writeFileAtomically(folder / "table.tex", latexTable(table));
+    writeFileAtomically(folder / "report.html", reportOf(content));
 }
 
 void writeBenchmarkFolder(const fs::path& folder, const BenchmarkFolder& content) {

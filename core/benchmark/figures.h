@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/benchmark/benchmark_results.h"
+
+namespace core {
+
+/// A figure as a program for gnuplot (5.2 or newer) with its data inside; it prints an SVG to standard output.
+struct Figure {
+    std::string id;      ///< short, unique within a report
+    std::string title;
+    std::string caption; ///< what is drawn, and how to read it
+    std::string gnuplot;
+};
+
+/// The methods that overview figures show: those without options if there are any, at most `most`; other trackers are
+/// always among them.
+std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::size_t most = 9);
+
+/// Error curves, error over the difference, error per joint, and error against seconds; `methods` chooses the lines.
+std::vector<Figure> overviewFigures(const BenchmarkResults& results, const std::vector<std::string>& methods);
+
+/// The paper's sweeps under both schedules, as far as their methods were run, and the error curves of the best of each.
+std::vector<Figure> sweepResultFigures(const BenchmarkResults& results);
+
+} // namespace core

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "core/benchmark/report.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "core/benchmark/findings.h"
+#include "core/benchmark/metrics.h"
+#include "core/benchmark/number_text.h"
+#include "core/benchmark/result_table.h"
+#include "core/benchmark/sweep.h"
+
+namespace core {
+
+namespace {
+
+constexpr std::size_t kWorstPairs = 5; ///< listed per method
+
+const char* const kStyle =
+    "body{font:15px/1.5 sans-serif;color:#1f2328;max-width:1080px;margin:24px auto;padding:0 18px}\n"
+    "h1{font-size:24px}h2{font-size:19px;margin-top:36px}\n"
+    "table{border-collapse:collapse;font-variant-numeric:tabular-nums;margin:12px 0}\n"
+    "th,td{padding:3px 12px;border-bottom:1px solid #dfe2e6;text-align:right;white-space:nowrap}\n"
+    "th:first-child,td.text{text-align:left;white-space:normal;font-weight:normal}\n"
+    "thead th{border-bottom:2px solid #8b949e}tr.paper{color:#6e7781;font-style:italic}\n"
+    "figure{margin:18px 0}figure svg{width:100%;height:auto;max-width:860px}figcaption{color:#57606a}\n"
+    "code{background:#f3f4f6;padding:1px 5px;border-radius:3px}.no{color:#b42318}.yes{color:#17703a}.open{color:#8a6d00}\n";
+
+std::string cell(const std::string& text) {
+    return "<td class=\"text\">" + htmlEscaped(text) + "</td>";
+}
+
+std::string numberCell(double value, int digits) {
+    return "<td>" + fixedText(value, digits) + "</td>";
+}
+
+std::string introduction(const ReportContent& content) {
+    const BenchmarkResults& results = *content.results;
+    std::string text = "<p>" + std::to_string(results.pairs.size()) + " frame pairs, " +
+                       std::to_string(results.methods.size()) + " methods, " + std::to_string(results.joints.size()) +
+                       " joints. ";
+    text += content.setup == BenchmarkSetup::Synthetic
+                ? "Synthetic setup: targets are rendered from the recorded pose of the test frame; errors are over all named joints."
+                : "Realistic setup: targets come from the pictures; errors are over the annotated joints.";
+    text += " Mean ± standard deviation in mm for start poses that many frames away; seconds per pair run from masks in "
+            "memory to the final pose on one thread.</p>\n";
+    if (results.stopped) {
+        text += "<p class=\"no\">This run was stopped before its end: " + std::to_string(results.rows.size()) +
+                " rows are in.</p>\n";
+    }
+    return text;
+}
+
+std::string figuresHtml(const ReportContent& content) {
+    if (!content.pictures) {
+        return "<h2>Figures</h2>\n<p class=\"no\">gnuplot is not installed, so this report has no figures. Install the package "
+               "gnuplot-nox and run the same command again: nothing is computed twice.</p>\n";
+    }
+    std::string text = "<h2>Figures</h2>\n";
+    for (std::size_t i = 0; i < content.figures.size(); ++i) {
+        const Figure& figure = content.figures[i];
+        text += "<figure id=\"figure-" + figure.id + "\">\n<h3>" + htmlEscaped(figure.title) + "</h3>\n" +
+                (*content.pictures)[i] + "\n<figcaption>" + htmlEscaped(figure.caption) + "</figcaption>\n</figure>\n";
+    }
+    return text;
+}
+
+std::string findingCell(const Finding& finding) {
+    const char* kind = finding.verdict == Verdict::Reproduced ? "yes" : finding.verdict == Verdict::NotReproduced ? "no" : "open";
+    return "<td class=\"text\"><b class=\"" + std::string(kind) + "\">" + std::string(verdictName(finding.verdict)) +
+           "</b><br>" + htmlEscaped(finding.numbers) + "</td>";
+}
+
+std::string findingsHtml(const ReportContent& content) {
+    const auto paper = findings(*content.results, content.setup, Schedule::Paper);
+    const auto ours = findings(*content.results, content.setup, Schedule::RigidFirst);
+    std::string text = "<h2>Findings of the paper</h2>\n<p>Mean errors over all pairs, mm.</p>\n<table>\n<thead><tr><th>claim</th>"
+                       "<th>the paper's schedule</th><th>rigid phase first (default)</th></tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < paper.size(); ++i) {
+        text += "<tr>" + cell(paper[i].claim) + findingCell(paper[i]) + findingCell(ours[i]) + "</tr>\n";
+    }
+    return text + "</tbody>\n</table>\n";
+}
+
+std::string optionRow(const BenchmarkResults& results, const OpenOption& option, const std::string& variant) {
+    const ErrorStatistics base = errorStatistics(results, option.method);
+    const ErrorStatistics other = errorStatistics(results, variant);
+    std::string row = "<tr>" + cell(option.name) + cell(option.what) + cell(option.defaultValue) + cell(option.source) + cell(variant);
+    if (base.pairs == 0 || other.pairs == 0) {
+        return row + "<td></td><td></td><td></td><td></td></tr>\n";
+    }
+    return row + numberCell(other.meanMm, 2) + numberCell(other.meanMm - base.meanMm, 2) + numberCell(other.meanSeconds, 3) +
+           numberCell(1000 * (other.meanSeconds - base.meanSeconds), 0) + "</tr>\n";
+}
+
+std::string optionsHtml(const BenchmarkResults& results) {
+    std::string text = "<h2>Options that the paper leaves open</h2>\n<p>What each changes against its default, over all pairs.</p>\n"
+                       "<table>\n<thead><tr><th>option</th><th>what it decides</th><th>default</th><th>source</th><th>tried</th>"
+                       "<th>mm</th><th>± mm</th><th>s/pair</th><th>± ms</th></tr></thead>\n<tbody>\n";
+    for (const OpenOption& option : openOptions()) {
+        for (const std::string& variant : option.variants) {
+            text += optionRow(results, option, withOptions(variant, {}));
+        }
+    }
+    return text + "</tbody>\n</table>\n";
+}
+
+std::string worstHtml(const ReportContent& content) {
+    std::string text = "<h2>Worst pairs</h2>\n<table>\n<thead><tr><th>method</th><th>sequence</th><th>start</th><th>test</th>"
+                       "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
+    for (const std::string& method : headlineMethods(*content.results)) {
+        for (const PairResult& row : worstPairs(*content.results, method, kWorstPairs)) {
+            text += "<tr>" + cell(method) + cell(row.pair.sequence) + "<td>" + std::to_string(row.pair.start) + "</td><td>" +
+                    std::to_string(row.pair.test) + "</td>" + numberCell(row.initialErrorMm, 2) + numberCell(row.errorMm, 2) +
+                    "<td class=\"text\"><code>" + htmlEscaped(openCommand(content.dataset, row.pair)) + "</code></td></tr>\n";
+        }
+    }
+    return text + "</tbody>\n</table>\n";
+}
+
+/// The part of the results under one schedule, for a table of its own.
+BenchmarkResults underScheduleOnly(const BenchmarkResults& results, Schedule schedule) {
+    BenchmarkResults part = results;
+    std::erase_if(part.methods, [&](const std::string& method) {
+        const auto& external = results.external;
+        const bool isExternal = std::find(external.begin(), external.end(), method) != external.end();
+        return !isExternal && parseMethod(method).kind != MethodKind::Best && parseMethod(method).schedule != schedule;
+    });
+    return part;
+}
+
+bool hasPaperSchedule(const BenchmarkResults& results) {
+    return underScheduleOnly(results, Schedule::RigidFirst).methods.size() < results.methods.size();
+}
+
+std::string tablesHtml(const ReportContent& content) {
+    const BenchmarkResults& results = *content.results;
+    if (!hasPaperSchedule(results)) {
+        return htmlTable(resultTable(results, content.setup));
+    }
+    return "<h2>Rigid phase first (default)</h2>\n" +
+           htmlTable(resultTable(underScheduleOnly(results, Schedule::RigidFirst), content.setup)) +
+           "<h2>The paper's schedule</h2>\n" +
+           htmlTable(resultTable(underScheduleOnly(results, Schedule::Paper), content.setup));
+}
+
+/// A shell word: quoted only if it has to be.
+std::string shellWord(const std::string& text) {
+    const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 || std::string_view("/._-+,:=@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (plain) {
+        return text;
+    }
+    std::string word = "'";
+    for (const char c : text) {
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return word + "'";
+}
+
+} // namespace
+
+std::vector<Figure> reportFigures(const BenchmarkResults& results, bool sweep) {
+    std::vector<Figure> figures = overviewFigures(results, headlineMethods(results));
+    if (sweep) {
+        const std::vector<Figure> more = sweepResultFigures(results);
+        figures.insert(figures.end(), more.begin(), more.end());
+    }
+    return figures;
+}
+
+std::string openCommand(const std::string& dataset, const FramePair& pair) {
+    return "handlens " + shellWord(dataset) + " --sequence " + shellWord(pair.sequence) + " --frame " + std::to_string(pair.test);
+}
+
+std::string reportHtml(const ReportContent& content) {
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                       "<title>Handlens benchmark</title>\n<style>\n" +
+                       std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
+    text += introduction(content) + tablesHtml(content);
+    if (content.sweep) {
+        text += findingsHtml(content);
+    }
+    text += figuresHtml(content);
+    if (content.sweep) {
+        text += optionsHtml(*content.results);
+    }
+    return text + worstHtml(content) + "</body>\n</html>\n";
+}
+
+} // namespace core
