@@ -48,9 +48,9 @@ inline void addFinger(core::HandModel& hand, const FingerPlan& plan, const core:
     const int first = static_cast<int>(hand.skeleton.bones.size());
     hand.skeleton.bones.push_back({plan.firstJoint, 0, worldFromFirst, plan.firstMm});
     hand.skeleton.bones.push_back({plan.secondJoint, first, worldFromSecond, plan.secondMm});
-    hand.skeleton.dofs.push_back({plan.firstJoint + ".flexion", first, Eigen::Vector3d::UnitY(), -0.6, 1.2});
+    hand.skeleton.dofs.push_back({plan.firstJoint + ".flexion", first, Eigen::Vector3d::UnitY(), -0.8, 0.9});
     hand.skeleton.dofs.push_back({plan.firstJoint + ".abduction", first, Eigen::Vector3d::UnitZ(), -0.5, 0.5});
-    hand.skeleton.dofs.push_back({plan.secondJoint + ".flexion", first + 1, Eigen::Vector3d::UnitY(), -0.2, 1.5});
+    hand.skeleton.dofs.push_back({plan.secondJoint + ".flexion", first + 1, Eigen::Vector3d::UnitY(), -0.6, 1.1});
 
     const core::TriangleMesh skin = capsule(plan.firstMm + plan.secondMm, plan.radiusMm, 2.5, 24);
     append(hand.mesh, moved(skin, worldFromFirst));
@@ -64,6 +64,15 @@ inline void addFinger(core::HandModel& hand, const FingerPlan& plan, const core:
             }
         }
         hand.weights.firstEntry.push_back(static_cast<int>(hand.weights.entries.size()));
+    }
+}
+
+/// Takes a pose as the new rest pose: a relaxed hand's fingers are not straight, and surfaces bend at their joints.
+inline void restAt(core::HandModel& hand, const core::Pose& pose) {
+    const std::vector<core::RigidMotion> worldFromBone = core::boneTransforms(hand.skeleton, pose);
+    hand.mesh.vertices = core::posedVertices(hand, pose);
+    for (std::size_t b = 0; b < worldFromBone.size(); ++b) {
+        hand.skeleton.bones[b].worldFromBoneAtRest = worldFromBone[b];
     }
 }
 
@@ -82,6 +91,9 @@ inline core::HandModel twoFingerHand(core::Side side, const core::RigidMotion& w
     }
     addFinger(hand, {"index_mcp", "index_pip", {70, 8, 0}, {1, 0.1, 0}, 42, 32, 9}, worldFromHand);
     addFinger(hand, {"thumb_mcp", "thumb_ip", {25, 28, 2}, {0.6, 0.8, 0.1}, 36, 30, 10}, worldFromHand);
+    core::Pose relaxed = hand.skeleton.restPose();
+    relaxed.tail(6) << 0.3, 0, 0.5, 0.2, 0, 0.4;
+    restAt(hand, relaxed);
     return hand;
 }
 
