@@ -10,6 +10,8 @@
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
+#include "core/io/gltf_import.h"
+#include "core/io/rig_file.h"
 #include "core/io/tzionas_import.h"
 
 namespace app {
@@ -51,12 +53,40 @@ void addTzionas(CLI::App& import) {
     verb->callback([arguments] { importTzionas(*arguments); });
 }
 
+struct GltfArguments {
+    std::string left, right, rig, out;
+};
+
+void importGltf(const GltfArguments& arguments) {
+    const core::Rig rig = arguments.rig.empty() ? core::defaultRig("webxr") : core::readRig(arguments.rig);
+    core::NewDataset imported = core::importGltf(arguments.left, arguments.right, rig);
+    imported.dataset.name = std::filesystem::path(arguments.out).filename().string();
+    core::writeDataset(imported.dataset, imported.motions, arguments.out);
+    for (const core::HandModel& hand : imported.dataset.hands) {
+        std::printf("%s hand: %zu vertices, %zu triangles, %d degrees of freedom\n", core::sideName(hand.side).data(),
+                    hand.mesh.vertices.size(), hand.mesh.triangles.size(), hand.skeleton.poseSize());
+    }
+    std::printf("%s: %zu sequences, %zu cameras\n", arguments.out.c_str(), imported.dataset.sequences.size(),
+                imported.dataset.cameras.size());
+}
+
+void addGltf(CLI::App& import) {
+    auto arguments = std::make_shared<GltfArguments>();
+    CLI::App* verb = import.add_subcommand("gltf", "Two skinned hands from glTF files (.gltf, .glb)");
+    verb->add_option("--left", arguments->left, "The left hand's file")->required();
+    verb->add_option("--right", arguments->right, "The right hand's file; it may be the same")->required();
+    verb->add_option("--rig", arguments->rig, "Rig file: joint names, axes and limits (default: WebXR hands)");
+    verb->add_option("--out", arguments->out, "The dataset folder to create")->required();
+    verb->callback([arguments] { importGltf(*arguments); });
+}
+
 } // namespace
 
 void addImportVerb(CLI::App& program) {
     CLI::App* import = program.add_subcommand("import", "Make a dataset from other programs' files");
     import->require_subcommand(1);
     addTzionas(*import);
+    addGltf(*import);
 }
 
 } // namespace app

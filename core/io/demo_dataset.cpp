@@ -18,26 +18,34 @@ std::vector<HandModel> makeDemoHands() {
     return {mirroredHand(right), right};
 }
 
-NewDataset makeDemoDataset() {
+std::vector<Choreography> demoChoreographies(const std::vector<HandModel>& hands) {
     const std::string name = "demo/choreographies.json";
-    const nlohmann::json choreographies = embeddedOwnFile(name, "demo-choreographies");
-    NewDataset demo;
-    Dataset& dataset = demo.dataset;
-    dataset.name = "demo";
-    dataset.hands = makeDemoHands();
+    return choreographiesFromJson(embeddedOwnFile(name, "demo-choreographies"), hands, name);
+}
+
+NewDataset playedDataset(const std::vector<HandModel>& hands, const std::vector<Choreography>& choreographies) {
+    NewDataset played;
+    Dataset& dataset = played.dataset;
+    dataset.hands = hands;
     dataset.handFiles = {"hands/left.json", "hands/right.json"};
-    for (const Choreography& choreography : choreographiesFromJson(choreographies, dataset.hands, name)) {
+    for (const Choreography& choreography : choreographies) {
         Sequence sequence;
         sequence.name = choreography.name;
         sequence.frameCount = choreography.frameCount;
-        sequence.framesPerSecond = choreographies["framesPerSecond"].get<double>();
         sequence.motion = "motion/" + sequence.name + ".json";
         sequence.annotations = "annotations/" + sequence.name + ".sqlite";
         dataset.sequences.push_back(std::move(sequence));
-        demo.motions.push_back(play(choreography, dataset.hands));
+        played.motions.push_back(play(choreography, dataset.hands));
     }
-    dataset.cameras = cameraRing(recordedVolume(dataset.hands, demo.motions));
+    dataset.cameras = cameraRing(recordedVolume(dataset.hands, played.motions));
     addRenderedViews(dataset);
+    return played;
+}
+
+NewDataset makeDemoDataset() {
+    const std::vector<HandModel> hands = makeDemoHands();
+    NewDataset demo = playedDataset(hands, demoChoreographies(hands));
+    demo.dataset.name = "demo";
     return demo;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/hand/choreography.h"
 #include "core/io/ring_views.h"
 
 namespace core {
@@ -11,5 +12,11 @@ NewDataset makeDemoDataset();
 
 /// The demo's hands, left and right.
 std::vector<HandModel> makeDemoHands();
+
+/// The demo's choreographies for any two hands, left and right, with its degrees of freedom.
+std::vector<Choreography> demoChoreographies(const std::vector<HandModel>& hands);
+
+/// A dataset of choreographies played by hands: one sequence each, 50 frames per second, 8 cameras on a ring, rendered views.
+NewDataset playedDataset(const std::vector<HandModel>& hands, const std::vector<Choreography>& choreographies);
 
 } // namespace core

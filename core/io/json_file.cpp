@@ -81,24 +81,25 @@ int nestingDepth(std::string_view text) {
     return deepest;
 }
 
-json readJsonFile(const fs::path& file) {
-    const std::string text = readTextFile(file);
+json parseJson(std::string_view text, const std::string& file) {
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
-        throw Error(ErrorCode::BadInput, file.string(), "", "is empty");
+        throw Error(ErrorCode::BadInput, file, "", "is empty");
     }
     if (nestingDepth(text) > kMaxDepth) {
-        throw Error(ErrorCode::BadInput, file.string(), "", "is nested more than 64 levels deep");
+        throw Error(ErrorCode::BadInput, file, "", "is nested more than 64 levels deep");
     }
     try {
         return json::parse(text);
     } catch (const json::parse_error& failure) {
         const bool isCut = failure.byte >= text.size();
-        throw Error(ErrorCode::BadInput, file.string(), lineAndColumn(text, failure.byte),
+        throw Error(ErrorCode::BadInput, file, lineAndColumn(text, failure.byte),
                     isCut ? "the file ends too early: it is cut off or no JSON" : "not JSON");
     } catch (const json::out_of_range&) {
-        throw Error(ErrorCode::BadInput, file.string(), "", "holds a number that is too large");
+        throw Error(ErrorCode::BadInput, file, "", "holds a number that is too large");
     }
 }
+
+json readJsonFile(const fs::path& file) { return parseJson(readTextFile(file), file.string()); }
 
 json readOwnFile(const fs::path& file, const std::string& kind) {
     json value = readJsonFile(file);

@@ -15,6 +15,9 @@ namespace core {
 /// or is nested more than 64 deep.
 nlohmann::json readJsonFile(const std::filesystem::path& file);
 
+/// The same for text that is at hand; `file` is named in errors.
+nlohmann::json parseJson(std::string_view text, const std::string& file);
+
 /// Reads a file of one of our own formats, `handlens-<kind>`: format and version are looked at first (Newer if the version
 /// is not known), then the whole is checked against the schema of that kind (resources/schemas/<kind>.schema.json).
 nlohmann::json readOwnFile(const std::filesystem::path& file, const std::string& kind);
