@@ -43,7 +43,7 @@ struct Line {
     std::string name;
     std::string colour;
     std::vector<std::array<double, 2>> points;
-    bool markers = true;
+    const char* style = "linespoints pt 7 ps 0.5";
 };
 
 std::string quoted(const std::string& text) {
@@ -75,8 +75,7 @@ std::string plotOf(const std::vector<Line>& lines) {
             }
         }
         data += "EOD\n";
-        plot += (i == 0 ? "plot " : ", ") + block + " using 1:2 with " + (lines[i].markers ? "linespoints pt 7 ps 0.5" : "lines") +
-                " lw 2 lc rgb '" + lines[i].colour + "' title " + quoted(lines[i].name);
+        plot += (i == 0 ? "plot " : ", ") + block + " using 1:2 with " + lines[i].style + " lw 2 lc rgb '" + lines[i].colour + "' title " + quoted(lines[i].name);
     }
     return data + plot + "\n";
 }
@@ -93,7 +92,7 @@ Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::stri
         if (curve.method != "initial" && at == methods.end()) {
             continue;
         }
-        Line line{curve.method, colourOf(curve.method, lines.size()), {}, false};
+        Line line{curve.method, colourOf(curve.method, lines.size()), {}, "lines"};
         for (std::size_t i = 0; i < curve.share.size(); ++i) {
             line.points.push_back({curve.thresholdsMm[i], 100 * curve.share[i]});
         }
@@ -106,7 +105,7 @@ Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::stri
 Figure differencesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
     std::vector<Line> lines;
     for (const std::string& method : methods) {
-        Line line{method, colourOf(method, lines.size()), {}, true};
+        Line line{method, colourOf(method, lines.size()), {}};
         for (const int difference : differencesOf(results)) {
             const ErrorStatistics statistics = errorStatistics(results, method, difference);
             if (statistics.pairs > 0) {
@@ -127,7 +126,7 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
     }
     std::vector<Line> lines;
     for (const std::string& method : methods) {
-        Line line{method, colourOf(method, lines.size()), {}, true};
+        Line line{method, colourOf(method, lines.size()), {}};
         const std::vector<double> means = meanJointErrorsMm(results, method);
         for (std::size_t j = 0; j < means.size(); ++j) {
             if (!std::isnan(means[j])) {
@@ -137,7 +136,7 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
         lines.push_back(std::move(line));
     }
     return {"joints", "Error per joint", "Mean error of every joint over all pairs.",
-            preamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset bmargin 9\n" +
+            preamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset bmargin 7.5\n" +
                 "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + plotOf(lines)};
 }
 
@@ -146,12 +145,13 @@ Figure speedFigure(const BenchmarkResults& results, const std::vector<std::strin
     for (const std::string& method : methods) {
         const ErrorStatistics statistics = errorStatistics(results, method);
         if (statistics.pairs > 0 && statistics.meanSeconds > 0) {
-            lines.push_back({method, colourOf(method, lines.size()), {{statistics.meanSeconds, statistics.meanMm}}, true});
+            lines.push_back({method, colourOf(method, lines.size()), {{statistics.meanSeconds, statistics.meanMm}},
+                             "points pt 7 ps 1.2"});
         }
     }
     return {"speed", "Error against time", "One point per method; further left is faster, further down is more exact.",
             preamble("speed", "seconds per pair", "mean error (mm)") +
-                "set yrange [0:*]\nset xrange [0:*]\nset pointsize 2.5\n" + plotOf(lines)};
+                "set yrange [0:*]\nset xrange [0:*]\n" + plotOf(lines)};
 }
 
 std::string scheduleName(Schedule schedule) {
@@ -161,7 +161,7 @@ std::string scheduleName(Schedule schedule) {
 std::vector<Line> linesOf(const BenchmarkResults& results, const SweepFigure& sweep) {
     std::vector<Line> lines;
     for (const SweepSeries& series : sweep.series) {
-        Line line{series.name, kOtherColours[lines.size() % kOtherColours.size()], {}, true};
+        Line line{series.name, kOtherColours[lines.size() % kOtherColours.size()], {}};
         for (const SweepPoint& point : series.points) {
             const ErrorStatistics statistics = errorStatistics(results, point.method);
             if (statistics.pairs > 0) {
