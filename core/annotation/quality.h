@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/annotation/sequence_points.h"
+#include "core/hand/hand_model.h"
+
+namespace core {
+
+/// What a check found.
+enum class QualityKind {
+    Disagreement, ///< a click is an outlier, or two or more views give no point; value: px (0 without a point)
+    BoneLength,   ///< value: percent away from the sequence's median
+    JointAngle,   ///< the hand model would have to bend beyond its limits; value: degrees beyond
+    FingerOrder,  ///< knuckles not in order, or two fingers exchanged; value: mm out of order
+    HandMixUp,    ///< looks like the other hand; value: mm, or degrees of bending the wrong way
+    SharedPixel   ///< two joints on one pixel; value: px between them
+};
+std::string_view qualityKindName(QualityKind kind); ///< "disagreement", "bone length", "joint angle", ...
+
+/// One row of the list of doubts: it says where to look.
+struct QualityFinding {
+    int frame = 0;
+    JointId joint;
+    QualityKind kind = QualityKind::Disagreement;
+    double value = 0;
+    std::string text;   ///< English, for people
+    std::string camera; ///< if it is about one view, else empty
+    bool operator==(const QualityFinding&) const = default;
+};
+
+struct QualityOptions {
+    TriangulationOptions triangulation;
+    double boneLengthShare = 0.10;   ///< flagged if |length / median - 1| is above it
+    int leastFramesForMedian = 3;    ///< bones seen in fewer frames are not judged
+    double angleToleranceDeg = 10;   ///< flagged if an angle leaves its limits by more
+    double knuckleToleranceMm = 2;   ///< flagged if knuckles are out of order by more
+    double wrongBendDeg = 15;        ///< fingers bent backwards by more on average belong to the other hand
+    double sharedPixelPx = 1;        ///< marks of one view nearer than this, unless their 3D points lie behind each other there
+};
+
+/// Length of each bone (by its far joint) in the median over a sequence, mm.
+using BoneLengths = std::map<JointId, double>;
+BoneLengths medianBoneLengths(const SequencePoints& points, int leastFrames);
+
+/// The doubts about one frame, given the sequence's bone lengths. `previous` are the points of the annotated frame before, if
+/// it is near: it tells whether hands were exchanged. Angles are checked only with `hands`.
+std::vector<QualityFinding> checkFrame(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+                                       const BoneLengths& lengths, const JointPoints* previous, const std::vector<HandModel>& hands,
+                                       const QualityOptions& options = {});
+
+/// The doubts about all frames of a sequence, by frame.
+std::vector<QualityFinding> checkSequence(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
+                                          const std::vector<HandModel>& hands, const QualityOptions& options = {});
+
+} // namespace core

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/annotation/annotation_set.h"
+#include "core/annotation/reconstruction.h"
+
+namespace core {
+
+/// All joints of one frame that have a 3D point.
+using JointPoints = std::map<JointId, TriangulatedPoint>;
+/// The same for every frame of a sequence in which there are any.
+using SequencePoints = std::map<int, JointPoints>;
+
+/// Triangulates everything that one rater has marked.
+SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
+                              const TriangulationOptions& options = {});
+
+/// The median; of an even number of values, the mean of the two in the middle. At least one value.
+double medianOf(std::vector<double> values);
+
+} // namespace core
