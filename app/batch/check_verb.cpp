@@ -14,11 +14,11 @@ namespace app {
 namespace {
 
 void check(const std::string& path) {
-    const std::vector<core::Finding> findings = core::checkPath(path);
-    for (const core::Finding& finding : findings) {
+    const std::vector<core::CheckFinding> findings = core::checkPath(path);
+    for (const core::CheckFinding& finding : findings) {
         std::printf("%s%s\n", finding.isNote ? "note: " : "", finding.text.c_str());
     }
-    const auto problems = std::count_if(findings.begin(), findings.end(), [](const core::Finding& finding) { return !finding.isNote; });
+    const auto problems = std::count_if(findings.begin(), findings.end(), [](const core::CheckFinding& finding) { return !finding.isNote; });
     if (problems > 0) {
         throw core::Error(core::ErrorCode::BadInput, path, "", std::to_string(problems) + (problems == 1 ? " problem" : " problems"));
     }

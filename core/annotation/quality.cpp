@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <Eigen/Geometry>
 
 #include "core/annotation/hand_chains.h"
 #include "core/fitting/joint_fit.h"
+#include "core/numeric/number_text.h"
 
 namespace core {
 
@@ -32,11 +32,7 @@ std::string_view qualityKindName(QualityKind kind) {
 
 namespace {
 
-std::string number(double value, int digits = 1) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    return text;
-}
+std::string number(double value, int digits = 1) { return fixedText(value, digits); }
 
 using Points = std::map<JointId, TriangulatedPoint>;
 

@@ -6,7 +6,7 @@
 
 #include "core/benchmark/findings.h"
 #include "core/benchmark/metrics.h"
-#include "core/benchmark/number_text.h"
+#include "core/numeric/number_text.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
 

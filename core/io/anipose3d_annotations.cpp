@@ -42,9 +42,9 @@ CsvRow rowOf(const ExportJob& job, int frame, const std::vector<std::pair<std::s
         const TriangulatedPoint& point = *found->second.result.point;
         const auto used = std::count(point.inlier.begin(), point.inlier.end(), true);
         for (int axis = 0; axis < 3; ++axis) {
-            row.push_back(numberText(point.pointInWorld[axis]));
+            row.push_back(exactText(point.pointInWorld[axis]));
         }
-        row.insert(row.end(), {numberText(point.rmsPx), std::to_string(used), "1"});
+        row.insert(row.end(), {exactText(point.rmsPx), std::to_string(used), "1"});
     }
     row.insert(row.end(), {"1", "0", "0", "0", "1", "0", "0", "0", "1", "0", "0", "0", std::to_string(frame)});
     return row;

@@ -2,8 +2,6 @@
 #include "core/io/csv_text.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "core/error.h"
 #include "core/io/text_file.h"
@@ -105,12 +103,6 @@ std::string csvLine(const CsvRow& row) {
         line += '"';
     }
     return line + "\n";
-}
-
-std::string numberText(double value) {
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    return {text.data(), end};
 }
 
 std::optional<double> cellNumber(std::string_view cell, const std::string& file, const std::string& field) {

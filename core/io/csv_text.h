@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/numeric/number_text.h"
+
 namespace core {
 
 using CsvRow = std::vector<std::string>;
@@ -18,9 +20,6 @@ std::vector<CsvRow> readCsv(const std::filesystem::path& file);
 
 /// One line with its line end; cells are quoted where needed.
 std::string csvLine(const CsvRow& row);
-
-/// The shortest text that reads back as exactly that number.
-std::string numberText(double value);
 
 /// The number in a cell; nothing for a missing value (empty, NaN, nan, null, NA). Throws Error(BadInput) naming file and
 /// `field` for anything else.

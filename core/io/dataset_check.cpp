@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/io/annotation_store.h"
 #include "core/io/cameras_file.h"
 #include "core/io/dataset.h"
 #include "core/io/hand_file.h"
@@ -20,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Findings = std::vector<Finding>;
+using Findings = std::vector<CheckFinding>;
 
 /// Runs a step; what it throws becomes a finding.
 void attempt(Findings& findings, const std::function<void()>& step) {
@@ -101,6 +102,25 @@ void checkFilesOf(Findings& findings, const Dataset& dataset, const Sequence& se
     }
 }
 
+/// The file must be whole; marks of cameras or frames that are gone are worth knowing.
+void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence& sequence) {
+    const fs::path file = dataset.folder / sequence.annotations;
+    if (sequence.annotations.empty() || !fs::exists(file)) {
+        return;
+    }
+    int lostFrames = 0, lostCameras = 0;
+    for (const auto& [key, mark] : AnnotationStore::open(file, StoreAccess::ReadOnly).annotations().marks) {
+        lostFrames += key.frame < 0 || key.frame >= sequence.frameCount ? 1 : 0;
+        lostCameras += dataset.cameraIndex(key.camera) < 0 ? 1 : 0;
+    }
+    if (lostFrames > 0) {
+        findings.push_back({true, file.string() + ": " + std::to_string(lostFrames) + " marks lie in frames that the sequence does not have"});
+    }
+    if (lostCameras > 0) {
+        findings.push_back({true, file.string() + ": " + std::to_string(lostCameras) + " marks are of cameras that the dataset does not have"});
+    }
+}
+
 void checkDataset(Findings& findings, const fs::path& folder) {
     const Dataset dataset = readDataset(folder);
     for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
@@ -113,10 +133,15 @@ void checkDataset(Findings& findings, const fs::path& folder) {
             checkVisible(findings, dataset, sequence, motion);
         });
         checkFilesOf(findings, dataset, sequence);
+        attempt(findings, [&] { checkAnnotations(findings, dataset, sequence); });
     }
 }
 
 void checkFile(Findings& findings, const fs::path& file) {
+    if (file.extension() == ".sqlite") {
+        AnnotationStore::open(file, StoreAccess::ReadOnly).annotations();
+        return;
+    }
     const nlohmann::json value = readJsonFile(file);
     const std::string format = value.is_object() && value.contains("format") && value["format"].is_string() ? value["format"].get<std::string>() : "";
     if (format == "handlens-hand") {
@@ -134,7 +159,7 @@ void checkFile(Findings& findings, const fs::path& file) {
 
 } // namespace
 
-std::vector<Finding> checkPath(const fs::path& path) {
+std::vector<CheckFinding> checkPath(const fs::path& path) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
         throw Error(ErrorCode::NotFound, path.string(), "", "no such file or folder");

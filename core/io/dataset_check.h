@@ -8,13 +8,13 @@
 namespace core {
 
 /// One finding of a check. A note (such as recorded angles outside the limits) is worth knowing but no problem.
-struct Finding {
+struct CheckFinding {
     bool isNote = false;
     std::string text; ///< FILE: FIELD: what
 };
 
 /// Everything that is wrong with a dataset folder, or with one of our own files (cameras, hand): unlike readDataset it goes on after the
 /// first problem where it can. Throws Error(NotFound) only if there is nothing of that name.
-std::vector<Finding> checkPath(const std::filesystem::path& path);
+std::vector<CheckFinding> checkPath(const std::filesystem::path& path);
 
 } // namespace core

@@ -23,9 +23,9 @@ CsvRow pointRow(const ExportJob& job, int frame, const std::string& rater, const
     }
     if (const auto& point = joint.result.point) {
         for (int axis = 0; axis < 3; ++axis) {
-            row.push_back(numberText(point->pointInWorld[axis]));
+            row.push_back(exactText(point->pointInWorld[axis]));
         }
-        row.insert(row.end(), {numberText(sigmaMm(point->covariance)), numberText(point->rmsPx)});
+        row.insert(row.end(), {exactText(sigmaMm(point->covariance)), exactText(point->rmsPx)});
     } else {
         row.insert(row.end(), 5, "");
     }
@@ -52,7 +52,7 @@ void writeMarkCsv(const ExportJob& job) {
     for (const auto& [key, mark] : job.set.marks) {
         if (key.rater == job.rater) {
             text += csvLine({job.sequence.name, std::to_string(key.frame), key.rater, std::string(sideName(key.joint.hand)), key.joint.joint,
-                             key.camera, mark.isPlaced() ? numberText(mark.px.x()) : "", mark.isPlaced() ? numberText(mark.px.y()) : "",
+                             key.camera, mark.isPlaced() ? exactText(mark.px.x()) : "", mark.isPlaced() ? exactText(mark.px.y()) : "",
                              std::string(stateName(mark.state)), std::string(placementName(mark.placement))});
         }
     }

@@ -48,11 +48,11 @@ CsvRow cellsOf(const ExportJob& job, int frame, const std::vector<std::pair<std:
     CsvRow cells;
     for (const auto& [name, joint] : joints) {
         const auto mark = placedMark(job, frame, joint, camera);
-        cells.push_back(mark ? numberText(mark->px.x()) : "");
-        cells.push_back(mark ? numberText(mark->px.y()) : "");
+        cells.push_back(mark ? exactText(mark->px.x()) : "");
+        cells.push_back(mark ? exactText(mark->px.y()) : "");
         if (withLikelihood) {
             const bool isVisible = mark && mark->state == MarkState::Visible;
-            cells.push_back(mark ? numberText(isVisible ? kVisibleLikelihood : kOccludedLikelihood) : "");
+            cells.push_back(mark ? exactText(isVisible ? kVisibleLikelihood : kOccludedLikelihood) : "");
         }
     }
     return cells;

@@ -17,7 +17,7 @@ std::string joined(const std::vector<std::string>& cells) {
 }
 
 std::string header(const ExportJob& job, const std::vector<std::pair<std::string, JointId>>& joints) {
-    const std::string rate = numberText(job.sequence.framesPerSecond), frames = std::to_string(job.sequence.frameCount);
+    const std::string rate = exactText(job.sequence.framesPerSecond), frames = std::to_string(job.sequence.frameCount);
     std::vector<std::string> names{"Frame#", "Time"}, axes{"", ""};
     for (std::size_t i = 0; i < joints.size(); ++i) {
         const std::string number = std::to_string(i + 1);
@@ -41,11 +41,11 @@ void writeTrc(const ExportJob& job) {
     std::string text = header(job, joints);
     for (int frame = 0; frame < job.sequence.frameCount; ++frame) {
         const auto points = pointsOf(job, frame);
-        std::vector<std::string> row{std::to_string(frame + 1), numberText(frame / job.sequence.framesPerSecond)};
+        std::vector<std::string> row{std::to_string(frame + 1), exactText(frame / job.sequence.framesPerSecond)};
         for (const auto& [name, joint] : joints) {
             const auto found = points.find(joint);
             for (int axis = 0; axis < 3; ++axis) {
-                row.push_back(found == points.end() ? "" : numberText(found->second.result.point->pointInWorld[axis]));
+                row.push_back(found == points.end() ? "" : exactText(found->second.result.point->pointInWorld[axis]));
             }
         }
         text += joined(row);

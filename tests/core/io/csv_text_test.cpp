@@ -30,9 +30,9 @@ TEST(CsvText, NumbersComeBackExactly) {
     std::mt19937_64 random(5);
     for (int i = 0; i < 1000; ++i) {
         const double value = std::ldexp(static_cast<double>(random()) - 9e18, static_cast<int>(random() % 80) - 60);
-        EXPECT_EQ(core::cellNumber(core::numberText(value), "f", ""), value);
+        EXPECT_EQ(core::cellNumber(core::exactText(value), "f", ""), value);
     }
-    EXPECT_EQ(core::numberText(0.1), "0.1");
+    EXPECT_EQ(core::exactText(0.1), "0.1");
 }
 
 TEST(CsvText, MissingIsNotZeroAndTextIsNoNumber) {
