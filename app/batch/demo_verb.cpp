@@ -23,7 +23,8 @@ void writeDemo(const std::string& out) {
 
 void addDemoVerb(CLI::App& program) {
     auto out = std::make_shared<std::string>();
-    CLI::App* verb = program.add_subcommand("demo", "Write the demo dataset: two hands, four choreographies, eight views");
+    CLI::App* verb =
+        program.add_subcommand("demo", "Write the demo dataset: two hands, four choreographies, eight views");
     verb->add_option("--out", *out, "The dataset folder to create")->required();
     verb->callback([out] { writeDemo(*out); });
 }

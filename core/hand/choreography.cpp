@@ -118,8 +118,8 @@ std::vector<double> smoothEnvelope(const std::vector<double>& values, int reach)
     return smooth;
 }
 
-/// How far the hands must move apart in each frame for the wanted gap. Where no part of one hand lies over the other there
-/// is nothing to keep apart: 0.
+/// How far the hands must move apart in each frame for the wanted gap. Where no part of one hand lies over the other
+/// there is nothing to keep apart: 0.
 std::vector<double> neededShifts(const ContactRule& rule, const StageCurves& stage, const std::vector<HandModel>& hands,
                                  const std::vector<HandPoses>& motion) {
     const MonotoneCubic wantedGap = curve(rule.gaps, [](const GapKey& key) { return key.gapMm; });
@@ -138,8 +138,8 @@ void keepInTouch(const ContactRule& rule, const StageCurves& stage, const std::v
                  std::vector<HandPoses>& motion) {
     const std::vector<double> shifts = smoothEnvelope(neededShifts(rule, stage, hands, motion), rule.smoothFrames);
     for (std::size_t frame = 0; frame < motion.size(); ++frame) {
-        const Eigen::Vector3d apart = shifts[frame] * (stage.worldFromStage(static_cast<double>(frame)).rotation *
-                                                       rule.direction.normalized());
+        const Eigen::Vector3d apart =
+            shifts[frame] * (stage.worldFromStage(static_cast<double>(frame)).rotation * rule.direction.normalized());
         motion[frame][0].head<3>() -= (1 - rule.secondShare) * apart;
         motion[frame][1].head<3>() += rule.secondShare * apart;
     }

@@ -33,9 +33,9 @@ struct GapKey {
     double gapMm = 0;
 };
 
-/// Keeps two hands in touch: along `direction` (from the first hand to the second) they are moved until the room between
-/// their skins is the gap, or somewhat more where the movement would not be smooth. The second hand does `secondShare`
-/// of the movement, the first one the rest.
+/// Keeps two hands in touch: along `direction` (from the first hand to the second) they are moved until the room
+/// between their skins is the gap, or somewhat more where the movement would not be smooth. The second hand does
+/// `secondShare` of the movement, the first one the rest.
 struct ContactRule {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitX(); ///< on the stage
     double secondShare = 0.5;
@@ -43,8 +43,8 @@ struct ContactRule {
     std::vector<GapKey> gaps;
 };
 
-/// Key poses of two hands that play together, and how they are tied. Between keys every value follows a monotone cubic, so
-/// nothing overshoots a key and angles that are within their limits at the keys stay there.
+/// Key poses of two hands that play together, and how they are tied. Between keys every value follows a monotone cubic,
+/// so nothing overshoots a key and angles that are within their limits at the keys stay there.
 struct Choreography {
     std::string name;
     int frameCount = 0;
@@ -57,8 +57,8 @@ struct Choreography {
 std::vector<HandPoses> play(const Choreography& choreography, const std::vector<HandModel>& hands);
 
 /// Room between two surfaces along `direction` (unit, from the first to the second): how far the second may move
-/// against it until they touch; negative if it has to move along it. Surfaces that do not face each other give infinity.
-/// Sampled on a grid of `cellMm`.
+/// against it until they touch; negative if it has to move along it. Surfaces that do not face each other give
+/// infinity. Sampled on a grid of `cellMm`.
 double gapAlong(const Eigen::Vector3d& direction, const std::vector<Eigen::Vector3d>& first,
                 const std::vector<std::array<int, 3>>& firstTriangles, const std::vector<Eigen::Vector3d>& second,
                 const std::vector<std::array<int, 3>>& secondTriangles, double cellMm = 1.5);

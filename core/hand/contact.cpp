@@ -17,9 +17,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class HeightField {
 public:
     HeightField(const Eigen::AlignedBox2d& box, double cellMm)
-        : m_low(box.min()), m_cellMm(cellMm),
-          m_count(((box.sizes() / cellMm).array().floor() + 1).cast<int>().matrix()),
-          m_height(static_cast<std::size_t>(m_count.prod()), -kInfinity) {}
+        : m_low(box.min())
+        , m_cellMm(cellMm)
+        , m_count(((box.sizes() / cellMm).array().floor() + 1).cast<int>().matrix())
+        , m_height(static_cast<std::size_t>(m_count.prod()), -kInfinity) {}
 
     /// Corners: x, y in the plane, z the height.
     void raise(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {

@@ -18,8 +18,7 @@ std::vector<RigidMotion> restFrames(const DemoHandShape& shape, const Rig& rig) 
         const std::vector<std::string> names = rayJointNames(ray);
         for (std::size_t j = 0; j < names.size(); ++j) {
             const std::size_t from = std::min(j, names.size() - 2);
-            frames[names[j]] =
-                anatomicalFrame(ray.joints[j], ray.joints[from + 1] - ray.joints[from], ray.dorsal);
+            frames[names[j]] = anatomicalFrame(ray.joints[j], ray.joints[from + 1] - ray.joints[from], ray.dorsal);
         }
     }
     std::vector<RigidMotion> result;

@@ -20,7 +20,7 @@ struct RayShape {
     Eigen::Vector3d dorsal;              ///< towards its back (the nail's side)
     SweptSolidShape metacarpal;
     SweptSolidShape digit;
-    std::vector<double> bendMm;          ///< per joint but the tip: half the length over which the skin bends
+    std::vector<double> bendMm; ///< per joint but the tip: half the length over which the skin bends
 };
 
 /// A cushion of the palm: an ellipsoid.
@@ -39,14 +39,14 @@ struct DemoHandShape {
     std::vector<Eigen::Vector3d> forearmPath;
     SweptSolidShape forearm;
     std::vector<PadShape> pads;
-    double palmBlendMm = 0;   ///< widths over which parts melt into each other
+    double palmBlendMm = 0; ///< widths over which parts melt into each other
     double padBlendMm = 0;
     double webBlendMm = 0;    ///< between neighbouring fingers
     double fingerBlendMm = 0; ///< between fingers and palm
     double thumbBlendMm = 0;
-    double gridStepMm = 0;    ///< of the first, fine surface
-    double fingerEdgeMm = 0;  ///< wanted edge length on the fingers
-    double palmEdgeMm = 0;    ///< on palm and forearm
+    double gridStepMm = 0;   ///< of the first, fine surface
+    double fingerEdgeMm = 0; ///< wanted edge length on the fingers
+    double palmEdgeMm = 0;   ///< on palm and forearm
     int relaxations = 0;
 };
 

@@ -7,7 +7,8 @@
 namespace core {
 
 DemoHandSolid::DemoHandSolid(const DemoHandShape& shape)
-    : m_shape(shape), m_forearm(shape.forearmPath, Eigen::Vector3d::UnitZ(), shape.forearm) {
+    : m_shape(shape)
+    , m_forearm(shape.forearmPath, Eigen::Vector3d::UnitZ(), shape.forearm) {
     for (const RayShape& ray : shape.rays) {
         m_metacarpals.emplace_back(ray.joints, ray.dorsal, ray.metacarpal);
         m_digits.emplace_back(ray.joints, ray.dorsal, ray.digit);

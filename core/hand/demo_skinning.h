@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// Weights of the demo hand's vertices: shared between neighbouring rays only in the palm, between neighbouring bones of
-/// a ray within its bending length, then smoothed along the surface. `skeleton` has the joints of `shape` by name.
+/// Weights of the demo hand's vertices: shared between neighbouring rays only in the palm, between neighbouring bones
+/// of a ray within its bending length, then smoothed along the surface. `skeleton` has the joints of `shape` by name.
 SkinWeights demoSkinWeights(const DemoHandShape& shape, const DemoHandSolid& solid, const Skeleton& skeleton,
                             const TriangleMesh& mesh);
 

@@ -24,10 +24,12 @@ std::uint64_t edgeKey(int a, int b) {
 class TetrahedraMarcher {
 public:
     TetrahedraMarcher(const SolidField& field, const Eigen::AlignedBox3d& box, double stepMm)
-        : m_field(field), m_origin(box.min()), m_stepMm(stepMm),
-          m_count(((box.sizes() / stepMm).array().ceil() + 1).cast<int>().matrix()),
-          m_values(static_cast<std::size_t>(m_count.prod()), std::numeric_limits<double>::quiet_NaN()),
-          m_isQueued(m_values.size(), false) {}
+        : m_field(field)
+        , m_origin(box.min())
+        , m_stepMm(stepMm)
+        , m_count(((box.sizes() / stepMm).array().ceil() + 1).cast<int>().matrix())
+        , m_values(static_cast<std::size_t>(m_count.prod()), std::numeric_limits<double>::quiet_NaN())
+        , m_isQueued(m_values.size(), false) {}
 
     TriangleMesh run(const Eigen::Vector3d& inside) {
         Eigen::Vector3i cell = ((inside - m_origin) / m_stepMm).array().floor().cast<int>().matrix();

@@ -13,7 +13,8 @@ namespace {
 using Row = std::vector<SkinWeight>;
 
 Row rowOf(const SkinWeights& weights, int vertex) {
-    return {weights.entries.begin() + weights.firstEntry[vertex], weights.entries.begin() + weights.firstEntry[vertex + 1]};
+    return {weights.entries.begin() + weights.firstEntry[vertex],
+            weights.entries.begin() + weights.firstEntry[vertex + 1]};
 }
 
 void appendRow(SkinWeights& weights, const Row& row) {
@@ -69,7 +70,8 @@ std::vector<int> twins(const WeightedSurface& surface, double toleranceMm) {
             }
         }
         if (twin[v] == v) {
-            cells[{std::lround(std::floor(scaled[0])), std::lround(std::floor(scaled[1])), std::lround(std::floor(scaled[2]))}]
+            cells[{std::lround(std::floor(scaled[0])), std::lround(std::floor(scaled[1])),
+                   std::lround(std::floor(scaled[2]))}]
                 .push_back(v);
         }
     }

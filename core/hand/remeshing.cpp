@@ -27,15 +27,19 @@ Eigen::Vector3d areaNormal(const TriangleMesh& mesh, const Triangle& t) {
     return (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]);
 }
 
-bool contains(const Triangle& triangle, int v) { return triangle[0] == v || triangle[1] == v || triangle[2] == v; }
+bool contains(const Triangle& triangle, int v) {
+    return triangle[0] == v || triangle[1] == v || triangle[2] == v;
+}
 
 /// Edge collapses on a mesh whose neighbourhoods are known. A collapse touches its surroundings, which then rest until
 /// the next pass.
 class Collapser {
 public:
     explicit Collapser(TriangleMesh& mesh)
-        : m_mesh(mesh), m_around(vertexTriangles(mesh)), m_touched(mesh.vertices.size(), false),
-          m_isGone(mesh.triangles.size(), false) {}
+        : m_mesh(mesh)
+        , m_around(vertexTriangles(mesh))
+        , m_touched(mesh.vertices.size(), false)
+        , m_isGone(mesh.triangles.size(), false) {}
 
     bool collapse(int a, int b) {
         if (m_touched[a] || m_touched[b] || !keepsTopology(a, b)) {
@@ -134,8 +138,10 @@ std::uint64_t edgeKey(int a, int b) {
 class Flipper {
 public:
     explicit Flipper(TriangleMesh& mesh)
-        : m_mesh(mesh), m_edges(meshEdges(mesh.triangles)), m_valence(mesh.vertices.size(), 0),
-          m_touched(mesh.triangles.size(), false) {
+        : m_mesh(mesh)
+        , m_edges(meshEdges(mesh.triangles))
+        , m_valence(mesh.vertices.size(), 0)
+        , m_touched(mesh.triangles.size(), false) {
         for (const MeshEdge& edge : m_edges) {
             ++m_valence[edge.vertexA];
             ++m_valence[edge.vertexB];
@@ -163,7 +169,8 @@ private:
             std::rotate(left.begin(), left.begin() + 1, left.end());
         }
         const Triangle& right = m_mesh.triangles[edge.triangleB];
-        const auto across = std::find_if(right.begin(), right.end(), [&](int v) { return v != left[0] && v != left[1]; });
+        const auto across =
+            std::find_if(right.begin(), right.end(), [&](int v) { return v != left[0] && v != left[1]; });
         return {left[0], left[1], left[2], *across};
     }
 
@@ -258,7 +265,9 @@ int collapseShortEdges(TriangleMesh& mesh, const EdgeLengthField& edgeLength) {
     return count;
 }
 
-int flipEdges(TriangleMesh& mesh) { return Flipper(mesh).run(); }
+int flipEdges(TriangleMesh& mesh) {
+    return Flipper(mesh).run();
+}
 
 void relaxOnto(const SolidField& field, TriangleMesh& mesh) {
     constexpr double kStep = 0.6;

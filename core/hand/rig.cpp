@@ -19,8 +19,7 @@ Eigen::Vector3d axisOnSide(const Eigen::Vector3d& axisOnRight, Side side) {
 void setLengths(std::vector<Bone>& bones) {
     for (std::size_t b = bones.size(); b-- > 1;) {
         Bone& parent = bones[static_cast<std::size_t>(bones[b].parent)];
-        parent.lengthMm =
-            (bones[b].worldFromBoneAtRest.translation - parent.worldFromBoneAtRest.translation).norm();
+        parent.lengthMm = (bones[b].worldFromBoneAtRest.translation - parent.worldFromBoneAtRest.translation).norm();
     }
 }
 

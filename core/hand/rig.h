@@ -17,9 +17,9 @@ struct RigJoint {
     std::vector<std::string> namesInFile; ///< tried in order, {side} stands for "left" or "right"; none = `name`
 };
 
-/// One rotation of a joint. Axis in the anatomical frame of a right hand: x along the bone towards the fingertip, y towards
-/// the thumb's side, z towards the back of the hand. A left hand turns the mirrored way, so that the same
-/// angle is the same movement. Angles count from the model's rest pose.
+/// One rotation of a joint. Axis in the anatomical frame of a right hand: x along the bone towards the fingertip, y
+/// towards the thumb's side, z towards the back of the hand. A left hand turns the mirrored way, so that the same angle
+/// is the same movement. Angles count from the model's rest pose.
 struct RigDof {
     std::string joint;
     std::string name; ///< "flexion", "abduction", "twist"; the degree of freedom is named JOINT.NAME

@@ -24,7 +24,8 @@ Eigen::Vector3d curvePoint(const std::vector<Eigen::Vector3d>& points, double at
     const Eigen::Vector3d& p1 = points[i];
     const Eigen::Vector3d& p2 = points[i + 1];
     const Eigen::Vector3d slope1 = i > 0 ? Eigen::Vector3d(0.5 * (p2 - points[i - 1])) : Eigen::Vector3d(p2 - p1);
-    const Eigen::Vector3d slope2 = i + 2 <= last ? Eigen::Vector3d(0.5 * (points[i + 2] - p1)) : Eigen::Vector3d(p2 - p1);
+    const Eigen::Vector3d slope2 =
+        i + 2 <= last ? Eigen::Vector3d(0.5 * (points[i + 2] - p1)) : Eigen::Vector3d(p2 - p1);
     const double s = 1 - t;
     return s * s * (1 + 2 * t) * p1 + t * t * (3 - 2 * t) * p2 + t * s * (s * slope1 - t * slope2);
 }
@@ -42,7 +43,8 @@ MonotoneCubic profile(const std::vector<CrossSection>& sections, double CrossSec
 
 SweptSolid::SweptSolid(const std::vector<Eigen::Vector3d>& path, const Eigen::Vector3d& dorsal,
                        const SweptSolidShape& shape)
-    : m_capStartMm(shape.capStartMm), m_capEndMm(shape.capEndMm) {
+    : m_capStartMm(shape.capStartMm)
+    , m_capEndMm(shape.capEndMm) {
     const MonotoneCubic side = profile(shape.sections, &CrossSection::sideMm);
     const MonotoneCubic back = profile(shape.sections, &CrossSection::dorsalMm);
     const MonotoneCubic front = profile(shape.sections, &CrossSection::palmarMm);

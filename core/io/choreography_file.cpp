@@ -20,8 +20,7 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 /// Which degrees of freedom the numbers of a finger in a shape are.
 const std::vector<std::string> kFingerDofs{"mcp.flexion", "mcp.abduction", "pip.flexion",
                                            "dip.flexion", "cmc.flexion",   "mcp.twist"};
-const std::vector<std::string> kThumbDofs{"cmc.flexion", "cmc.abduction", "mcp.flexion", "mcp.abduction",
-                                          "ip.flexion"};
+const std::vector<std::string> kThumbDofs{"cmc.flexion", "cmc.abduction", "mcp.flexion", "mcp.abduction", "ip.flexion"};
 const std::vector<std::string> kFingers{"thumb", "index", "middle", "ring", "little"};
 
 /// Sets the angles that a shape or key names.
@@ -45,7 +44,9 @@ void setAngles(const json& value, const Skeleton& skeleton, Eigen::VectorXd& ang
 class KeyReader {
 public:
     KeyReader(const json& shapes, const HandModel& hand, std::string file)
-        : m_shapes(shapes), m_hand(hand), m_file(std::move(file)) {}
+        : m_shapes(shapes)
+        , m_hand(hand)
+        , m_file(std::move(file)) {}
 
     std::vector<HandKey> read(const json& list, const std::string& field) const {
         std::vector<HandKey> keys;
@@ -117,8 +118,10 @@ std::vector<StageKey> stageFrom(const json& list, const std::string& file, const
 }
 
 ContactRule contactFrom(const json& value, const std::string& file, const std::string& field) {
-    ContactRule rule{jsonVector(value["direction"], file, field + ".direction"), value["secondShare"].get<double>(),
-                     value["smoothFrames"].get<int>(), {}};
+    ContactRule rule{jsonVector(value["direction"], file, field + ".direction"),
+                     value["secondShare"].get<double>(),
+                     value["smoothFrames"].get<int>(),
+                     {}};
     for (const json& gap : value["gaps"]) {
         rule.gaps.push_back({gap[0].get<double>(), gap[1].get<double>()});
     }

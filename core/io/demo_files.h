@@ -12,8 +12,8 @@ namespace core {
 DemoHandShape demoHandShapeFromJson(const nlohmann::json& value);
 
 /// The choreographies out of a parsed file of format handlens-demo-choreographies, which has passed its schema, for two
-/// hands, left and right, with the demo's degrees of freedom. Throws Error(BadInput) naming `file` and the field: an unknown
-/// shape, frames that do not ascend, a first key that leaves something open.
+/// hands, left and right, with the demo's degrees of freedom. Throws Error(BadInput) naming `file` and the field: an
+/// unknown shape, frames that do not ascend, a first key that leaves something open.
 std::vector<Choreography> choreographiesFromJson(const nlohmann::json& value, const std::vector<HandModel>& hands,
                                                  const std::string& file);
 

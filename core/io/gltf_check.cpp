@@ -22,11 +22,14 @@ const std::map<std::string, std::size_t> kComponents{{"SCALAR", 1}, {"VEC2", 2},
 const std::map<int, std::size_t> kComponentBytes{{5120, 1}, {5121, 1}, {5122, 2}, {5123, 2}, {5125, 4}, {5126, 4}};
 constexpr int kUnsignedByte = 5121, kUnsignedShort = 5123, kUnsignedInt = 5125, kFloat = 5126;
 
-std::string item(const std::string& list, std::size_t index) { return list + "[" + std::to_string(index) + "]"; }
+std::string item(const std::string& list, std::size_t index) {
+    return list + "[" + std::to_string(index) + "]";
+}
 
 class GltfChecker {
 public:
-    explicit GltfChecker(const GltfFile& source) : m_source(source) {}
+    explicit GltfChecker(const GltfFile& source)
+        : m_source(source) {}
 
     void run() const {
         checkRoot();
@@ -69,7 +72,8 @@ private:
     }
 
     void checkRoot() const {
-        for (const char* name : {"buffers", "bufferViews", "accessors", "nodes", "skins", "meshes", "scenes", "extensionsRequired"}) {
+        for (const char* name :
+             {"buffers", "bufferViews", "accessors", "nodes", "skins", "meshes", "scenes", "extensionsRequired"}) {
             if (!list(name).is_array()) {
                 throw bad(name, "is no list");
             }
@@ -80,7 +84,8 @@ private:
             }
         }
         if (!list("extensionsRequired").empty()) {
-            throw bad("extensionsRequired", list("extensionsRequired")[0].dump() + " is not supported", ErrorCode::Unsupported);
+            throw bad("extensionsRequired", list("extensionsRequired")[0].dump() + " is not supported",
+                      ErrorCode::Unsupported);
         }
     }
 
@@ -89,7 +94,8 @@ private:
             const json& view = list("bufferViews")[v];
             const std::string field = item("bufferViews", v);
             const std::size_t buffer = index(view.value("buffer", json()), "buffers", field + ".buffer");
-            if (number(view, "byteOffset", field) + number(view, "byteLength", field) > m_source.buffers[buffer].size()) {
+            if (number(view, "byteOffset", field) + number(view, "byteLength", field) >
+                m_source.buffers[buffer].size()) {
                 throw bad(field, "reaches beyond the end of its buffer");
             }
         }
@@ -134,7 +140,8 @@ private:
         for (std::size_t n = 0; n < list("nodes").size(); ++n) {
             const json& node = list("nodes")[n];
             const std::string field = item("nodes", n);
-            for (const auto& [name, length] : std::map<std::string, std::size_t>{{"translation", 3}, {"rotation", 4}, {"scale", 3}, {"matrix", 16}}) {
+            for (const auto& [name, length] : std::map<std::string, std::size_t>{
+                     {"translation", 3}, {"rotation", 4}, {"scale", 3}, {"matrix", 16}}) {
                 if (node.contains(name)) {
                     jsonNumbers(node[name], length, m_source.path.string(), field + "." + name);
                 }
@@ -197,9 +204,11 @@ private:
                 index(joint, "nodes", field + ".joints");
             }
             if (!skin.contains("inverseBindMatrices")) {
-                throw bad(field + ".inverseBindMatrices", "skins without them are not supported", ErrorCode::Unsupported);
+                throw bad(field + ".inverseBindMatrices", "skins without them are not supported",
+                          ErrorCode::Unsupported);
             }
-            const json& accessor = accessorOf(skin["inverseBindMatrices"], "MAT4", {kFloat}, field + ".inverseBindMatrices");
+            const json& accessor =
+                accessorOf(skin["inverseBindMatrices"], "MAT4", {kFloat}, field + ".inverseBindMatrices");
             if (joints.empty() || number(accessor, "count", field) < joints.size()) {
                 throw bad(field + ".inverseBindMatrices", "there must be one per joint");
             }
@@ -248,7 +257,8 @@ private:
             }
         }
         if (primitive.contains("indices")) {
-            accessorOf(primitive["indices"], "SCALAR", {kUnsignedByte, kUnsignedShort, kUnsignedInt}, field + ".indices");
+            accessorOf(primitive["indices"], "SCALAR", {kUnsignedByte, kUnsignedShort, kUnsignedInt},
+                       field + ".indices");
             checkIndices(primitive, number(positions, "count", field), field + ".indices");
         }
     }
@@ -258,7 +268,8 @@ private:
         const json& view = list("bufferViews")[accessor["bufferView"].get<std::size_t>()];
         const std::size_t size = kComponentBytes.at(accessor["componentType"].get<int>());
         const std::size_t stride = number(view, "byteStride", "", elementBytes(accessor));
-        const std::size_t at = number(view, "byteOffset", "") + number(accessor, "byteOffset", "") + i * stride + c * size;
+        const std::size_t at =
+            number(view, "byteOffset", "") + number(accessor, "byteOffset", "") + i * stride + c * size;
         const std::string& buffer = m_source.buffers[view["buffer"].get<std::size_t>()];
         std::uint32_t value = 0;
         for (std::size_t k = size; k-- > 0;) {

@@ -44,7 +44,10 @@ std::string fromBase64(std::string_view text) {
 
 class GltfFileReader {
 public:
-    explicit GltfFileReader(const std::filesystem::path& path) : m_content(readTextFile(path)) { m_result.path = path; }
+    explicit GltfFileReader(const std::filesystem::path& path)
+        : m_content(readTextFile(path)) {
+        m_result.path = path;
+    }
 
     GltfFile read() {
         takeApart();
@@ -139,6 +142,8 @@ private:
 
 } // namespace
 
-GltfFile readGltfFile(const std::filesystem::path& path) { return GltfFileReader(path).read(); }
+GltfFile readGltfFile(const std::filesystem::path& path) {
+    return GltfFileReader(path).read();
+}
 
 } // namespace core

@@ -16,8 +16,8 @@ struct GltfFile {
     std::vector<std::string> buffers; ///< exactly as long as their byteLength says
 };
 
-/// Reads a .gltf with its buffers (base64 or files beside it) or a .glb. Throws Error naming the file and the field: a container
-/// or buffer that is cut off, another version of glTF.
+/// Reads a .gltf with its buffers (base64 or files beside it) or a .glb. Throws Error naming the file and the field: a
+/// container or buffer that is cut off, another version of glTF.
 GltfFile readGltfFile(const std::filesystem::path& path);
 
 } // namespace core

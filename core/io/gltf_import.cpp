@@ -30,7 +30,10 @@ std::string withSide(std::string name, Side side) {
 class GltfHandBuilder {
 public:
     GltfHandBuilder(const GltfScene& scene, const Rig& rig, Side side, std::string file)
-        : m_scene(scene), m_rig(rig), m_side(side), m_file(std::move(file)) {}
+        : m_scene(scene)
+        , m_rig(rig)
+        , m_side(side)
+        , m_file(std::move(file)) {}
 
     HandModel build() {
         for (const RigJoint& joint : m_rig.joints) {
@@ -89,7 +92,8 @@ private:
         for (const Bone& bone : skeleton.bones) {
             if (bone.parent > 0) {
                 const RigidMotion& parent = skeleton.bones[static_cast<std::size_t>(bone.parent)].worldFromBoneAtRest;
-                const Eigen::Vector3d toChild = (bone.worldFromBoneAtRest.translation - parent.translation).normalized();
+                const Eigen::Vector3d toChild =
+                    (bone.worldFromBoneAtRest.translation - parent.translation).normalized();
                 along += toChild.dot(parent.rotation.col(0)) > kLeastCosine ? 1 : 0;
                 ++bones;
             }
@@ -107,7 +111,8 @@ private:
         const auto place = [&](int b) { return skeleton.bones[static_cast<std::size_t>(b)].worldFromBoneAtRest; };
         const double across = (place(index).translation - place(little).translation).dot(place(index).rotation.col(1));
         if ((across > 0) != (m_side == Side::Right)) {
-            throw bad("", "this is the other hand, not the " + std::string(sideName(m_side)) + " one, or the rig's dorsal direction is wrong");
+            throw bad("", "this is the other hand, not the " + std::string(sideName(m_side)) +
+                              " one, or the rig's dorsal direction is wrong");
         }
     }
 
@@ -141,9 +146,11 @@ private:
             std::vector<double> ofBone(m_rig.joints.size(), 0);
             double sum = 0;
             for (int e = source.weights.firstEntry[v]; e < source.weights.firstEntry[v + 1]; ++e) {
-                const int bone = boneOf[static_cast<std::size_t>(source.weights.entries[static_cast<std::size_t>(e)].bone)];
+                const int bone =
+                    boneOf[static_cast<std::size_t>(source.weights.entries[static_cast<std::size_t>(e)].bone)];
                 if (bone >= 0) {
-                    ofBone[static_cast<std::size_t>(bone)] += source.weights.entries[static_cast<std::size_t>(e)].weight;
+                    ofBone[static_cast<std::size_t>(bone)] +=
+                        source.weights.entries[static_cast<std::size_t>(e)].weight;
                     sum += source.weights.entries[static_cast<std::size_t>(e)].weight;
                 }
             }
@@ -193,9 +200,8 @@ void clampToLimits(Choreography& choreography, const std::vector<HandModel>& han
 
 bool hasDofsOf(const Rig& rig, const Rig& other) {
     return std::all_of(other.dofs.begin(), other.dofs.end(), [&](const RigDof& wanted) {
-        return std::any_of(rig.dofs.begin(), rig.dofs.end(), [&](const RigDof& dof) {
-            return dof.joint == wanted.joint && dof.name == wanted.name;
-        });
+        return std::any_of(rig.dofs.begin(), rig.dofs.end(),
+                           [&](const RigDof& dof) { return dof.joint == wanted.joint && dof.name == wanted.name; });
     });
 }
 

@@ -26,7 +26,9 @@ Eigen::Affine3d affine(const aiMatrix4x4& m) {
 /// Turns assimp's scene into ours.
 class SceneReader {
 public:
-    SceneReader(const aiScene& source, std::string file) : m_source(source), m_file(std::move(file)) {}
+    SceneReader(const aiScene& source, std::string file)
+        : m_source(source)
+        , m_file(std::move(file)) {}
 
     GltfScene read() {
         m_scene.surface.weights.firstEntry = {0};
@@ -53,8 +55,8 @@ private:
         }
     }
 
-    /// The mesh as the file shows it: every vertex carried by its joints from the bind pose to their place in the tree. The
-    /// place of the mesh's own node does not count (glTF 2.0, section 3.7.3.3).
+    /// The mesh as the file shows it: every vertex carried by its joints from the bind pose to their place in the tree.
+    /// The place of the mesh's own node does not count (glTF 2.0, section 3.7.3.3).
     void addMesh(const aiMesh& mesh) {
         std::vector<std::vector<SkinWeight>> rows(mesh.mNumVertices);
         std::vector<Eigen::Vector3d> posed(mesh.mNumVertices, Eigen::Vector3d::Zero());
@@ -79,7 +81,8 @@ private:
                  std::vector<Eigen::Vector3d>& posed) const {
         const auto node = m_nodeByName.find(bone.mName.C_Str());
         if (node == m_nodeByName.end()) {
-            throw Error(ErrorCode::BadInput, m_file, "skins", std::string("no node is named '") + bone.mName.C_Str() + "'");
+            throw Error(ErrorCode::BadInput, m_file, "skins",
+                        std::string("no node is named '") + bone.mName.C_Str() + "'");
         }
         const Eigen::Affine3d worldFromMesh =
             m_scene.nodes[static_cast<std::size_t>(node->second)].worldFromNode * affine(bone.mOffsetMatrix);
@@ -101,8 +104,8 @@ private:
         }
         if (!(sum > 0.5 && sum < 1.5) || !posedSum.allFinite()) {
             throw Error(ErrorCode::BadInput, m_file, "WEIGHTS_0",
-                        "the weights of vertex " + std::to_string(m_scene.surface.mesh.vertices.size()) +
-                            " sum to " + std::to_string(sum) + ", not to 1, or lead nowhere");
+                        "the weights of vertex " + std::to_string(m_scene.surface.mesh.vertices.size()) + " sum to " +
+                            std::to_string(sum) + ", not to 1, or lead nowhere");
         }
         SkinWeights& weights = m_scene.surface.weights;
         for (const SkinWeight& w : row) {
@@ -131,7 +134,8 @@ GltfScene readGltfScene(const std::filesystem::path& file) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr) {
-        throw Error(ErrorCode::BadInput, file.string(), "", std::string("cannot be read: ") + importer.GetErrorString());
+        throw Error(ErrorCode::BadInput, file.string(), "",
+                    std::string("cannot be read: ") + importer.GetErrorString());
     }
     return SceneReader(*scene, file.string()).read();
 }

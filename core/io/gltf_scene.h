@@ -15,8 +15,8 @@ namespace core {
 /// A node of the scene's tree.
 struct GltfNode {
     std::string name;
-    int parent = -1;                  ///< earlier in the list; -1 for the root
-    Eigen::Affine3d worldFromNode;    ///< at rest, mm
+    int parent = -1;               ///< earlier in the list; -1 for the root
+    Eigen::Affine3d worldFromNode; ///< at rest, mm
 };
 
 /// The parts of a glTF file that make up a skinned surface, in the pose that the file shows.

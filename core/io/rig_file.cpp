@@ -19,7 +19,8 @@ namespace {
 /// Reads one rig; remembers the file for its errors.
 class RigReader {
 public:
-    explicit RigReader(std::string file) : m_file(std::move(file)) {}
+    explicit RigReader(std::string file)
+        : m_file(std::move(file)) {}
 
     Rig read(const json& value) {
         m_rig.name = value["name"].get<std::string>();
@@ -88,9 +89,13 @@ private:
 
 } // namespace
 
-Rig rigFromJson(const json& value, const std::string& file) { return RigReader(file).read(value); }
+Rig rigFromJson(const json& value, const std::string& file) {
+    return RigReader(file).read(value);
+}
 
-Rig readRig(const std::filesystem::path& file) { return rigFromJson(readOwnFile(file, "rig"), file.string()); }
+Rig readRig(const std::filesystem::path& file) {
+    return rigFromJson(readOwnFile(file, "rig"), file.string());
+}
 
 Rig defaultRig(const std::string& name) {
     const std::string resource = "rigs/" + name + ".json";

@@ -10,7 +10,8 @@ std::vector<Eigen::Vector3d> recordedVolume(const std::vector<HandModel>& hands,
         HandModel few{hand.side, {}, hand.skeleton, {{0}, {}}};
         for (std::size_t v = 0; v < hand.mesh.vertices.size(); v += kKeepEvery) {
             few.mesh.vertices.push_back(hand.mesh.vertices[v]);
-            few.weights.entries.insert(few.weights.entries.end(), hand.weights.entries.begin() + hand.weights.firstEntry[v],
+            few.weights.entries.insert(few.weights.entries.end(),
+                                       hand.weights.entries.begin() + hand.weights.firstEntry[v],
                                        hand.weights.entries.begin() + hand.weights.firstEntry[v + 1]);
             few.weights.firstEntry.push_back(static_cast<int>(few.weights.entries.size()));
         }

@@ -22,7 +22,9 @@ double innerSlope(double widthBefore, double widthAfter, double secantBefore, do
 } // namespace
 
 MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y)
-    : m_x(std::move(x)), m_y(std::move(y)), m_slope(m_x.size(), 0.0) {
+    : m_x(std::move(x))
+    , m_y(std::move(y))
+    , m_slope(m_x.size(), 0.0) {
     assert(!m_x.empty() && m_x.size() == m_y.size());
     for (std::size_t i = 1; i + 1 < m_x.size(); ++i) {
         const double before = m_x[i] - m_x[i - 1];

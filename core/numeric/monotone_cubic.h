@@ -5,8 +5,8 @@
 
 namespace core {
 
-/// Interpolates samples (x_i, y_i), x ascending, by a C1 piecewise cubic that never overshoots: between two samples it stays
-/// between their values (Fritsch and Carlson 1980). Constant beyond both ends.
+/// Interpolates samples (x_i, y_i), x ascending, by a C1 piecewise cubic that never overshoots: between two samples it
+/// stays between their values (Fritsch and Carlson 1980). Constant beyond both ends.
 class MonotoneCubic {
 public:
     /// At least one sample; x strictly ascending.

@@ -15,7 +15,8 @@ namespace {
 class ColumnIndex {
 public:
     ColumnIndex(const std::vector<Eigen::Vector3d>& vertices, const std::vector<std::array<int, 3>>& triangles)
-        : m_vertices(vertices), m_triangles(triangles) {
+        : m_vertices(vertices)
+        , m_triangles(triangles) {
         for (const Eigen::Vector3d& v : vertices) {
             m_box.extend(v);
         }

@@ -76,8 +76,9 @@ TEST(Play, ContactKeepsTheGapAndNeverLessOnTheWay) {
     const std::vector<core::HandPoses> free = core::play(twoKeys(), hands());
     const std::vector<core::HandPoses> motion = core::play(choreography, hands());
     const auto gap = [&](int frame) {
-        return core::gapAlong(Vector3d::UnitX(), core::posedVertices(hands()[0], motion[frame][0]), hands()[0].mesh.triangles,
-                              core::posedVertices(hands()[1], motion[frame][1]), hands()[1].mesh.triangles);
+        return core::gapAlong(Vector3d::UnitX(), core::posedVertices(hands()[0], motion[frame][0]),
+                              hands()[0].mesh.triangles, core::posedVertices(hands()[1], motion[frame][1]),
+                              hands()[1].mesh.triangles);
     };
     EXPECT_GE(gap(20), -0.01);
     EXPECT_LT(gap(20), 6);

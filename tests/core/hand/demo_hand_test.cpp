@@ -22,8 +22,12 @@ const std::vector<HandModel>& hands() {
     static const std::vector<HandModel> kHands = core::makeDemoHands();
     return kHands;
 }
-const HandModel& leftHand() { return hands()[0]; }
-const HandModel& rightHand() { return hands()[1]; }
+const HandModel& leftHand() {
+    return hands()[0];
+}
+const HandModel& rightHand() {
+    return hands()[1];
+}
 
 Pose bent(const HandModel& hand, const std::map<std::string, double>& anglesDeg) {
     Pose pose = hand.skeleton.restPose();
@@ -105,11 +109,10 @@ TEST(DemoHand, HasStandardJointsAnd35DegreesOfFreedom) {
 
 TEST(DemoHand, HasTheProportionsOfHumanBones) {
     // Mean lengths of adults' bones (Buryanov and Kotiuk 2010), mm.
-    const std::map<std::string, double> expected{{"index_cmc", 68.1},  {"index_mcp", 39.8},  {"index_pip", 22.4},
-                                                 {"middle_cmc", 64.6}, {"middle_mcp", 44.6}, {"middle_pip", 26.3},
-                                                 {"ring_cmc", 58.0},   {"ring_mcp", 41.4},   {"ring_pip", 25.7},
-                                                 {"little_cmc", 53.7}, {"little_mcp", 32.7}, {"little_pip", 18.1},
-                                                 {"thumb_cmc", 46.2},  {"thumb_mcp", 31.6},  {"thumb_ip", 21.7}};
+    const std::map<std::string, double> expected{
+        {"index_cmc", 68.1},  {"index_mcp", 39.8},  {"index_pip", 22.4}, {"middle_cmc", 64.6}, {"middle_mcp", 44.6},
+        {"middle_pip", 26.3}, {"ring_cmc", 58.0},   {"ring_mcp", 41.4},  {"ring_pip", 25.7},   {"little_cmc", 53.7},
+        {"little_mcp", 32.7}, {"little_pip", 18.1}, {"thumb_cmc", 46.2}, {"thumb_mcp", 31.6},  {"thumb_ip", 21.7}};
     const core::Skeleton& skeleton = rightHand().skeleton;
     for (const auto& [name, lengthMm] : expected) {
         EXPECT_NEAR(skeleton.bones[skeleton.boneIndex(name)].lengthMm, lengthMm, 0.1 * lengthMm) << name;
@@ -165,8 +168,12 @@ TEST(DemoHand, AFingerDoesNotDragItsNeighbours) {
 }
 
 TEST(DemoHand, FingersBendWithoutCollapsing) {
-    for (const auto& [finger, joint] : std::vector<std::pair<std::string, std::string>>{
-             {"index", "pip"}, {"middle", "pip"}, {"ring", "pip"}, {"little", "pip"}, {"index", "dip"}, {"thumb", "ip"}}) {
+    for (const auto& [finger, joint] : std::vector<std::pair<std::string, std::string>>{{"index", "pip"},
+                                                                                        {"middle", "pip"},
+                                                                                        {"ring", "pip"},
+                                                                                        {"little", "pip"},
+                                                                                        {"index", "dip"},
+                                                                                        {"thumb", "ip"}}) {
         const HandModel& hand = rightHand();
         const core::Bone& bone = hand.skeleton.bones[hand.skeleton.boneIndex(finger + "_" + joint)];
         const core::RigidMotion& rest = bone.worldFromBoneAtRest;
@@ -176,7 +183,8 @@ TEST(DemoHand, FingersBendWithoutCollapsing) {
         const Pose pose = bent(hand, {{finger + "_" + joint + ".flexion", 90}});
         const std::vector<core::RigidMotion> frames = core::boneTransforms(hand.skeleton, pose);
         const Vector3d bisector =
-            (frames[hand.skeleton.boneIndex(bone.name)].rotation.col(0) + frames[bone.parent].rotation.col(0)).normalized();
+            (frames[hand.skeleton.boneIndex(bone.name)].rotation.col(0) + frames[bone.parent].rotation.col(0))
+                .normalized();
         const double folded =
             cutArea(hand, pose, finger, frames[hand.skeleton.boneIndex(bone.name)].translation, bisector);
         EXPECT_GT(straight, 80) << finger;

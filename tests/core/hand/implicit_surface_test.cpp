@@ -14,9 +14,13 @@ using Eigen::Vector3d;
 
 const Eigen::AlignedBox3d kBox(Vector3d::Constant(-15), Vector3d::Constant(15));
 
-double sphere(const Vector3d& point) { return (point - Vector3d(0.3, 0.2, -0.1)).norm() - 10; }
+double sphere(const Vector3d& point) {
+    return (point - Vector3d(0.3, 0.2, -0.1)).norm() - 10;
+}
 
-double torus(const Vector3d& point) { return Eigen::Vector2d(point.head<2>().norm() - 8, point.z()).norm() - 3; }
+double torus(const Vector3d& point) {
+    return Eigen::Vector2d(point.head<2>().norm() - 8, point.z()).norm() - 3;
+}
 
 TEST(SmoothMin, IsTheMinimumFarFromTheSeamAndRoundsItOff) {
     EXPECT_DOUBLE_EQ(core::smoothMin(1, 9, 4), 1);

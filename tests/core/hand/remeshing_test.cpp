@@ -14,9 +14,13 @@ using Eigen::Vector3d;
 
 const Eigen::AlignedBox3d kBox(Vector3d::Constant(-15), Vector3d::Constant(15));
 
-double sphere(const Vector3d& point) { return point.norm() - 10; }
+double sphere(const Vector3d& point) {
+    return point.norm() - 10;
+}
 
-core::TriangleMesh fineSphere() { return core::polygonise(sphere, kBox, 0.6, Vector3d::Zero()); }
+core::TriangleMesh fineSphere() {
+    return core::polygonise(sphere, kBox, 0.6, Vector3d::Zero());
+}
 
 TEST(Remeshing, MakesEvenTrianglesOfTheWantedSizeOnTheSurface) {
     const auto edgeLength = [](const Vector3d&) { return 2.0; };

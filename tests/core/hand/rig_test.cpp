@@ -20,7 +20,8 @@ core::Rig fingerRig() {
 }
 
 std::vector<core::RigidMotion> fingerFrames() {
-    return {core::anatomicalFrame({0, 0, 0}, {1, 0, 0}, {0, 0, 1}), core::anatomicalFrame({90, 0, 0}, {1, 0, 0}, {0, 0, 1}),
+    return {core::anatomicalFrame({0, 0, 0}, {1, 0, 0}, {0, 0, 1}),
+            core::anatomicalFrame({90, 0, 0}, {1, 0, 0}, {0, 0, 1}),
             core::anatomicalFrame({130, 0, 0}, {1, 0, 0}, {0, 0, 1})};
 }
 

@@ -11,7 +11,8 @@ using Eigen::Vector3d;
 
 /// Along x from 0 to 20: 4 to the sides, 3 to the back, 2 to the palm, rounded ends of 5 and 6.
 core::SweptSolid rod() {
-    return core::SweptSolid({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}, Vector3d::UnitZ(), {{{0, 4, 3, 2}, {2, 4, 3, 2}}, 5, 6});
+    return core::SweptSolid({{0, 0, 0}, {10, 0, 0}, {20, 0, 0}}, Vector3d::UnitZ(),
+                            {{{0, 4, 3, 2}, {2, 4, 3, 2}}, 5, 6});
 }
 
 TEST(SweptSolid, TheSurfaceLiesAtTheSectionsHalfSizes) {

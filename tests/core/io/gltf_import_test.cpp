@@ -22,8 +22,9 @@ using Eigen::Vector3d;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// Two boxes, a palm (open at the wrist, corners split) and a finger that is shown bent by 90 degrees but bound straight. The armature
-/// is turned by 90 degrees about x and lies at (0.5, 0.1, -0.2) m. The skin lists its joints in another order than the tree.
+/// Two boxes, a palm (open at the wrist, corners split) and a finger that is shown bent by 90 degrees but bound
+/// straight. The armature is turned by 90 degrees about x and lies at (0.5, 0.1, -0.2) m. The skin lists its joints in
+/// another order than the tree.
 fs::path handFile(core::Side side) {
     return fs::path(HANDLENS_TEST_DATA) / "gltf" / (std::string(core::sideName(side)) + "_hand.gltf");
 }
@@ -95,11 +96,11 @@ TEST(GltfHand, PutsJointsWhereTheFileShowsThemInMillimetres) {
 TEST(GltfHand, JointFramesAreAnatomical) {
     const core::HandModel hand = core::readGltfHand(handFile(core::Side::Right), smallRig(), core::Side::Right);
     const Eigen::Matrix3d mcp = hand.skeleton.bones[1].worldFromBoneAtRest.rotation;
-    EXPECT_LT((mcp.col(0) - Vector3d::UnitX()).norm(), 1e-5);  // along the finger
-    EXPECT_LT((mcp.col(2) + Vector3d::UnitY()).norm(), 1e-5);  // the back looks to -y: the armature turned z there
-    EXPECT_LT((mcp.col(1) - Vector3d::UnitZ()).norm(), 1e-5);  // the thumb's side
+    EXPECT_LT((mcp.col(0) - Vector3d::UnitX()).norm(), 1e-5); // along the finger
+    EXPECT_LT((mcp.col(2) + Vector3d::UnitY()).norm(), 1e-5); // the back looks to -y: the armature turned z there
+    EXPECT_LT((mcp.col(1) - Vector3d::UnitZ()).norm(), 1e-5); // the thumb's side
     const Eigen::Matrix3d pip = hand.skeleton.bones[2].worldFromBoneAtRest.rotation;
-    EXPECT_LT((pip.col(0) - Vector3d::UnitY()).norm(), 1e-5);  // bent towards the palm
+    EXPECT_LT((pip.col(0) - Vector3d::UnitY()).norm(), 1e-5); // bent towards the palm
 }
 
 TEST(GltfHand, TheSurfaceIsThatOfTheShownPoseJoinedAndClosed) {
@@ -195,7 +196,8 @@ TEST(GltfCheck, NamesTheFieldAtFault) {
     EXPECT_EQ(fieldAfter([](json&) {}), "no error");
     EXPECT_EQ(fieldAfter([](json& g) { g["asset"]["version"] = "1.0"; }), "asset.version");
     EXPECT_EQ(fieldAfter([](json& g) { g.erase("asset"); }), "asset.version");
-    EXPECT_EQ(fieldAfter([](json& g) { g["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }), "extensionsRequired");
+    EXPECT_EQ(fieldAfter([](json& g) { g["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }),
+              "extensionsRequired");
     EXPECT_EQ(fieldAfter([](json& g) { g["buffers"][0]["byteLength"] = 100000; }), "buffers[0].byteLength");
     EXPECT_EQ(fieldAfter([](json& g) { g["bufferViews"][1]["byteOffset"] = 100000; }), "bufferViews[1]");
     EXPECT_EQ(fieldAfter([](json& g) { g["accessors"][0]["count"] = 400; }), "accessors[0].count");
@@ -206,7 +208,9 @@ TEST(GltfCheck, NamesTheFieldAtFault) {
     EXPECT_EQ(fieldAfter([](json& g) { g["nodes"][3]["children"] = {77}; }), "nodes[3].children");
     EXPECT_EQ(fieldAfter([](json& g) { g["nodes"][5]["mesh"] = 7; }), "nodes[5].mesh");
     EXPECT_EQ(fieldAfter([](json& g) { g["nodes"][1]["rotation"] = {0, 1}; }), "nodes[1].rotation");
-    EXPECT_EQ(fieldAfter([](json& g) { g["skins"][0]["joints"] = {3, 1}; }),
+    EXPECT_EQ(fieldAfter([](json& g) {
+                  g["skins"][0]["joints"] = {3, 1};
+              }),
               "meshes[0].primitives[0].attributes.JOINTS_0");
     EXPECT_EQ(fieldAfter([](json& g) { g["skins"][0].erase("inverseBindMatrices"); }), "skins[0].inverseBindMatrices");
     EXPECT_EQ(fieldAfter([](json& g) { g["meshes"][0]["primitives"][0]["attributes"].erase("POSITION"); }),
@@ -252,7 +256,8 @@ TEST(GltfCheck, OtherFilesAreRefused) {
 }
 
 TEST(ImportGltf, WithoutTheDemosJointsThereIsOneRestFrameSideBySide) {
-    const core::NewDataset imported = core::importGltf(handFile(core::Side::Left), handFile(core::Side::Right), smallRig());
+    const core::NewDataset imported =
+        core::importGltf(handFile(core::Side::Left), handFile(core::Side::Right), smallRig());
     ASSERT_EQ(imported.dataset.sequences.size(), 1U);
     EXPECT_EQ(imported.dataset.sequences[0].name, "rest");
     EXPECT_EQ(imported.dataset.sequences[0].frameCount, 1);

@@ -49,6 +49,8 @@ TEST(MonotoneCubic, KeepsAStraightLineStraightInside) {
     EXPECT_NEAR(curve(1.2), 2.4, 1e-12);
 }
 
-TEST(MonotoneCubic, OneSampleIsAConstant) { EXPECT_DOUBLE_EQ(MonotoneCubic({3}, {7})(5), 7); }
+TEST(MonotoneCubic, OneSampleIsAConstant) {
+    EXPECT_DOUBLE_EQ(MonotoneCubic({3}, {7})(5), 7);
+}
 
 } // namespace
