@@ -98,7 +98,8 @@ void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoi
         }
         break;
     case MatchRule::Search::Directional:
-        if (target.tensor) {
+        // The tensor holds the best of all points, which is not the best within a gate.
+        if (target.tensor && std::isinf(rule.gatePx)) {
             match = nearestInTensor(target, rim.px, angle);
         } else {
             match = target.index.nearestDirectional(std::round(x), std::round(y),

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "core/fitting/best_fit.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fitting_scene.h"
+
+namespace {
+
+using core::FitResult;
+using core::FitTermination;
+
+class BestFit : public testing::Test {
+protected:
+    FitResult fit(bool live, std::stop_token stop = {}, const core::FitProgress& progress = {}) {
+        FitResult result;
+        result.poses = m_scene.start;
+        core::PoseRefiner refiner(m_hands, m_scene.cameras, m_targets, m_scene.start, 1, result.profile);
+        core::fitBest(refiner, live, stop, progress, result);
+        return result;
+    }
+
+    test::FittingScene m_scene{"best fit", 5};
+    core::FittingHands m_hands = core::makeFittingHands(m_scene.hands);
+    std::vector<core::CameraTarget> m_targets = core::makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1);
+};
+
+TEST_F(BestFit, ComesNearTheTruth) {
+    ASSERT_GT(m_scene.errorMm(m_scene.start), 5);
+    EXPECT_LT(m_scene.errorMm(fit(false).poses), 0.8);
+}
+
+TEST_F(BestFit, TheLiveVariantIsCoarserAndShorter) {
+    const FitResult live = fit(true), full = fit(false);
+    EXPECT_LT(m_scene.errorMm(live.poses), 3);
+    EXPECT_LT(live.history.size(), full.history.size());
+}
+
+TEST_F(BestFit, HistoryLeadsFromTheStartToTheResult) {
+    const FitResult result = fit(false);
+    ASSERT_FALSE(result.history.empty());
+    core::HandPoses before = m_scene.start;
+    for (std::size_t i = 0; i < result.history.size(); ++i) {
+        const core::FitIteration& record = result.history[i];
+        EXPECT_EQ(record.iteration, static_cast<int>(i));
+        EXPECT_GT(record.matches, 0);
+        EXPECT_GT(record.costMm2, 0);
+        EXPECT_NEAR(record.stepMm, core::meanJointDistanceMm(m_scene.hands, before, record.poses), 1e-9);
+        before = record.poses;
+    }
+    EXPECT_EQ(before[0], result.poses[0]);
+    EXPECT_EQ(before[1], result.poses[1]);
+    EXPECT_TRUE(result.termination == FitTermination::Converged || result.termination == FitTermination::MaxIterations);
+}
+
+TEST_F(BestFit, ProgressNeverGoesBackOrBeyondTheEnd) {
+    int last = 0, calls = 0;
+    fit(false, {}, [&](int done, int total) {
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, total);
+        last = done;
+        ++calls;
+    });
+    EXPECT_GT(calls, 10);
+}
+
+TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
+    for (const int when : {1, 5, 11}) {
+        std::stop_source source;
+        const FitResult result = fit(false, source.get_token(), [&](int done, int) {
+            if (done == when) {
+                source.request_stop();
+            }
+        });
+        EXPECT_EQ(result.termination, FitTermination::Stopped);
+        ASSERT_EQ(result.history.size(), static_cast<std::size_t>(when));
+        EXPECT_EQ(result.poses[0], result.history.back().poses[0]);
+    }
+}
+
+TEST_F(BestFit, FromTheTruthItStaysThere) {
+    m_scene.start = m_scene.truth;
+    EXPECT_LT(m_scene.errorMm(fit(false).poses), 0.5);
+}
+
+} // namespace

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/contour/rasteriser.h"
+#include "tests/support/camera_ring.h"
+#include "tests/support/two_finger_hand.h"
+
+namespace test {
+
+/// Two small hands seen by a ring of cameras of about one pixel per mm: where they are, what the cameras see and a pose
+/// some way off to start from.
+struct FittingScene {
+    std::vector<core::HandModel> hands = twoFingerHands();
+    std::vector<core::Camera> cameras;
+    core::HandPoses truth, start;
+    std::vector<cv::Mat> masks;
+
+    explicit FittingScene(std::string_view seed, int cameraCount = 6, bool withLens = true) {
+        for (const core::Camera& camera : cameraRing(cameraCount, withLens)) {
+            cameras.push_back(core::cropped(camera, {0, 0}, {540, 960}, 0.5));
+        }
+        RandomValues random(seed);
+        for (const core::HandModel& hand : hands) {
+            truth.push_back(somePose(hand.skeleton, random, 10, 0.2));
+            core::Pose step(hand.skeleton.poseSize());
+            step << 7 * random.direction(), 0.12 * random.direction(),
+                random.vector(hand.skeleton.poseSize() - 6, 0.25);
+            start.push_back(core::retract(truth.back(), step));
+            for (std::size_t d = 0; d < hand.skeleton.dofs.size(); ++d) {
+                double& angle = start.back()[core::kRigidDofs + static_cast<Eigen::Index>(d)];
+                angle = std::clamp(angle, hand.skeleton.dofs[d].minRad, hand.skeleton.dofs[d].maxRad);
+            }
+        }
+        masks = seen(truth);
+    }
+
+    std::vector<cv::Mat> seen(const core::HandPoses& poses) const {
+        std::vector<cv::Mat> result;
+        for (const core::Camera& camera : cameras) {
+            result.push_back(core::renderHandsMask(camera, hands, poses));
+        }
+        return result;
+    }
+    double errorMm(const core::HandPoses& poses) const { return core::meanJointDistanceMm(hands, truth, poses); }
+};
+
+} // namespace test
