@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/workspaces.h"
+
+#include <algorithm>
+
+#include <QDataStream>
+#include <QVBoxLayout>
+
+#include "widgets/panels/state_colours.h"
+
+namespace widgets {
+
+Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(workbench), m_columns(new QSplitter(Qt::Horizontal, this)), m_middle(new QStackedWidget(this)),
+      m_right(new QSplitter(Qt::Vertical, this)), m_tabs(new QTabWidget(this)),
+      m_joints(new JointsPanel(workbench.joints, workbench.reconstructions, workbench.selection, this)), m_grid(new CameraGrid(this)),
+      m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
+      m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
+      m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)) {
+    build();
+    connectGrid();
+    connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
+    connect(&workbench, &Workbench::shownCamerasChanged, this, &Workspaces::showOrder);
+    connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
+    connect(&workbench.frames, &FrameLoader::pictureFailed, this, [this](int camera, const QString& message) {
+        if (camera < m_grid->count())
+            m_grid->view(camera)->setMessage(message);
+    });
+    connect(&workbench.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
+}
+
+void Workspaces::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_columns);
+    m_middle->addWidget(m_grid);
+    m_tabs->addTab(m_fitting, tr("Fit"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setFocusPolicy(Qt::NoFocus);
+    m_right->addWidget(m_scene);
+    m_right->addWidget(m_tabs);
+    m_columns->addWidget(m_joints);
+    m_columns->addWidget(m_middle);
+    m_columns->addWidget(m_right);
+    for (QSplitter* splitter : {m_columns, m_right}) {
+        splitter->setHandleWidth(kSpacing / 2);
+        splitter->setChildrenCollapsible(false);
+    }
+    m_columns->setStretchFactor(1, 1);
+    m_columns->setSizes({290, 1280, 350});
+    m_right->setStretchFactor(0, 1);
+    m_right->setSizes({420, 420});
+}
+
+void Workspaces::connectGrid() {
+    connect(m_grid, &CameraGrid::viewAdded, this, &Workspaces::connectView);
+    connect(m_grid, &CameraGrid::currentChanged, this, [this](int camera) {
+        if (camera >= 0 && m_workbench.session.dataset())
+            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+    });
+    connect(m_scene, &SceneView::jointClicked, &m_workbench.selection, &Selection::setJoint);
+    connect(m_scene, &SceneView::cameraClicked, this, [this](int camera) {
+        if (camera >= 0 && camera < m_grid->count())
+            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+    });
+}
+
+void Workspaces::connectView(int camera, CameraView* view) {
+    Annotator& annotator = m_workbench.annotator;
+    const auto name = [view] { return view->camera().name; };
+    const auto vector = [](QPointF px) { return Eigen::Vector2d(px.x(), px.y()); };
+    connect(view, &CameraView::pointPlaced, &annotator,
+            [&annotator, name, vector](QPointF px) { annotator.place(name(), vector(px)); });
+    connect(view, &CameraView::pointWithdrawn, &annotator, &Annotator::withdrawPlace);
+    connect(view, &CameraView::markDragged, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+        annotator.drag(name(), joint, vector(px));
+    });
+    connect(view, &CameraView::markDropped, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+        annotator.drop(name(), joint, vector(px));
+    });
+    connect(view, &CameraView::markDragCancelled, &annotator, &Annotator::cancelDrag);
+    connect(view, &CameraView::markSelected, this, [this, name](const core::JointId& joint) {
+        m_workbench.selection.setCamera(name());
+        m_workbench.selection.setJoint(joint);
+    });
+    connect(view, &CameraView::contextMenuRequested, this,
+            [this, camera, name](QPointF px, const core::JointId& joint, const QPoint& position) {
+                m_workbench.selection.setCamera(name());
+                emit viewMenuRequested(camera, px, joint, position);
+            });
+}
+
+void Workspaces::takeSequence() {
+    const auto& dataset = m_workbench.session.dataset();
+    m_grid->setCameras(dataset->cameras);
+    for (CameraView* view : m_grid->views())
+        view->setMessage({});
+    m_scene->setCameras(dataset->cameras);
+    showOrder();
+    m_marks->setDataset(dataset, m_workbench.session.sequence());
+    m_layers->setSequence(dataset, m_workbench.session.motion());
+    for (int camera = 0; camera < m_grid->count(); ++camera)
+        showPicture(camera, m_workbench.frames.picture(camera));
+    showCurrentCamera();
+    m_scene->resetView();
+}
+
+void Workspaces::showOrder() {
+    const auto& dataset = m_workbench.session.dataset();
+    if (!dataset || m_grid->count() == 0)
+        return;
+    std::vector<int> order;
+    for (const std::string& camera : m_workbench.shownCameras())
+        order.push_back(dataset->cameraIndex(camera));
+    m_grid->setOrder(order);
+}
+
+void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
+    if (camera >= m_grid->count() || picture.isNull())
+        return;
+    m_grid->view(camera)->setMessage({});
+    m_grid->view(camera)->setImage(picture);
+    if (camera == m_grid->current())
+        m_scene->setCameraImage(picture.image());
+}
+
+void Workspaces::showCurrentCamera() {
+    const auto& dataset = m_workbench.session.dataset();
+    const int camera = dataset ? dataset->cameraIndex(m_workbench.selection.camera()) : -1;
+    if (camera >= m_grid->count())
+        return;
+    m_grid->setCurrent(camera);
+    m_scene->setCurrentCamera(camera);
+    const ImagePyramid picture = camera >= 0 ? m_workbench.frames.picture(camera) : ImagePyramid();
+    m_scene->setCameraImage(picture.isNull() ? QImage() : picture.image());
+}
+
+void Workspaces::setCurrent(Kind kind) {
+    if (kind == m_kind)
+        return;
+    m_kind = kind;
+    m_middle->setCurrentIndex(std::min(static_cast<int>(kind), m_middle->count() - 1));
+    m_joints->setVisible(kind == Kind::Annotate);
+    m_right->setVisible(kind != Kind::Benchmark);
+    emit currentChanged(kind);
+}
+
+void Workspaces::raisePanel(QWidget* panel) {
+    m_tabs->setCurrentWidget(panel);
+}
+
+QWidget* Workspaces::part(const QString& name) const {
+    if (name == QLatin1String("scene"))
+        return m_scene;
+    if (name == QLatin1String("joints"))
+        return m_joints;
+    if (name == QLatin1String("diagram"))
+        return m_joints->diagram();
+    if (name == QLatin1String("fit"))
+        return m_fitting;
+    if (name == QLatin1String("curves"))
+        return m_fitting->plot();
+    if (name == QLatin1String("views"))
+        return m_grid;
+    return m_grid->view(name);
+}
+
+QByteArray Workspaces::saveState() const {
+    QByteArray state;
+    QDataStream stream(&state, QIODevice::WriteOnly);
+    stream << m_columns->saveState() << m_right->saveState();
+    return state;
+}
+
+void Workspaces::restoreState(const QByteArray& state) {
+    if (state.isEmpty())
+        return;
+    QDataStream stream(state);
+    QByteArray columns, right;
+    stream >> columns >> right;
+    m_columns->restoreState(columns);
+    m_right->restoreState(right);
+}
+
+} // namespace widgets

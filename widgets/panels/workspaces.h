@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QWidget>
+
+#include "widgets/jobs/workbench.h"
+#include "widgets/panels/fitting_panel.h"
+#include "widgets/panels/joints_panel.h"
+#include "widgets/panels/layer_presenter.h"
+#include "widgets/panels/mark_presenter.h"
+#include "widgets/views/camera_grid.h"
+#include "widgets/views/scene_view.h"
+
+namespace widgets {
+
+/// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the middle shows
+/// depends on the workspace. It turns what happens in the views into the annotator's steps.
+class Workspaces : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { Annotate, Inspect, Benchmark };
+    Q_ENUM(Kind)
+
+    explicit Workspaces(Workbench& workbench, QWidget* parent = nullptr);
+
+    void setCurrent(Kind kind);
+    Kind current() const { return m_kind; }
+
+    CameraGrid* grid() const { return m_grid; }
+    SceneView* scene() const { return m_scene; }
+    JointsPanel* jointsPanel() const { return m_joints; }
+    FittingPanel* fittingPanel() const { return m_fitting; }
+    MarkPresenter* marks() const { return m_marks; }
+    LayerPresenter* layers() const { return m_layers; }
+    /// Brings the tab with this panel to the front.
+    void raisePanel(QWidget* panel);
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "curves", "views" or a
+    /// camera's name; null if there is none.
+    QWidget* part(const QString& name) const;
+
+    QByteArray saveState() const;
+    void restoreState(const QByteArray& state);
+
+signals:
+    void currentChanged(widgets::Workspaces::Kind kind);
+    /// A right click in a view; `joint` has an empty name if there is no mark.
+    void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
+
+private:
+    void build();
+    void connectView(int camera, CameraView* view);
+    void connectGrid();
+    void takeSequence();
+    void showOrder();
+    void showPicture(int camera, const ImagePyramid& picture);
+    void showCurrentCamera();
+
+    Workbench& m_workbench;
+    Kind m_kind = Kind::Annotate;
+    QSplitter* m_columns;
+    QStackedWidget* m_middle;
+    QSplitter* m_right;
+    QTabWidget* m_tabs;
+    JointsPanel* m_joints;
+    CameraGrid* m_grid;
+    SceneView* m_scene;
+    FittingPanel* m_fitting;
+    MarkPresenter* m_marks;
+    LayerPresenter* m_layers;
+};
+
+} // namespace widgets
