@@ -39,7 +39,7 @@ std::vector<std::string> knownLines(const std::string& text, const core::Dataset
 
 Workbench::Workbench(QObject* parent)
     : QObject(parent), reconstructions(document, selection), annotator(document, selection, reconstructions, joints),
-      coverage(document, pool), session(document, pool), frames(pool), fits(pool) {
+      coverage(document, pool), session(document, pool), frames(pool), fits(pool), files(document, session, pool) {
     connect(&session, &DatasetSession::datasetOpened, this, &Workbench::takeDataset);
     connect(&session, &DatasetSession::sequenceOpened, this, &Workbench::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);

@@ -8,6 +8,7 @@
 #include "widgets/document/joint_list.h"
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
+#include "widgets/jobs/annotation_files.h"
 #include "widgets/jobs/coverage.h"
 #include "widgets/jobs/dataset_session.h"
 #include "widgets/jobs/fit_runner.h"
@@ -35,6 +36,7 @@ public:
     DatasetSession session;
     FrameLoader frames;
     FitRunner fits;
+    AnnotationFiles files;
 
     /// Which cameras are shown, and in which order; names. Kept with the annotations.
     void setShownCameras(const std::vector<std::string>& cameras);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/command_line.h"
+
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+ParsedCommandLine parseCommandLine(int argc, char** argv) {
+    CommandLine line;
+    CLI::App parser("Make and inspect 3D hand ground truth in calibrated multi-camera footage.", "handlens");
+    parser.add_option("dataset", line.dataset, "Dataset folder to open");
+    parser.add_option("--sequence", line.sequence, "Sequence to open (default: the first one)");
+    parser.add_option("--frame", line.frame, "Frame to show, from 0")->check(CLI::NonNegativeNumber);
+    parser.add_option("--language", line.language, "Language of the window: en, de, ... (default: the system's)");
+    parser.add_option("--rater", line.rater, "Name under which marks are made");
+    auto* offscreen = parser.add_flag("--offscreen", line.offscreen, "Run without a display (needs --script)");
+    auto* script = parser.add_option("--script", line.script, "File with one step (a JSON object) a line");
+    auto* out = parser.add_option("--out", line.out, "Folder for what the script writes");
+    offscreen->needs(script);
+    script->needs(offscreen)->needs(out);
+    parser.set_version_flag("--version", std::string("handlens ") + HANDLENS_VERSION);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::Success& request) {
+        parser.exit(request);
+        return {std::nullopt, 0};
+    } catch (const CLI::ParseError& error) {
+        std::cerr << "handlens: " << error.what() << '\n';
+        return {std::nullopt, 2};
+    }
+    return {line, 0};
+}
+
+} // namespace app

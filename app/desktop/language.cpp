@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/language.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QTranslator>
+
+namespace app {
+
+namespace {
+
+const QString kFolder = QStringLiteral(":/translations");
+const QString kPrefix = QStringLiteral("handlens_");
+
+QString bestMatch(const QString& wanted) {
+    const QStringList languages = availableLanguages();
+    if (languages.contains(wanted))
+        return wanted;
+    const QString plain = wanted.section(QLatin1Char('_'), 0, 0);
+    if (languages.contains(plain))
+        return plain;
+    for (const QString& language : languages) {
+        if (language.startsWith(plain + QLatin1Char('_')))
+            return language;
+    }
+    return QStringLiteral("en");
+}
+
+} // namespace
+
+QStringList availableLanguages() {
+    QStringList languages{QStringLiteral("en")};
+    for (const QString& file : QDir(kFolder).entryList({kPrefix + QStringLiteral("*.qm")})) {
+        const QString language = file.mid(kPrefix.size()).chopped(3);
+        if (!languages.contains(language))
+            languages << language;
+    }
+    return languages;
+}
+
+QString applyLanguage(QApplication& application, const QString& language) {
+    const QString chosen = bestMatch(language.isEmpty() ? QLocale::system().name() : language);
+    QLocale::setDefault(chosen == QLatin1String("en") ? QLocale(QLocale::English, QLocale::UnitedKingdom) : QLocale(chosen));
+    auto* own = new QTranslator(&application);
+    if (own->load(kPrefix + chosen, kFolder))
+        application.installTranslator(own);
+    auto* qt = new QTranslator(&application);
+    if (qt->load(QStringLiteral("qtbase_") + chosen, QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
+        application.installTranslator(qt);
+    return chosen;
+}
+
+} // namespace app

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "widgets/document/annotation_document.h"
+#include "widgets/jobs/dataset_session.h"
+#include "widgets/jobs/job.h"
+
+namespace widgets {
+
+/// Exports and imports the annotations of the open sequence in the background. An import is one edit.
+class AnnotationFiles : public QObject {
+    Q_OBJECT
+
+public:
+    AnnotationFiles(AnnotationDocument& document, const DatasetSession& session, JobPool& pool, QObject* parent = nullptr);
+
+    /// `kind` is one of core::annotationFormats().
+    void exportTo(const QString& kind, const QString& path);
+    void importFrom(const QString& kind, const QString& path);
+    bool isRunning() const { return m_job.isRunning(); }
+
+signals:
+    void exported(const QString& path);
+    /// `warnings` say what was left out, one a line.
+    void imported(const QString& path, int marks, const QString& warnings);
+    void failed(const QString& message);
+
+private:
+    AnnotationDocument& m_document;
+    const DatasetSession& m_session;
+    Job m_job;
+};
+
+} // namespace widgets

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "widgets/document/joint_list.h"
+#include "widgets/jobs/coverage.h"
+
+namespace widgets {
+
+/// Directions in time.
+enum class Way { Forward, Back };
+
+/// The nearest frame from `frame` (not itself) in which a joint is bad.
+std::optional<int> nextBadFrame(const FrameCoverage& coverage, int frame, Way way);
+/// The nearest frame from `frame` (not itself) that holds marks.
+std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, Way way);
+/// The nearest frame of [0, frameCount) from `frame` (not itself) in which a joint of the list is not done.
+std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount, int frame, Way way);
+
+} // namespace widgets
