@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include <QApplication>
+#include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTimer>
+
+#include "app/desktop/command_line.h"
+#include "app/desktop/language.h"
+#include "app/desktop/main_window.h"
+#include "app/desktop/palettes.h"
+#include "app/desktop/script/idle_wait.h"
+#include "app/desktop/script/script_player.h"
+#include "core/error.h"
+#include "widgets/views/private_display.h"
+
+namespace {
+
+constexpr int kScreenWidth = 3840; // of the private display: room for any window that a script asks for
+constexpr int kScreenHeight = 2160;
+constexpr int kScriptWidth = 1920;
+constexpr int kScriptHeight = 1080;
+
+/// Opens the dataset and plays the script; returns the exit status.
+int runScript(app::MainWindow& window, const app::CommandLine& line) {
+    window.setGeometry(0, 0, kScriptWidth, kScriptHeight);
+    window.show();
+    window.activateWindow();
+    if (!line.dataset.empty()) {
+        QString error;
+        QObject::connect(&window.workbench().session, &widgets::DatasetSession::openFailed, &window,
+                         [&error](const QString& message) { error = message; });
+        window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
+        app::waitUntilIdle(window);
+        if (!error.isEmpty()) {
+            std::cerr << "handlens: " << error.toStdString() << std::endl;
+            return 1;
+        }
+    }
+    return app::playScript(window, QString::fromStdString(line.script), QString::fromStdString(line.out), std::cout, std::cerr);
+}
+
+int run(int argc, char** argv, const app::CommandLine& line) {
+    std::unique_ptr<widgets::PrivateDisplay> display;
+    if (line.offscreen)
+        display = std::make_unique<widgets::PrivateDisplay>(kScreenWidth, kScreenHeight);
+    widgets::SceneView::prepareApplication();
+    QCoreApplication::setOrganizationName(QStringLiteral("handlens"));
+    QCoreApplication::setApplicationName(QStringLiteral("handlens"));
+    QApplication application(argc, argv);
+    const QTemporaryDir freshSettings;
+    QSettings settings = line.offscreen ? QSettings(freshSettings.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat)
+                                        : QSettings();
+    const QString language = line.language.empty() ? settings.value(QStringLiteral("language")).toString()
+                                                   : QString::fromStdString(line.language);
+    app::applyLanguage(application, language.isEmpty() && line.offscreen ? QStringLiteral("en") : language);
+    const bool light = settings.value(QStringLiteral("look")).toString() == QLatin1String("light");
+    app::applyLook(application, light ? app::Look::Light : app::Look::Dark);
+    app::MainWindow window(settings, {line.rater, !line.offscreen});
+    if (line.offscreen) {
+        QTimer::singleShot(0, &window, [&] { QCoreApplication::exit(runScript(window, line)); });
+    } else {
+        window.show();
+        if (!line.dataset.empty())
+            window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
+    }
+    return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const app::ParsedCommandLine parsed = app::parseCommandLine(argc, argv);
+    if (!parsed.arguments)
+        return parsed.exitStatus;
+    try {
+        return run(argc, argv, *parsed.arguments);
+    } catch (const std::exception& error) {
+        std::cerr << "handlens: " << error.what() << std::endl;
+        return 1;
+    }
+}

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/main_window.h"
+
+#include <QCloseEvent>
+#include <QDir>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QVBoxLayout>
+
+#include "app/desktop/menus.h"
+#include "app/desktop/window_actions.h"
+
+namespace app {
+
+using widgets::Workspaces;
+
+namespace {
+
+constexpr int kRecentDatasets = 8;
+const char* const kRecentKey = "recentDatasets";
+
+QString droppedFolder(const QMimeData* data) {
+    for (const QUrl& url : data->urls()) {
+        const QFileInfo file(url.toLocalFile());
+        if (file.isDir())
+            return file.absoluteFilePath();
+        if (file.fileName() == QLatin1String("dataset.json"))
+            return file.absolutePath();
+    }
+    return {};
+}
+
+} // namespace
+
+MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidget* parent)
+    : QMainWindow(parent), m_settings(settings), m_actions(this, settings), m_playback(m_workbench.selection, m_workbench.frames) {
+    build();
+    connectSession();
+    connectDocument();
+    connectWork();
+    bindWindowActions(*this);
+    buildMenus(*this);
+    const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString() : QString::fromStdString(options.rater);
+    m_workbench.document.setRater(rater.toStdString());
+    restoreLayout();
+    refreshTitle();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::build() {
+    auto* central = new QWidget(this);
+    auto* column = new QVBoxLayout(central);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_message = new widgets::MessageBar(central);
+    m_framesBar = new widgets::FramesBar(m_workbench.selection, m_workbench.document, m_workbench.coverage, m_workbench.joints, central);
+    m_pages = new QStackedWidget(central);
+    m_empty = new widgets::EmptyState(m_pages);
+    m_workspaces = new Workspaces(m_workbench, m_pages);
+    m_statusLine = new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
+    m_viewOptions = new widgets::ViewOptions(*m_workspaces->grid(), m_workbench.selection, m_workbench.reconstructions, this);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_workspaces);
+    column->addWidget(m_message);
+    column->addWidget(m_framesBar);
+    column->addWidget(m_pages, 1);
+    column->addWidget(m_statusLine);
+    setCentralWidget(central);
+    setAcceptDrops(true);
+    setWindowIcon(QIcon(QStringLiteral(":/icons/handlens.svg")));
+    m_framesBar->setActions(m_actions.action(QStringLiteral("go.previousFrame")), m_actions.action(QStringLiteral("go.nextFrame")),
+                            m_actions.action(QStringLiteral("go.play")));
+    m_framesBar->hide();
+    m_statusLine->setIdleText(tr("Open a dataset to begin."));
+    menuBar()->setCornerWidget(makeWorkspaceBar(), Qt::TopRightCorner);
+    m_empty->setRecentDatasets(m_settings.value(kRecentKey).toStringList());
+    connect(m_empty, &widgets::EmptyState::openRequested, this, &MainWindow::askForDataset);
+    connect(m_empty, &widgets::EmptyState::demoRequested, this, &MainWindow::openDemo);
+    connect(m_empty, &widgets::EmptyState::recentRequested, this, [this](const QString& folder) { openDataset(folder); });
+}
+
+QWidget* MainWindow::makeWorkspaceBar() {
+    m_workspaceBar = new QTabBar(this);
+    m_workspaceBar->setDocumentMode(true);
+    m_workspaceBar->setDrawBase(false);
+    m_workspaceBar->setExpanding(false);
+    m_workspaceBar->setFocusPolicy(Qt::NoFocus);
+    for (const char* id : {"workspace.annotate", "workspace.inspect", "workspace.benchmark"})
+        m_workspaceBar->addTab(m_actions.plainText(QString::fromLatin1(id)));
+    connect(m_workspaceBar, &QTabBar::currentChanged, this,
+            [this](int index) { m_workspaces->setCurrent(static_cast<Workspaces::Kind>(index)); });
+    return m_workspaceBar;
+}
+
+void MainWindow::connectSession() {
+    widgets::DatasetSession& session = m_workbench.session;
+    connect(&session, &widgets::DatasetSession::opening, this, [this](const QString& what) {
+        showMessage({});
+        m_statusLine->showWork(tr("Opening %1").arg(QFileInfo(what).fileName()), -1);
+    });
+    connect(&session, &widgets::DatasetSession::openFailed, this, [this](const QString& message) {
+        m_statusLine->hideWork();
+        showMessage(tr("This could not be opened. %1").arg(message));
+        if (m_workbench.session.sequence())
+            m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
+    });
+    connect(&session, &widgets::DatasetSession::datasetOpened, this, [this] {
+        const core::Dataset& dataset = *m_workbench.session.dataset();
+        m_framesBar->setDataset(dataset);
+        m_statusLine->setCameraCount(static_cast<int>(dataset.cameras.size()));
+        remember(QString::fromStdString(dataset.folder.string()));
+    });
+    connect(&m_workbench, &widgets::Workbench::ready, this, [this] {
+        m_statusLine->hideWork();
+        m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
+        m_framesBar->show();
+        m_pages->setCurrentWidget(m_workspaces);
+        m_workspaces->grid()->setFocus();
+        m_playback.setFramesPerSecond(m_workbench.session.sequence()->framesPerSecond);
+        refreshTitle();
+    });
+    connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this, [this](const QString& name) {
+        m_workbench.session.openSequence(name, 0);
+    });
+}
+
+void MainWindow::connectDocument() {
+    widgets::AnnotationDocument& document = m_workbench.document;
+    connect(&document, &widgets::AnnotationDocument::saveFailed, this, [this](const QString& message) {
+        showMessage(tr("Not saved yet, but nothing is lost: it is tried again every few seconds. %1").arg(message));
+    });
+    connect(&document, &widgets::AnnotationDocument::saved, this, [this] { showMessage({}); });
+    connect(&document, &widgets::AnnotationDocument::refused, this, &MainWindow::showMessage);
+    connect(&document, &widgets::AnnotationDocument::opened, this, [this] {
+        const core::AnnotationStore* store = m_workbench.document.store();
+        if (store && store->isReadOnly())
+            showMessage(tr("Read-only: %1. You can look and export; edits are not possible.")
+                            .arg(QString::fromStdString(store->readOnlyReason())));
+        else if (store && !store->warnings().empty())
+            showMessage(QString::fromStdString(store->warnings().front()));
+    });
+    connect(&m_workbench.annotator, &widgets::Annotator::nothingDone, m_statusLine, &widgets::StatusLine::sayBriefly);
+    widgets::AnnotationFiles& files = m_workbench.files;
+    connect(&files, &widgets::AnnotationFiles::failed, this, &MainWindow::showMessage);
+    connect(&files, &widgets::AnnotationFiles::exported, this, [this](const QString& path) {
+        m_statusLine->sayBriefly(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    });
+    connect(&files, &widgets::AnnotationFiles::imported, this, [this](const QString& path, int marks, const QString& warnings) {
+        m_statusLine->sayBriefly(tr("%n mark(s) imported from %1", nullptr, marks).arg(QFileInfo(path).fileName()));
+        if (!warnings.isEmpty())
+            showMessage(warnings);
+    });
+}
+
+void MainWindow::connectWork() {
+    widgets::FitRunner& fits = m_workbench.fits;
+    connect(&fits, &widgets::FitRunner::started, this, [this] { m_statusLine->showWork(tr("Fitting"), 0); });
+    connect(&fits, &widgets::FitRunner::progressed, this, [this](double fraction, const QString& method) {
+        m_statusLine->showWork(tr("Fitting: %1").arg(method), fraction);
+    });
+    connect(&fits, &widgets::FitRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
+}
+
+void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
+    m_playback.stop();
+    m_workbench.session.openDataset(QFileInfo(folder).absoluteFilePath(), sequence, frame);
+}
+
+void MainWindow::askForDataset() {
+    const QStringList recent = m_settings.value(kRecentKey).toStringList();
+    auto* dialog = new QFileDialog(this, tr("Open a dataset"), recent.isEmpty() ? QDir::homePath() : recent.front());
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& folder) { openDataset(folder); });
+    dialog->open();
+}
+
+void MainWindow::openDemo() {
+    showMessage(tr("The demo is not part of this build."));
+}
+
+void MainWindow::showMessage(const QString& text) {
+    m_message->setMessage(text);
+}
+
+QWidget* MainWindow::part(const QString& name) {
+    if (name == QLatin1String("window"))
+        return this;
+    if (name == QLatin1String("frames"))
+        return m_framesBar;
+    if (name == QLatin1String("status"))
+        return m_statusLine;
+    return m_workspaces->part(name);
+}
+
+void MainWindow::remember(const QString& folder) {
+    QStringList recent = m_settings.value(kRecentKey).toStringList();
+    recent.removeAll(folder);
+    recent.prepend(folder);
+    while (recent.size() > kRecentDatasets)
+        recent.removeLast();
+    m_settings.setValue(kRecentKey, recent);
+    m_empty->setRecentDatasets(recent);
+}
+
+void MainWindow::restoreLayout() {
+    resize(1366, 768);
+    restoreGeometry(m_settings.value(QStringLiteral("window/geometry")).toByteArray());
+    m_workspaces->restoreState(m_settings.value(QStringLiteral("window/workspaces")).toByteArray());
+}
+
+void MainWindow::refreshTitle() {
+    const auto& dataset = m_workbench.session.dataset();
+    if (!dataset || !m_workbench.session.sequence()) {
+        setWindowTitle(QStringLiteral("Handlens"));
+        return;
+    }
+    setWindowTitle(QStringLiteral("%1 \u2013 %2 \u2013 Handlens")
+                       .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_workbench.session.sequence()->name)));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    m_playback.stop();
+    m_settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    m_settings.setValue(QStringLiteral("window/workspaces"), m_workspaces->saveState());
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFolder(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString folder = droppedFolder(event->mimeData());
+    if (!folder.isEmpty())
+        openDataset(folder);
+}
+
+} // namespace app

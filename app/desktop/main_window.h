@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <QActionGroup>
+#include <QMainWindow>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTabBar>
+
+#include "app/desktop/actions.h"
+#include "widgets/jobs/workbench.h"
+#include "widgets/panels/empty_state.h"
+#include "widgets/panels/frames_bar.h"
+#include "widgets/panels/playback.h"
+#include "widgets/panels/status_line.h"
+#include "widgets/panels/view_options.h"
+#include "widgets/panels/workspaces.h"
+#include "widgets/views/message_bar.h"
+
+namespace app {
+
+/// What the window is told when it is made.
+struct WindowOptions {
+    std::string rater; ///< empty: the one of the settings
+    bool hints = true; ///< whether hints may be shown
+};
+
+/// The window: it builds the parts and wires them; all that it shows and does is theirs.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow(QSettings& settings, const WindowOptions& options, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void openDataset(const QString& folder, const QString& sequence = {}, int frame = 0);
+    void askForDataset();
+    void openDemo();
+    /// Says at the top of the window what went wrong; an empty text takes it away.
+    void showMessage(const QString& text);
+
+    widgets::Workbench& workbench() { return m_workbench; }
+    widgets::Workspaces& workspaces() { return *m_workspaces; }
+    widgets::FramesBar& framesBar() { return *m_framesBar; }
+    widgets::StatusLine& statusLine() { return *m_statusLine; }
+    widgets::ViewOptions& viewOptions() { return *m_viewOptions; }
+    widgets::Playback& playback() { return m_playback; }
+    Actions& actions() { return m_actions; }
+    QSettings& settings() { return m_settings; }
+    /// A part of the window by the name that scripts use; null if there is none.
+    QWidget* part(const QString& name);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    void build();
+    QWidget* makeWorkspaceBar();
+    void connectSession();
+    void connectDocument();
+    void connectWork();
+    void remember(const QString& folder);
+    void restoreLayout();
+    void refreshTitle();
+
+    QSettings& m_settings;
+    widgets::Workbench m_workbench;
+    Actions m_actions;
+    widgets::Playback m_playback;
+    widgets::MessageBar* m_message = nullptr;
+    widgets::FramesBar* m_framesBar = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    widgets::EmptyState* m_empty = nullptr;
+    widgets::Workspaces* m_workspaces = nullptr;
+    widgets::StatusLine* m_statusLine = nullptr;
+    widgets::ViewOptions* m_viewOptions = nullptr;
+    QTabBar* m_workspaceBar = nullptr;
+};
+
+} // namespace app
