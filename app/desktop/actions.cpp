@@ -64,10 +64,12 @@ QAction* Actions::action(const QString& id) const {
 }
 
 void Actions::bind(const QString& id, std::function<void()> run) {
+    m_bound.insert(id);
     connect(action(id), &QAction::triggered, this, [run = std::move(run)] { run(); });
 }
 
 void Actions::bindToggle(const QString& id, std::function<void(bool)> run) {
+    m_bound.insert(id);
     QAction* toggled = action(id);
     connect(toggled, &QAction::toggled, this, [run = std::move(run)](bool on) { run(on); });
     if (m_rows.at(id)->kind != ActionKind::Hold)

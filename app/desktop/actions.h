@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 
 #include <QAction>
 #include <QKeySequence>
@@ -33,6 +34,8 @@ public:
     /// What an action that is on or off (or held) does.
     void bindToggle(const QString& id, std::function<void(bool)> run);
 
+    bool isBound(const QString& id) const { return m_bound.count(id) > 0; }
+
     /// The id of another action with that shortcut, if there is one.
     std::optional<QString> clash(const QString& id, const QKeySequence& shortcut) const;
     /// Sets and keeps a shortcut; refuses a clash and returns false. An empty one takes it away.
@@ -57,6 +60,7 @@ private:
     QSettings& m_settings;
     std::map<QString, QAction*> m_actions;
     std::map<QString, const ActionRow*> m_rows;
+    std::set<QString> m_bound;
     QAction* m_held = nullptr;
     int m_heldKey = 0;
 };

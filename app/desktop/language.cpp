@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QTranslator>
 
+#include "app/desktop/resources.h"
+
 namespace app {
 
 namespace {
@@ -41,6 +43,7 @@ QStringList availableLanguages() {
 }
 
 QString applyLanguage(QApplication& application, const QString& language) {
+    initResources();
     const QString chosen = bestMatch(language.isEmpty() ? QLocale::system().name() : language);
     QLocale::setDefault(chosen == QLatin1String("en") ? QLocale(QLocale::English, QLocale::UnitedKingdom) : QLocale(chosen));
     auto* own = new QTranslator(&application);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/main_window.h"
 
+#include <utility>
+
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -8,9 +10,13 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "app/desktop/annotation_actions.h"
 #include "app/desktop/menus.h"
+#include "app/desktop/panel_actions.h"
+#include "app/desktop/resources.h"
 #include "app/desktop/window_actions.h"
 
 namespace app {
@@ -37,19 +43,27 @@ QString droppedFolder(const QMimeData* data) {
 
 MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidget* parent)
     : QMainWindow(parent), m_settings(settings), m_actions(this, settings), m_playback(m_workbench.selection, m_workbench.frames) {
+    initResources();
     build();
     connectSession();
     connectDocument();
     connectWork();
     bindWindowActions(*this);
+    bindAnnotationActions(*this);
+    bindPanelActions(*this);
     buildMenus(*this);
+    m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString() : QString::fromStdString(options.rater);
     m_workbench.document.setRater(rater.toStdString());
     restoreLayout();
     refreshTitle();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    m_playback.stop();
+    hide();
+    delete takeCentralWidget(); // the panels look at the workbench, which goes with this object's members
+}
 
 void MainWindow::build() {
     auto* central = new QWidget(this);
@@ -62,7 +76,6 @@ void MainWindow::build() {
     m_empty = new widgets::EmptyState(m_pages);
     m_workspaces = new Workspaces(m_workbench, m_pages);
     m_statusLine = new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
-    m_viewOptions = new widgets::ViewOptions(*m_workspaces->grid(), m_workbench.selection, m_workbench.reconstructions, this);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_workspaces);
     column->addWidget(m_message);
@@ -93,6 +106,8 @@ QWidget* MainWindow::makeWorkspaceBar() {
         m_workspaceBar->addTab(m_actions.plainText(QString::fromLatin1(id)));
     connect(m_workspaceBar, &QTabBar::currentChanged, this,
             [this](int index) { m_workspaces->setCurrent(static_cast<Workspaces::Kind>(index)); });
+    connect(m_workspaces, &Workspaces::currentChanged, m_workspaceBar,
+            [this](Workspaces::Kind kind) { m_workspaceBar->setCurrentIndex(static_cast<int>(kind)); });
     return m_workspaceBar;
 }
 
@@ -121,6 +136,8 @@ void MainWindow::connectSession() {
         m_pages->setCurrentWidget(m_workspaces);
         m_workspaces->grid()->setFocus();
         m_playback.setFramesPerSecond(m_workbench.session.sequence()->framesPerSecond);
+        if (std::exchange(m_mayHint, false))
+            showHints();
         refreshTitle();
     });
     connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this, [this](const QString& name) {
@@ -166,6 +183,15 @@ void MainWindow::connectWork() {
     connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
+    widgets::BenchmarkRunner& benchmarks = m_workbench.benchmarks;
+    connect(&benchmarks, &widgets::BenchmarkRunner::started, this, [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
+    connect(&benchmarks, &widgets::BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
+        m_statusLine->showWork(tr("Benchmark: %1").arg(text), fraction);
+    });
+    connect(&benchmarks, &widgets::BenchmarkRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(&benchmarks, &widgets::BenchmarkRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(&benchmarks, &widgets::BenchmarkRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(m_statusLine, &widgets::StatusLine::stopRequested, &benchmarks, &widgets::BenchmarkRunner::stop);
 }
 
 void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
@@ -184,11 +210,20 @@ void MainWindow::askForDataset() {
 }
 
 void MainWindow::openDemo() {
-    showMessage(tr("The demo is not part of this build."));
+    m_playback.stop();
+    m_workbench.session.openDemo(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/demo"));
 }
 
 void MainWindow::showMessage(const QString& text) {
     m_message->setMessage(text);
+}
+
+void MainWindow::showHints() {
+    if (!m_hints) {
+        m_hints = new widgets::Hints(m_workspaces->grid());
+        connect(m_hints, &widgets::Hints::closed, this, [this] { m_settings.setValue(QStringLiteral("hintsSeen"), true); });
+    }
+    m_hints->show();
 }
 
 QWidget* MainWindow::part(const QString& name) {

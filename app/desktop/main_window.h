@@ -13,9 +13,9 @@
 #include "widgets/jobs/workbench.h"
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/frames_bar.h"
+#include "widgets/panels/hints.h"
 #include "widgets/panels/playback.h"
 #include "widgets/panels/status_line.h"
-#include "widgets/panels/view_options.h"
 #include "widgets/panels/workspaces.h"
 #include "widgets/views/message_bar.h"
 
@@ -40,12 +40,13 @@ public:
     void openDemo();
     /// Says at the top of the window what went wrong; an empty text takes it away.
     void showMessage(const QString& text);
+    void showHints();
 
     widgets::Workbench& workbench() { return m_workbench; }
     widgets::Workspaces& workspaces() { return *m_workspaces; }
     widgets::FramesBar& framesBar() { return *m_framesBar; }
     widgets::StatusLine& statusLine() { return *m_statusLine; }
-    widgets::ViewOptions& viewOptions() { return *m_viewOptions; }
+    widgets::ViewOptions& viewOptions() { return *m_workspaces->options(); }
     widgets::Playback& playback() { return m_playback; }
     Actions& actions() { return m_actions; }
     QSettings& settings() { return m_settings; }
@@ -77,8 +78,9 @@ private:
     widgets::EmptyState* m_empty = nullptr;
     widgets::Workspaces* m_workspaces = nullptr;
     widgets::StatusLine* m_statusLine = nullptr;
-    widgets::ViewOptions* m_viewOptions = nullptr;
     QTabBar* m_workspaceBar = nullptr;
+    widgets::Hints* m_hints = nullptr;
+    bool m_mayHint = true;
 };
 
 } // namespace app

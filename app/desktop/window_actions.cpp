@@ -5,12 +5,10 @@
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QFileDialog>
 #include <QUndoStack>
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/palettes.h"
-#include "core/annotation/edits.h"
 #include "widgets/jobs/navigation.h"
 
 namespace app {
@@ -28,16 +26,6 @@ void bindFile(MainWindow& window) {
     Actions& actions = window.actions();
     actions.bind(id("file.open"), [&window] { window.askForDataset(); });
     actions.bind(id("file.demo"), [&window] { window.openDemo(); });
-    actions.bind(id("file.export"), [&window] {
-        auto* dialog = new QFileDialog(&window, MainWindow::tr("Export ground truth"), QString(), MainWindow::tr("Ground truth (*.json)"));
-        dialog->setAcceptMode(QFileDialog::AcceptSave);
-        dialog->setDefaultSuffix(QStringLiteral("json"));
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&window](const QString& path) {
-            window.workbench().files.exportTo(QStringLiteral("handlens"), path);
-        });
-        dialog->open();
-    });
     actions.bind(id("file.quit"), [&window] { window.close(); });
 }
 
@@ -258,7 +246,6 @@ void bindFit(MainWindow& window) {
     widgets::FittingPanel* panel = window.workspaces().fittingPanel();
     actions.bind(id("fit.run"), [panel] { panel->fitCurrentFrame(); });
     actions.bind(id("fit.stop"), [&window] { window.workbench().fits.stop(); });
-    actions.bind(id("fit.show"), [&window, panel] { window.workspaces().raisePanel(panel); });
 }
 
 } // namespace

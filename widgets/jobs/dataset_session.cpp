@@ -2,6 +2,7 @@
 #include "widgets/jobs/dataset_session.h"
 
 #include "core/error.h"
+#include "core/io/demo_dataset.h"
 
 namespace widgets {
 
@@ -19,33 +20,58 @@ DatasetSession::DatasetSession(AnnotationDocument& document, JobPool& pool, QObj
 }
 
 void DatasetSession::openDataset(const QString& folder, const QString& sequence, int frame) {
-    load(nullptr, folder, sequence, frame);
+    const std::filesystem::path path = folder.toStdString();
+    closeBefore(path);
+    emit opening(folder);
+    load([path] { return std::make_shared<const core::Dataset>(core::readDataset(path)); }, sequence, frame);
+}
+
+void DatasetSession::openDemo(const QString& folder) {
+    const std::filesystem::path path = folder.toStdString();
+    closeBefore(path);
+    emit opening(folder);
+    load(
+        [path] {
+            if (!std::filesystem::exists(path / "dataset.json")) {
+                std::filesystem::create_directories(path.parent_path());
+                const core::NewDataset demo = core::makeDemoDataset();
+                core::writeDataset(demo.dataset, demo.motions, path);
+            }
+            return std::make_shared<const core::Dataset>(core::readDataset(path));
+        },
+        {}, 0);
 }
 
 void DatasetSession::openSequence(const QString& sequence, int frame) {
     if (!m_dataset)
         return;
-    if (m_sequence && m_document.isOpen() && m_sequence->name == sequence.toStdString())
+    if (m_sequence && m_document.isOpen() && m_sequence->name == sequence.toStdString()) {
         m_job.stop();
-    else
-        load(m_dataset, {}, sequence, frame);
+        return;
+    }
+    emit opening(sequence);
+    load([dataset = m_dataset] { return dataset; }, sequence, frame);
 }
 
-void DatasetSession::load(std::shared_ptr<const core::Dataset> dataset, const QString& folder, const QString& sequence,
-                          int frame) {
-    const auto folderPath = std::filesystem::path(folder.toStdString());
-    if (!dataset && m_dataset && m_dataset->folder == folderPath)
-        m_document.close(); // one process holds one writer per file: the old one lets go before the file is opened again
-    emit opening(dataset ? sequence : folder);
-    m_job.start([this, dataset, folderPath, name = sequence.toStdString(), frame](const JobContext&) -> Job::Delivery {
+/// One process holds one writer per file: the old one lets go before the file is opened again.
+void DatasetSession::closeBefore(const std::filesystem::path& folder) {
+    if (m_dataset && m_dataset->folder == folder)
+        m_document.close();
+}
+
+void DatasetSession::load(DatasetReader reader, const QString& sequence, int frame) {
+    m_job.start([this, reader = std::move(reader), name = sequence.toStdString(), frame](const JobContext&) -> Job::Delivery {
         auto loaded = std::make_shared<Loaded>();
-        loaded->dataset = dataset ? dataset : std::make_shared<const core::Dataset>(core::readDataset(folderPath));
-        if (loaded->dataset->sequences.empty())
-            throw core::Error(core::ErrorCode::BadInput, (folderPath / "dataset.json").string(), "sequences",
+        loaded->dataset = reader();
+        const core::Dataset& dataset = *loaded->dataset;
+        if (dataset.sequences.empty())
+            throw core::Error(core::ErrorCode::BadInput, (dataset.folder / "dataset.json").string(), "sequences",
                               "the dataset has no sequence");
-        loaded->sequence = name.empty() ? &loaded->dataset->sequences.front() : &loaded->dataset->sequence(name);
-        loaded->motion = std::make_shared<const core::Motion>(core::readMotion(*loaded->dataset, *loaded->sequence));
-        loaded->annotations = AnnotationDocument::read(loaded->dataset->folder / loaded->sequence->annotations);
+        loaded->sequence = name.empty() ? &dataset.sequences.front() : &dataset.sequence(name);
+        loaded->motion = std::make_shared<const core::Motion>(core::readMotion(dataset, *loaded->sequence));
+        const std::string file = loaded->sequence->annotations;
+        loaded->annotations =
+            AnnotationDocument::read(dataset.folder / (file.empty() ? "annotations/" + loaded->sequence->name + ".sqlite" : file));
         return [this, loaded, frame] { take(loaded, frame); };
     });
 }

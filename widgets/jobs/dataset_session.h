@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -21,6 +23,8 @@ public:
 
     /// Reads a dataset, then opens `sequence` (its first one if that is empty) at `frame`.
     void openDataset(const QString& folder, const QString& sequence = {}, int frame = 0);
+    /// Opens the demo in `folder`, where it is written first if it is not there.
+    void openDemo(const QString& folder);
     /// Opens another sequence of the open dataset at `frame`; does nothing if it is open.
     void openSequence(const QString& sequence, int frame = 0);
     bool isOpening() const { return m_job.isRunning(); }
@@ -42,7 +46,9 @@ signals:
 
 private:
     struct Loaded;
-    void load(std::shared_ptr<const core::Dataset> dataset, const QString& folder, const QString& sequence, int frame);
+    using DatasetReader = std::function<std::shared_ptr<const core::Dataset>()>;
+    void load(DatasetReader reader, const QString& sequence, int frame);
+    void closeBefore(const std::filesystem::path& folder);
     void take(const std::shared_ptr<Loaded>& loaded, int frame);
 
     AnnotationDocument& m_document;

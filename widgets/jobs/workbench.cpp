@@ -39,7 +39,8 @@ std::vector<std::string> knownLines(const std::string& text, const core::Dataset
 
 Workbench::Workbench(QObject* parent)
     : QObject(parent), reconstructions(document, selection), annotator(document, selection, reconstructions, joints),
-      coverage(document, pool), session(document, pool), frames(pool), fits(pool), files(document, session, pool) {
+      coverage(document, pool), session(document, pool), frames(pool), fits(pool), files(document, session, pool),
+      benchmarks(pool) {
     connect(&session, &DatasetSession::datasetOpened, this, &Workbench::takeDataset);
     connect(&session, &DatasetSession::sequenceOpened, this, &Workbench::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
@@ -61,6 +62,7 @@ void Workbench::takeDataset() {
     reconstructions.setDataset(session.dataset());
     annotator.setDataset(session.dataset());
     coverage.setDataset(session.dataset());
+    benchmarks.setDataset(session.dataset());
 }
 
 void Workbench::takeSequence(int frame) {

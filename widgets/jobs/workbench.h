@@ -9,6 +9,7 @@
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
 #include "widgets/jobs/annotation_files.h"
+#include "widgets/jobs/benchmark_runner.h"
 #include "widgets/jobs/coverage.h"
 #include "widgets/jobs/dataset_session.h"
 #include "widgets/jobs/fit_runner.h"
@@ -37,6 +38,7 @@ public:
     FrameLoader frames;
     FitRunner fits;
     AnnotationFiles files;
+    BenchmarkRunner benchmarks;
 
     /// Which cameras are shown, and in which order; names. Kept with the annotations.
     void setShownCameras(const std::vector<std::string>& cameras);

@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include <QPainterPath>
 #include <QPointF>
 #include <QWidget>
 
@@ -13,10 +12,6 @@
 #include "widgets/document/selection.h"
 
 namespace widgets {
-
-/// Where a joint lies in a drawing of the left hand's back in the unit square (thumb on the right); nothing for names that it
-/// does not know. The right hand is its mirror image.
-std::optional<QPointF> diagramPosition(const std::string& joint);
 
 /// A drawing of both hands, a dot per joint: filled by state, ringed red when its error is high, outlined when selected. A click
 /// selects. Left hand round, right hand square.
@@ -39,8 +34,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    QRectF handArea(core::Side hand) const;
-    QPointF place(core::Side hand, QPointF unit) const;
+    QRectF area(core::Side hand) const;
     void paintHand(QPainter& painter, core::Side hand) const;
     void paintDot(QPainter& painter, const core::JointId& joint, QPointF centre) const;
     std::optional<core::JointId> jointAt(QPointF position) const;

@@ -9,16 +9,24 @@
 
 namespace widgets {
 
-JointsPanel::JointsPanel(JointList& joints, const Reconstructions& reconstructions, Selection& selection, QWidget* parent)
+JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const Reconstructions& reconstructions, Selection& selection,
+                         QWidget* parent)
     : QWidget(parent), m_joints(joints), m_selection(selection), m_diagram(new HandDiagram(joints, reconstructions, selection, this)),
-      m_table(new QTableView(this)), m_model(new JointTableModel(joints, reconstructions, this)) {
+      m_table(new QTableView(this)), m_model(new JointTableModel(joints, reconstructions, this)),
+      m_note(new NoteEdit(document, selection, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_diagram);
     column->addWidget(m_table, 1);
+    column->addWidget(m_note);
     m_table->setModel(m_model);
     styleTable(*m_table);
+    const int widest = m_table->fontMetrics().horizontalAdvance(QStringLiteral("000.00"));
+    for (const int wide : {JointTableModel::Views, JointTableModel::ErrorPx, JointTableModel::SigmaMm}) {
+        m_table->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Fixed);
+        m_table->setColumnWidth(wide, widest + 2 * kSpacing);
+    }
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_table->horizontalHeader(), &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {

@@ -13,12 +13,17 @@ namespace widgets {
 Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(workbench), m_columns(new QSplitter(Qt::Horizontal, this)), m_middle(new QStackedWidget(this)),
       m_right(new QSplitter(Qt::Vertical, this)), m_tabs(new QTabWidget(this)),
-      m_joints(new JointsPanel(workbench.joints, workbench.reconstructions, workbench.selection, this)), m_grid(new CameraGrid(this)),
+      m_joints(new JointsPanel(workbench.joints, workbench.document, workbench.reconstructions, workbench.selection, this)), m_grid(new CameraGrid(this)),
       m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
       m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
-      m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)) {
+      m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
+      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)),
+      m_quality(new QualityPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
+      m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)) {
     build();
     connectGrid();
+    connect(m_quality, &QualityPanel::badRmsPxChanged, m_joints, &JointsPanel::setBadRmsPx);
+    connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
     connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
     connect(&workbench, &Workbench::shownCamerasChanged, this, &Workspaces::showOrder);
     connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
@@ -34,7 +39,12 @@ void Workspaces::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_columns);
     m_middle->addWidget(m_grid);
+    m_middle->addWidget(m_inspect);
+    m_middle->addWidget(m_benchmark);
+    m_tabs->addTab(m_quality, tr("Quality"));
     m_tabs->addTab(m_fitting, tr("Fit"));
+    m_tabs->addTab(m_viewPanel, tr("View"));
+    m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
     m_tabs->setDocumentMode(true);
     m_tabs->setFocusPolicy(Qt::NoFocus);
     m_right->addWidget(m_scene);
@@ -139,13 +149,37 @@ void Workspaces::setCurrent(Kind kind) {
     if (kind == m_kind)
         return;
     m_kind = kind;
-    m_middle->setCurrentIndex(std::min(static_cast<int>(kind), m_middle->count() - 1));
+    m_middle->setCurrentIndex(static_cast<int>(kind));
+    if (const auto& outcome = m_workbench.fits.outcome(); outcome && kind == Kind::Inspect)
+        m_workbench.selection.setFrame(outcome->request.test);
     m_joints->setVisible(kind == Kind::Annotate);
     m_right->setVisible(kind != Kind::Benchmark);
     emit currentChanged(kind);
 }
 
+void Workspaces::openPair(const QString& sequence, int start, int test, const QString& method) {
+    const FitRequest request{start, test, {method.toStdString()}};
+    const auto fit = [this, request] {
+        m_workbench.selection.setFrame(request.test);
+        m_fitting->fit(request);
+        setCurrent(Kind::Inspect);
+    };
+    if (QString::fromStdString(m_workbench.session.sequence()->name) == sequence) {
+        fit();
+        return;
+    }
+    auto* once = new QObject(this);
+    connect(&m_workbench, &Workbench::ready, once, [once, fit] {
+        once->deleteLater();
+        fit();
+    });
+    connect(&m_workbench.session, &DatasetSession::openFailed, once, &QObject::deleteLater);
+    m_workbench.session.openSequence(sequence, test);
+}
+
 void Workspaces::raisePanel(QWidget* panel) {
+    if (m_kind == Kind::Benchmark)
+        setCurrent(Kind::Annotate);
     m_tabs->setCurrentWidget(panel);
 }
 
@@ -158,6 +192,14 @@ QWidget* Workspaces::part(const QString& name) const {
         return m_joints->diagram();
     if (name == QLatin1String("fit"))
         return m_fitting;
+    if (name == QLatin1String("quality"))
+        return m_quality;
+    if (name == QLatin1String("view"))
+        return m_viewPanel;
+    if (name == QLatin1String("inspect"))
+        return m_inspect;
+    if (name == QLatin1String("benchmark"))
+        return m_benchmark;
     if (name == QLatin1String("curves"))
         return m_fitting->plot();
     if (name == QLatin1String("views"))

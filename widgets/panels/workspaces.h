@@ -8,10 +8,15 @@
 #include <QWidget>
 
 #include "widgets/jobs/workbench.h"
+#include "widgets/panels/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
+#include "widgets/panels/inspect_page.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/layer_presenter.h"
 #include "widgets/panels/mark_presenter.h"
+#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/view_options.h"
+#include "widgets/panels/view_panel.h"
 #include "widgets/views/camera_grid.h"
 #include "widgets/views/scene_view.h"
 
@@ -37,9 +42,14 @@ public:
     FittingPanel* fittingPanel() const { return m_fitting; }
     MarkPresenter* marks() const { return m_marks; }
     LayerPresenter* layers() const { return m_layers; }
+    ViewOptions* options() const { return m_options; }
+    QualityPanel* qualityPanel() const { return m_quality; }
+    ViewPanel* viewPanel() const { return m_viewPanel; }
+    InspectPage* inspectPage() const { return m_inspect; }
+    BenchmarkPage* benchmarkPage() const { return m_benchmark; }
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
-    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "curves", "views" or a
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "view", "curves", "views", "inspect", "benchmark" or a
     /// camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
@@ -59,6 +69,7 @@ private:
     void showOrder();
     void showPicture(int camera, const ImagePyramid& picture);
     void showCurrentCamera();
+    void openPair(const QString& sequence, int start, int test, const QString& method);
 
     Workbench& m_workbench;
     Kind m_kind = Kind::Annotate;
@@ -72,6 +83,11 @@ private:
     FittingPanel* m_fitting;
     MarkPresenter* m_marks;
     LayerPresenter* m_layers;
+    ViewOptions* m_options;
+    QualityPanel* m_quality;
+    ViewPanel* m_viewPanel;
+    InspectPage* m_inspect;
+    BenchmarkPage* m_benchmark;
 };
 
 } // namespace widgets

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QPointer>
 #include <QWheelEvent>
 #include <QWindow>
 
@@ -122,7 +123,7 @@ void RealInput::key(const QString& keys, int holdMs) {
     const QString text = printable ? QString(letter) : QString();
     const QWidget* popup = QApplication::activePopupWidget();
     const QWidget* active = popup ? popup : QApplication::activeWindow() ? QApplication::activeWindow() : &m_window;
-    QWindow* window = active->windowHandle();
+    const QPointer<QWindow> window = active->windowHandle();
     QElapsedTimer timer;
     timer.start();
     qt_handleKeyEvent(window, QEvent::KeyPress, key, modifiers, text);
@@ -130,7 +131,8 @@ void RealInput::key(const QString& keys, int holdMs) {
     m_frameTimesMs.push_back(static_cast<double>(timer.nsecsElapsed()) / 1e6);
     if (holdMs > 0)
         waitMs(holdMs);
-    qt_handleKeyEvent(window, QEvent::KeyRelease, key, modifiers, text);
+    // The key may have closed the window that it was pressed in.
+    qt_handleKeyEvent(window ? window.data() : m_window.windowHandle(), QEvent::KeyRelease, key, modifiers, text);
     QCoreApplication::sendPostedEvents();
 }
 

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/panel_actions.h"
+
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+
+#include "app/desktop/main_window.h"
+#include "app/desktop/shortcut_window.h"
+#include "core/io/annotation_formats.h"
+#include "widgets/document/edit_text.h"
+
+namespace app {
+
+namespace {
+
+QString id(const char* text) {
+    return QString::fromLatin1(text);
+}
+
+/// A file dialog that does not block; `chosen` gets the path.
+void askForFile(MainWindow& window, const QString& title, const QString& filter, bool toSave, const std::function<void(QString)>& chosen) {
+    auto* dialog = new QFileDialog(&window, title, QString(), filter);
+    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window, chosen);
+    dialog->open();
+}
+
+QStringList importFilters() {
+    QStringList filters;
+    for (const core::AnnotationFormat& format : core::annotationFormats()) {
+        if (format.canImport)
+            filters << QStringLiteral("%1 (*)").arg(QString::fromUtf8(format.kind.data(), static_cast<int>(format.kind.size())));
+    }
+    return filters;
+}
+
+void bindFiles(MainWindow& window) {
+    Actions& actions = window.actions();
+    actions.bind(id("file.export"), [&window] {
+        askForFile(window, MainWindow::tr("Export ground truth"), MainWindow::tr("Ground truth (*.json)"), true, [&window](const QString& path) {
+            const bool named = path.endsWith(QLatin1String(".json"));
+            window.workbench().files.exportTo(QStringLiteral("handlens"), named ? path : path + QStringLiteral(".json"));
+        });
+    });
+    actions.bind(id("file.import"), [&window] {
+        auto* dialog = new QFileDialog(&window, MainWindow::tr("Import annotations"));
+        dialog->setNameFilters(importFilters());
+        dialog->setFileMode(QFileDialog::ExistingFile);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&window, dialog](const QString& path) {
+            window.workbench().files.importFrom(dialog->selectedNameFilter().section(QLatin1Char(' '), 0, 0), path);
+        });
+        dialog->open();
+    });
+    actions.bind(id("file.savePicture"), [&window] {
+        askForFile(window, MainWindow::tr("Save the views as a picture"), MainWindow::tr("Pictures (*.png)"), true,
+                   [&window](const QString& path) {
+                       const QString file = path.endsWith(QLatin1String(".png")) ? path : path + QStringLiteral(".png");
+                       if (!window.workspaces().grid()->grabPicture(2).save(file))
+                           window.showMessage(MainWindow::tr("%1 could not be written.").arg(file));
+                   });
+    });
+}
+
+void bindNames(MainWindow& window) {
+    window.actions().bind(id("edit.note"), [&window] {
+        window.workspaces().setCurrent(widgets::Workspaces::Kind::Annotate);
+        window.workspaces().jointsPanel()->note()->setFocus(Qt::ShortcutFocusReason);
+    });
+    window.actions().bind(id("edit.rater"), [&window] {
+        auto* dialog = new QInputDialog(&window);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->setWindowTitle(MainWindow::tr("Your name"));
+        dialog->setLabelText(MainWindow::tr("Your marks are kept under this name:"));
+        dialog->setTextValue(QString::fromStdString(window.workbench().document.rater()));
+        QObject::connect(dialog, &QInputDialog::textValueSelected, &window, [&window](const QString& name) {
+            const QString rater = name.trimmed();
+            if (rater.isEmpty())
+                return;
+            window.settings().setValue(QStringLiteral("rater"), rater);
+            window.workbench().document.setRater(rater.toStdString());
+        });
+        dialog->open();
+    });
+}
+
+void bindIterations(MainWindow& window) {
+    Actions& actions = window.actions();
+    widgets::InspectPage* page = window.workspaces().inspectPage();
+    const auto show = [&window, page](int iteration) {
+        window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+        page->setIteration(iteration);
+    };
+    actions.bind(id("compare.previousIteration"), [page, show] { show(page->iteration() - 1); });
+    actions.bind(id("compare.nextIteration"), [page, show] { show(page->iteration() + 1); });
+    actions.bind(id("compare.lastIteration"), [page, show] { show(page->lastIteration()); });
+}
+
+void bindPanels(MainWindow& window) {
+    Actions& actions = window.actions();
+    widgets::Workspaces& spaces = window.workspaces();
+    for (const char* name : {"view.adjust", "view.cameras"})
+        actions.bind(id(name), [&spaces] { spaces.raisePanel(spaces.viewPanel()); });
+    actions.bind(id("fit.show"), [&spaces] { spaces.raisePanel(spaces.fittingPanel()); });
+    actions.bind(id("go.threshold"), [&spaces] {
+        spaces.raisePanel(spaces.qualityPanel());
+        spaces.qualityPanel()->askForThreshold();
+    });
+    for (const char* name : {"edit.shortcuts", "help.shortcuts"}) {
+        actions.bind(id(name), [&window] {
+            auto* page = window.findChild<ShortcutWindow*>();
+            if (!page)
+                page = new ShortcutWindow(window.actions(), &window);
+            page->show();
+            page->raise();
+            page->activateWindow();
+        });
+    }
+    actions.bind(id("help.hints"), [&window] { window.showHints(); });
+    actions.bind(id("help.about"), [&window] {
+        auto* about = new QMessageBox(QMessageBox::NoIcon, MainWindow::tr("About Handlens"),
+                                      MainWindow::tr("<h3>Handlens %1</h3><p>3D hand ground truth in calibrated multi-camera footage.</p>"
+                                                     "<p>MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.</p>")
+                                          .arg(QStringLiteral(HANDLENS_VERSION)),
+                                      QMessageBox::Close, &window);
+        about->setAttribute(Qt::WA_DeleteOnClose);
+        about->setModal(false);
+        about->show();
+    });
+}
+
+/// The menu of a right click: what can be done with the mark there, then with the picture.
+void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, const QPoint& position) {
+    auto* menu = new QMenu(&window);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (!joint.joint.empty()) {
+        window.workbench().selection.setJoint(joint);
+        menu->addSection(widgets::jointText(joint));
+    }
+    for (const char* name : {"annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove"})
+        menu->addAction(window.actions().action(id(name)));
+    menu->addSeparator();
+    for (const char* name : {"view.fitAll", "view.zoomJoint", "view.adjust"})
+        menu->addAction(window.actions().action(id(name)));
+    menu->addSeparator();
+    window.workspaces().grid()->view(camera)->addPictureActions(*menu);
+    menu->popup(position);
+}
+
+} // namespace
+
+void bindPanelActions(MainWindow& window) {
+    bindFiles(window);
+    bindNames(window);
+    bindPanels(window);
+    bindIterations(window);
+    QObject::connect(&window.workspaces(), &widgets::Workspaces::viewMenuRequested, &window,
+                     [&window](int camera, QPointF, const core::JointId& joint, const QPoint& position) {
+                         showViewMenu(window, camera, joint, position);
+                     });
+}
+
+} // namespace app

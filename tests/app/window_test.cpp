@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <random>
+
+#include <QApplication>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QMimeData>
+
+#include <nlohmann/json.hpp>
+
+#include "app/desktop/script/real_input.h"
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using core::Side;
+using nlohmann::json;
+
+const core::JointId kIndex{Side::Left, "index_mcp"};
+
+class WindowClicks : public test::WindowTest {
+protected:
+    WindowClicks() { bench().selection.setJoint(kIndex); }
+
+    Eigen::Vector2d pixel(int index) const { return *core::project(camera(index), truth(Side::Left, 1, 12)); }
+    widgets::CameraView& view(int index) { return *window->workspaces().grid()->view(index); }
+    void click(int index) {
+        const Eigen::Vector2d px = pixel(index);
+        input.click(view(index), {px.x(), px.y()}, Qt::LeftButton, Qt::NoModifier);
+    }
+    json exported() {
+        EXPECT_EQ(play(R"({"do":"export","to":"handlens","path":"gt.json"})"), 0) << errors.str();
+        std::ifstream file(path("out/gt.json").toStdString());
+        return json::parse(file);
+    }
+
+    app::RealInput input{*window};
+};
+
+TEST_F(WindowClicks, BecomeGroundTruth) {
+    for (const int index : {0, 3, 5})
+        click(index);
+    const json truthFile = exported();
+    EXPECT_EQ(truthFile["format"], "handlens-ground-truth");
+    ASSERT_EQ(truthFile["frames"].size(), 1u);
+    EXPECT_EQ(truthFile["frames"][0]["frame"], 12);
+    const json& rater = truthFile["frames"][0]["raters"][0];
+    EXPECT_EQ(rater["rater"], "ann");
+    const json& joint = rater["hands"]["left"]["joints"]["index_mcp"];
+    const Eigen::Vector3d found(joint["xyz"][0], joint["xyz"][1], joint["xyz"][2]);
+    EXPECT_LT((found - truth(Side::Left, 1, 12)).norm(), 0.02);
+    ASSERT_EQ(joint["views"].size(), 3u);
+    for (const json& view : joint["views"]) {
+        const int index = view["camera"].get<std::string>().back() - '0';
+        EXPECT_LT((Eigen::Vector2d(view["px"][0], view["px"][1]) - pixel(index)).norm(), 0.05);
+        EXPECT_EQ(view["placement"], "manual");
+    }
+}
+
+TEST_F(WindowClicks, KeysUndoAndRedo) {
+    click(0);
+    click(1);
+    input.key(QStringLiteral("Ctrl+Z"), 0);
+    EXPECT_EQ(bench().document.annotations().marks.size(), 1u);
+    input.key(QStringLiteral("Ctrl+Shift+Z"), 0);
+    EXPECT_EQ(bench().document.annotations().marks.size(), 2u);
+    EXPECT_TRUE(window->actions().action(QStringLiteral("edit.undo"))->text().contains(QStringLiteral("index_mcp")));
+}
+
+TEST_F(WindowClicks, SurviveTheWindow) {
+    click(0);
+    click(1);
+    input.key(QStringLiteral("Ctrl+Z"), 0);
+    const auto before = bench().document.annotations();
+    restart();
+    EXPECT_EQ(bench().document.annotations(), before);
+    bench().document.undoStack()->redo();
+    EXPECT_EQ(bench().document.annotations().marks.size(), 2u);
+}
+
+TEST_F(WindowClicks, LandOnTheirPixelAtAnyZoom) {
+    const Eigen::Vector2d px = pixel(2);
+    input.wheel(view(2), {px.x(), px.y()}, 9);
+    const QPointF target(px.x() + 0.37, px.y() - 0.21);
+    input.click(view(2), target, Qt::LeftButton, Qt::NoModifier);
+    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", kIndex, "cam2"});
+    ASSERT_TRUE(mark);
+    EXPECT_LT(std::hypot(mark->px.x() - target.x(), mark->px.y() - target.y()), 0.01);
+}
+
+TEST_F(WindowClicks, DragOfAMarkIsOneStep) {
+    click(0);
+    const Eigen::Vector2d px = pixel(0);
+    input.drag(view(0), {px.x(), px.y()}, {px.x() + 30, px.y() + 20}, Qt::LeftButton, Qt::NoModifier, 8);
+    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", kIndex, "cam0"});
+    ASSERT_TRUE(mark);
+    EXPECT_NEAR(mark->px.x(), px.x() + 30, 0.01);
+    EXPECT_EQ(bench().document.undoStack()->count(), 2);
+}
+
+TEST_F(WindowClicks, DoubleClickMaximisesAndPlacesNothing) {
+    const Eigen::Vector2d px = pixel(4);
+    input.doubleClick(view(4), {px.x(), px.y()});
+    EXPECT_EQ(window->workspaces().grid()->maximised(), 4);
+    EXPECT_TRUE(bench().document.annotations().marks.empty());
+    EXPECT_EQ(bench().document.undoStack()->count(), 0);
+    input.key(QStringLiteral("Esc"), 0);
+    EXPECT_EQ(window->workspaces().grid()->maximised(), -1);
+}
+
+TEST_F(WindowClicks, ZoomStaysWhenTheFrameChanges) {
+    const Eigen::Vector2d px = pixel(1);
+    input.wheel(view(1), {px.x(), px.y()}, 5);
+    const double scale = view(1).scale();
+    const QPointF centre = view(1).viewportToImage({50, 60});
+    input.key(QStringLiteral("D"), 0);
+    app::waitUntilIdle(*window);
+    EXPECT_EQ(bench().selection.frame(), 13);
+    EXPECT_DOUBLE_EQ(view(1).scale(), scale);
+    EXPECT_LT(QLineF(view(1).viewportToImage({50, 60}), centre).length(), 1e-6);
+}
+
+TEST_F(WindowClicks, KeysStepAndHold) {
+    bench().joints.setChoice(widgets::JointChoice::AllBones, *bench().session.dataset());
+    bench().selection.setJoint({Side::Left, "forearm"});
+    input.key(QStringLiteral("S"), 0);
+    EXPECT_EQ(bench().selection.joint(), kIndex);
+    input.key(QStringLiteral("A"), 0);
+    EXPECT_EQ(bench().selection.frame(), 11);
+    QAction* hide = window->actions().action(QStringLiteral("view.hideOverlays"));
+    bool wasHidden = false;
+    QObject::connect(hide, &QAction::toggled, hide, [&](bool on) { wasHidden = wasHidden || on; });
+    input.key(QStringLiteral("H"), 20);
+    EXPECT_TRUE(wasHidden);
+    EXPECT_FALSE(hide->isChecked());
+}
+
+TEST_F(WindowClicks, PixelOutsideTheScreenIsRefused) {
+    const Eigen::Vector2d px = pixel(1);
+    input.wheel(view(1), {px.x(), px.y()}, 12);
+    EXPECT_THROW(input.click(view(1), {px.x() - 100, px.y()}, Qt::LeftButton, Qt::NoModifier), std::exception);
+    window->workspaces().grid()->setMaximised(0);
+    EXPECT_THROW(input.click(view(1), {px.x(), px.y()}, Qt::LeftButton, Qt::NoModifier), std::exception);
+}
+
+class WindowAsAWhole : public test::WindowTest {};
+
+TEST_F(WindowAsAWhole, OpensADroppedFolder) {
+    bench().session.openSequence(QStringLiteral("b"));
+    app::waitUntilIdle(*window);
+    ASSERT_EQ(bench().session.sequence()->name, "b");
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QString::fromStdString(dataset().string()))});
+    QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(window.get(), &drop);
+    app::waitUntilIdle(*window);
+    EXPECT_EQ(bench().session.sequence()->name, "a");
+}
+
+TEST_F(WindowAsAWhole, KeepsWhatIsOpenWhenAnotherCannotBeOpened) {
+    window->openDataset(path("nowhere"));
+    app::waitUntilIdle(*window);
+    ASSERT_TRUE(bench().session.sequence());
+    EXPECT_EQ(bench().session.sequence()->name, "a");
+    EXPECT_TRUE(bench().document.isOpen());
+}
+
+/// Every action that opens no file dialog and does not quit, one after the other, in every workspace.
+TEST_F(WindowAsAWhole, EveryActionCanBeTriggered) {
+    for (const char* workspace : {"workspace.annotate", "workspace.inspect", "workspace.benchmark"}) {
+        for (const app::ActionRow& row : app::actionTable()) {
+            const QString id = QString::fromLatin1(row.id);
+            if (id.startsWith(QLatin1String("file.")))
+                continue;
+            window->actions().action(QString::fromLatin1(workspace))->trigger();
+            window->actions().action(id)->trigger();
+            for (QWidget* popup : QApplication::topLevelWidgets()) {
+                if (popup != window.get() && popup->isVisible())
+                    popup->close();
+            }
+        }
+        ASSERT_TRUE(app::waitUntilIdle(*window));
+    }
+    EXPECT_TRUE(window->isVisible());
+}
+
+/// Keys at random, as fast as they go, over everything that has a shortcut.
+TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
+    std::vector<QString> keys{QStringLiteral("Tab"), QStringLiteral("Return"), QStringLiteral("Esc"), QStringLiteral("7"), QStringLiteral("Backspace")};
+    for (const app::ActionRow& row : app::actionTable()) {
+        if (*row.shortcut && !QString::fromLatin1(row.id).startsWith(QLatin1String("file.")))
+            keys.push_back(QString::fromLatin1(row.shortcut));
+    }
+    std::mt19937 random(5);
+    app::RealInput input(*window);
+    QElapsedTimer clock;
+    clock.start();
+    int pressed = 0;
+    while (clock.elapsed() < 4000) {
+        input.key(keys[random() % keys.size()], 0);
+        if (++pressed % 7 == 0) {
+            widgets::CameraView& view = *window->workspaces().grid()->view(static_cast<int>(random() % 8));
+            try {
+                input.click(view, {double(random() % 270), double(random() % 480)}, Qt::LeftButton, Qt::NoModifier);
+            } catch (const std::exception&) { // not on the screen now
+            }
+        }
+        if (pressed % 50 == 0)
+            app::waitMs(1);
+    }
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    EXPECT_TRUE(window->isVisible());
+    EXPECT_GT(pressed, 50);
+    const auto inMemory = bench().document.annotations();
+    EXPECT_FALSE(bench().document.hasUnsaved());
+    const auto onDisk = core::AnnotationStore::open(dataset() / "annotations" / (bench().session.sequence()->name + ".sqlite"),
+                                                    core::StoreAccess::ReadOnly).annotations();
+    EXPECT_EQ(inMemory, onDisk);
+}
+
+} // namespace

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/document/annotator.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+#include "core/annotation/edits.h"
+#include "tests/support/ring_dataset.h"
+
+namespace {
+
+using namespace widgets;
+
+const core::JointId kIndex{core::Side::Left, "index_mcp"};
+const core::JointId kThumb{core::Side::Left, "thumb_ip"};
+
+class AnnotatorTest : public testing::Test {
+protected:
+    AnnotatorTest() {
+        document.setRater("ann");
+        document.open({});
+        reconstructions.setDataset(dataset);
+        annotator.setDataset(dataset);
+        joints.setCustom({kIndex, kThumb});
+        std::vector<std::string> cameras;
+        for (const core::Camera& camera : dataset->cameras)
+            cameras.push_back(camera.name);
+        annotator.setCameraOrder(cameras);
+        selection.setFrameCount(300);
+        selection.setFrame(12);
+        selection.setJoint(kIndex);
+    }
+    Eigen::Vector2d truth(int camera) const { return *core::project(dataset->cameras[static_cast<std::size_t>(camera)], point); }
+    void click(int camera) { annotator.place("cam" + std::to_string(camera), truth(camera)); }
+    std::optional<core::Mark> mark(int camera, const core::JointId& joint = kIndex) const {
+        return core::markAt(document.annotations(), {12, "ann", joint, "cam" + std::to_string(camera)});
+    }
+
+    std::shared_ptr<const core::Dataset> dataset = std::make_shared<const core::Dataset>(test::ringDataset(4));
+    Eigen::Vector3d point{20, -15, 30};
+    Selection selection;
+    AnnotationDocument document;
+    JointList joints;
+    Reconstructions reconstructions{document, selection};
+    Annotator annotator{document, selection, reconstructions, joints};
+};
+
+TEST_F(AnnotatorTest, TwoClicksMakeAPoint) {
+    click(0);
+    EXPECT_FALSE(reconstructions.selected().hasPoint());
+    click(2);
+    ASSERT_TRUE(reconstructions.selected().hasPoint());
+    EXPECT_LT((reconstructions.selected().result.point->pointInWorld - point).norm(), 1e-3);
+    EXPECT_EQ(selection.camera(), "cam2");
+    EXPECT_EQ(document.undoStack()->count(), 2);
+}
+
+TEST_F(AnnotatorTest, AcceptFillsTheNextViewWithoutAMark) {
+    click(0);
+    click(1);
+    annotator.accept();
+    ASSERT_TRUE(mark(2));
+    EXPECT_EQ(mark(2)->placement, core::Placement::Auto);
+    EXPECT_LT((mark(2)->px - truth(2)).norm(), 1e-3);
+    EXPECT_EQ(selection.camera(), "cam2");
+    annotator.accept();
+    EXPECT_TRUE(mark(3));
+}
+
+TEST_F(AnnotatorTest, NothingToAcceptIsSaid) {
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    annotator.accept();
+    EXPECT_EQ(said.count(), 1);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(AnnotatorTest, NextJointWhenEveryViewIsDone) {
+    for (int camera = 0; camera < 3; ++camera)
+        click(camera);
+    EXPECT_EQ(selection.joint(), kIndex);
+    selection.setCamera("cam3");
+    annotator.toggleUnplaceable();
+    EXPECT_EQ(selection.joint(), kThumb);
+}
+
+TEST_F(AnnotatorTest, StaysWhenAutoAdvanceIsOff) {
+    annotator.setAutoAdvance(false);
+    for (int camera = 0; camera < 4; ++camera)
+        click(camera);
+    EXPECT_EQ(selection.joint(), kIndex);
+}
+
+TEST_F(AnnotatorTest, WithdrawnClickLeavesNoTrace) {
+    for (int camera = 0; camera < 4; ++camera)
+        click(camera);
+    ASSERT_EQ(selection.joint(), kThumb);
+    const auto before = document.annotations();
+    click(0);
+    annotator.withdrawPlace();
+    EXPECT_EQ(document.annotations(), before);
+    EXPECT_EQ(document.undoStack()->count(), 4);
+    EXPECT_FALSE(document.undoStack()->canRedo());
+    EXPECT_EQ(selection.joint(), kThumb);
+}
+
+TEST_F(AnnotatorTest, DragIsOneStep) {
+    click(0);
+    annotator.drag("cam0", kIndex, truth(0) + Eigen::Vector2d(5, 0));
+    annotator.drag("cam0", kIndex, truth(0) + Eigen::Vector2d(9, 0));
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    annotator.drop("cam0", kIndex, truth(0) + Eigen::Vector2d(10, 0));
+    EXPECT_EQ(document.undoStack()->count(), 2);
+    EXPECT_DOUBLE_EQ(mark(0)->px.x(), truth(0).x() + 10);
+    document.undoStack()->undo();
+    EXPECT_EQ(mark(0)->px, truth(0));
+}
+
+TEST_F(AnnotatorTest, CancelledDragChangesNothing) {
+    click(0);
+    annotator.drag("cam0", kIndex, {1, 2});
+    annotator.cancelDrag();
+    EXPECT_EQ(mark(0)->px, truth(0));
+    EXPECT_EQ(document.undoStack()->count(), 1);
+}
+
+TEST_F(AnnotatorTest, OccludedToggles) {
+    click(0);
+    annotator.toggleOccluded();
+    EXPECT_EQ(mark(0)->state, core::MarkState::Occluded);
+    annotator.toggleOccluded();
+    EXPECT_EQ(mark(0)->state, core::MarkState::Visible);
+}
+
+TEST_F(AnnotatorTest, OccludedAcceptsAPreplacedMark) {
+    click(0);
+    click(1);
+    selection.setCamera("cam3");
+    annotator.toggleOccluded();
+    ASSERT_TRUE(mark(3));
+    EXPECT_EQ(mark(3)->state, core::MarkState::Occluded);
+    EXPECT_EQ(mark(3)->placement, core::Placement::Auto);
+    EXPECT_EQ(document.undoStack()->count(), 3);
+}
+
+TEST_F(AnnotatorTest, NudgesOfOneMarkAreOneStep) {
+    click(0);
+    click(1);
+    for (int i = 0; i < 4; ++i)
+        annotator.nudge({0.25, 0});
+    EXPECT_EQ(document.undoStack()->count(), 3);
+    EXPECT_DOUBLE_EQ(mark(1)->px.x(), truth(1).x() + 1);
+    selection.setCamera("cam0");
+    annotator.nudge({0, 1});
+    EXPECT_EQ(document.undoStack()->count(), 4);
+}
+
+TEST_F(AnnotatorTest, StepsAroundTheCameras) {
+    selection.setCamera("cam3");
+    annotator.stepCamera(1);
+    EXPECT_EQ(selection.camera(), "cam0");
+    annotator.stepCamera(-1);
+    EXPECT_EQ(selection.camera(), "cam3");
+}
+
+TEST_F(AnnotatorTest, StepsOfFramesStayInside) {
+    annotator.stepFrame(-100);
+    EXPECT_EQ(selection.frame(), 0);
+    annotator.stepFrame(1000);
+    EXPECT_EQ(selection.frame(), 299);
+}
+
+} // namespace

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QString>
+
+#include "core/annotation/annotation_set.h"
+#include "widgets/document/reconstructions.h"
+
+namespace widgets {
+
+/// Something about the annotations that deserves a look, and where it is.
+struct QualityFinding {
+    int frame = 0;
+    core::JointId joint;
+    std::string camera; ///< empty if no single view is meant
+    QString text;       ///< in the person's language
+    double severity = 0; ///< larger is worse; 1 is the limit
+};
+
+/// What the reconstructions of one frame say: large errors, views that disagree, joints without a point. Worst first.
+std::vector<QualityFinding> findingsOf(const Reconstructions& reconstructions, int frame, double badRmsPx);
+
+} // namespace widgets

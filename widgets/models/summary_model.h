@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <QAbstractTableModel>
+
+#include "core/benchmark/benchmark_results.h"
+
+namespace widgets {
+
+/// A benchmark in the paper's layout: a row per method (the start poses first), mean and standard deviation in mm per frame
+/// difference and over all, and seconds per pair.
+class SummaryModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    explicit SummaryModel(QObject* parent = nullptr);
+
+    void setResults(std::shared_ptr<const core::BenchmarkResults> results);
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+private:
+    QString cell(int row, int column) const;
+
+    std::shared_ptr<const core::BenchmarkResults> m_results;
+    std::vector<int> m_differences;
+};
+
+} // namespace widgets

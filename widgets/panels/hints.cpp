@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/hints.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include "widgets/panels/state_colours.h"
+
+namespace widgets {
+
+Hints::Hints(QWidget* parent) : QFrame(parent) {
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(3 * kSpacing, 2 * kSpacing, 3 * kSpacing, 2 * kSpacing);
+    column->setSpacing(kSpacing);
+    const QString hints[] = {tr("Choose a joint on the left, then click it in two views: its 3D place appears at once."),
+                             tr("Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything."),
+                             tr("The wheel zooms, the middle button moves, a double click fills the window with one view."),
+                             tr("A and D step through the frames, W and S through the joints; F1 shows every key.")};
+    for (const QString& hint : hints)
+        column->addWidget(new QLabel(QStringLiteral("\u2022  ") + hint, this));
+    auto* close = new QPushButton(tr("Got it"), this);
+    close->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(close, 0, Qt::AlignRight);
+    connect(close, &QPushButton::clicked, this, [this] {
+        hide();
+        emit closed();
+    });
+    parent->installEventFilter(this);
+}
+
+void Hints::place() {
+    adjustSize();
+    const QWidget* around = parentWidget();
+    move((around->width() - width()) / 2, around->height() - height() - 4 * kSpacing);
+    raise();
+}
+
+bool Hints::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && isVisible())
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+void Hints::showEvent(QShowEvent* event) {
+    QFrame::showEvent(event);
+    place();
+}
+
+} // namespace widgets

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/quality_panel.h"
+
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "widgets/panels/state_colours.h"
+#include "widgets/panels/table_style.h"
+
+namespace widgets {
+
+QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(workbench), m_threshold(new QDoubleSpinBox(this)), m_summary(new QLabel(this)),
+      m_nothing(new QLabel(tr("Nothing stands out in this frame."), this)), m_table(new QTableView(this)),
+      m_model(new FindingModel(this)) {
+    build();
+    connect(&workbench.reconstructions, &Reconstructions::changed, this, &QualityPanel::refresh);
+    connect(&workbench.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
+    connect(&workbench.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
+    connect(m_threshold, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
+        m_workbench.coverage.setBadRmsPx(px);
+        emit badRmsPxChanged(px);
+        refresh();
+    });
+    connect(m_table, &QTableView::clicked, this, &QualityPanel::jump);
+    refresh();
+    refreshSummary();
+}
+
+void QualityPanel::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
+    column->setSpacing(kSpacing);
+    m_summary->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Bad above"), this);
+    label->setBuddy(m_threshold);
+    m_threshold->setRange(0.1, 50);
+    m_threshold->setSingleStep(0.5);
+    m_threshold->setDecimals(1);
+    m_threshold->setSuffix(tr(" px"));
+    m_threshold->setValue(m_workbench.coverage.badRmsPx());
+    m_threshold->setAlignment(Qt::AlignRight);
+    m_threshold->setFocusPolicy(Qt::ClickFocus);
+    row->addWidget(label);
+    row->addWidget(m_threshold);
+    row->addStretch(1);
+    QPalette quiet = palette();
+    quiet.setColor(QPalette::WindowText, quietTextColour(quiet));
+    m_nothing->setPalette(quiet);
+    m_nothing->setAlignment(Qt::AlignCenter);
+    m_nothing->setWordWrap(true);
+    m_table->setModel(m_model);
+    styleTable(*m_table);
+    m_table->setFocusPolicy(Qt::NoFocus);
+    m_table->setColumnHidden(FindingModel::Frame, true);
+    column->addWidget(m_summary);
+    column->addLayout(row);
+    column->addWidget(m_nothing, 1);
+    column->addWidget(m_table, 1);
+}
+
+void QualityPanel::askForThreshold() {
+    m_threshold->setFocus(Qt::ShortcutFocusReason);
+    m_threshold->selectAll();
+}
+
+void QualityPanel::refresh() {
+    m_model->setFindings(findingsOf(m_workbench.reconstructions, m_workbench.selection.frame(), m_workbench.coverage.badRmsPx()));
+    const bool any = m_model->rowCount() > 0;
+    m_table->setVisible(any);
+    m_nothing->setVisible(!any);
+}
+
+void QualityPanel::refreshSummary() {
+    int done = 0, partial = 0, bad = 0;
+    for (const auto& [frame, hands] : m_workbench.coverage.frames()) {
+        for (const auto& [hand, state] : hands) {
+            done += state.done;
+            partial += state.partial;
+            bad += state.bad;
+        }
+    }
+    const int frames = static_cast<int>(m_workbench.coverage.frames().size());
+    if (frames == 0)
+        m_summary->setText(tr("No frame of this sequence has marks yet."));
+    else
+        m_summary->setText(tr("%n frame(s) with marks.", nullptr, frames) + QLatin1Char(' ') +
+                           tr("Joints: %1 done, %2 partial, %3 bad.").arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad)));
+}
+
+void QualityPanel::jump(const QModelIndex& index) {
+    const QualityFinding found = m_model->finding(index.row());
+    m_workbench.selection.setFrame(found.frame);
+    if (!found.joint.joint.empty())
+        m_workbench.selection.setJoint(found.joint);
+    if (!found.camera.empty())
+        m_workbench.selection.setCamera(found.camera);
+}
+
+} // namespace widgets

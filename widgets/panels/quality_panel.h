@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QTableView>
+#include <QWidget>
+
+#include "widgets/jobs/workbench.h"
+#include "widgets/models/finding_model.h"
+
+namespace widgets {
+
+/// What deserves a look in the current frame, and how the sequence stands. A row jumps to its joint and view.
+class QualityPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit QualityPanel(Workbench& workbench, QWidget* parent = nullptr);
+
+    /// The keyboard goes to the error threshold.
+    void askForThreshold();
+
+signals:
+    void badRmsPxChanged(double px);
+
+private:
+    void build();
+    void refresh();
+    void refreshSummary();
+    void jump(const QModelIndex& index);
+
+    Workbench& m_workbench;
+    QDoubleSpinBox* m_threshold;
+    QLabel* m_summary;
+    QLabel* m_nothing;
+    QTableView* m_table;
+    FindingModel* m_model;
+};
+
+} // namespace widgets

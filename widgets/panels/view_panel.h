@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
+#include <QSlider>
+#include <QWidget>
+
+#include "widgets/jobs/workbench.h"
+#include "widgets/panels/layer_presenter.h"
+#include "widgets/panels/view_options.h"
+
+class QFormLayout;
+
+namespace widgets {
+
+/// How the views look: mesh, brightness, contrast and gamma of one view or all, which cameras are shown and in which order.
+class ViewPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& options, QWidget* parent = nullptr);
+
+private:
+    QWidget* makeMeshGroup();
+    QWidget* makeImageGroup();
+    QWidget* makeCameraGroup();
+    QSlider* addSlider(QFormLayout& form, const QString& text, int low, int high);
+    void showLook();
+    void changeLook();
+    void showAdjustment();
+    void changeAdjustment();
+    void showCameras();
+    void changeCameras();
+
+    Workbench& m_workbench;
+    LayerPresenter& m_layers;
+    ViewOptions& m_options;
+    QComboBox* m_style = nullptr;
+    QSlider* m_opacity = nullptr;
+    QSlider* m_brightness = nullptr;
+    QSlider* m_contrast = nullptr;
+    QSlider* m_gamma = nullptr;
+    QCheckBox* m_allViews = nullptr;
+    QListWidget* m_cameras = nullptr;
+    bool m_showing = false;
+};
+
+} // namespace widgets
