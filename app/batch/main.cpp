@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kBadUsage = 2;
 constexpr int kFailure = 1;
+constexpr int kInterrupted = 130; ///< as a shell says it of SIGINT
 
 /// The one line of an error; whatever a file contained, it stays one line.
 int fail(std::string message, int status) {
@@ -36,6 +37,7 @@ void addVerbs(CLI::App& program) {
     app::addInfoVerb(program);
     app::addJointsVerb(program);
     app::addMergeVerb(program);
+    app::addNewVerb(program);
     app::addRenderVerb(program);
     app::addTriangulateVerb(program);
 }
@@ -58,7 +60,8 @@ int main(int argc, char** argv) {
         }
         return 0;
     } catch (const core::Error& error) {
-        return fail(error.what(), error.code() == core::ErrorCode::Usage ? kBadUsage : kFailure);
+        const int status = error.code() == core::ErrorCode::Usage ? kBadUsage : kFailure;
+        return fail(error.what(), app::interruptToken().stop_requested() ? kInterrupted : status);
     } catch (const std::bad_alloc&) {
         return fail("out of memory", kFailure);
     } catch (const std::exception& error) {

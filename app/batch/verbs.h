@@ -19,6 +19,7 @@ void addImportVerb(CLI::App& program);
 void addInfoVerb(CLI::App& program);
 void addJointsVerb(CLI::App& program);
 void addMergeVerb(CLI::App& program);
+void addNewVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
 void addTriangulateVerb(CLI::App& program);
 

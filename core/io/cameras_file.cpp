@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/io/json_file.h"
+#include "core/io/text_file.h"
 
 namespace core {
 
@@ -56,12 +57,6 @@ std::string lensProblem(const Camera& camera) {
     return n == 0 || n == 4 || n == 5 || n == 8 ? "" : "0, 4, 5 or 8 coefficients are expected, not " + std::to_string(n);
 }
 
-std::string nameProblem(const std::string& name) {
-    const bool isPath = name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos ||
-                        std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 32; });
-    return isPath ? "must be usable as a file name" : "";
-}
-
 std::string rotationProblem(const Eigen::Matrix3d& rotation) {
     if (rotation.allFinite() && isRotation(-rotation)) {
         return "is a reflection (determinant -1), not a rotation";
@@ -81,7 +76,7 @@ void checkCameras(const std::vector<Camera>& cameras, const std::string& file) {
                 throw Error(ErrorCode::BadInput, file, field + "." + member, problem);
             }
         };
-        demand("name", nameProblem(camera.name));
+        demand("name", isFileName(camera.name) ? "" : "must be usable as a file name");
         demand("name", names.insert(camera.name).second ? "" : "the name \"" + camera.name + "\" is used twice");
         demand("size", camera.size.width > 0 && camera.size.height > 0 ? "" : "must be positive");
         demand("K", intrinsicsProblem(camera.intrinsics));

@@ -12,6 +12,7 @@
 #include "core/io/hand_file.h"
 #include "core/io/json_file.h"
 #include "core/io/motion_file.h"
+#include "core/io/text_file.h"
 
 namespace core {
 
@@ -75,7 +76,7 @@ ordered_json toJson(const Dataset& dataset) {
         sequences.push_back(toJson(sequence));
     }
     return {{"format", "handlens-dataset"},  {"version", 1},   {"name", dataset.name},
-            {"cameras", "cameras.json"}, {"hands", hands}, {"sequences", sequences}};
+            {"cameras", dataset.camerasFile}, {"hands", hands}, {"sequences", sequences}};
 }
 
 void readHands(Dataset& dataset, const json& document, const std::string& file) {
@@ -98,6 +99,9 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
     for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
         const Sequence& sequence = dataset.sequences[s];
         const std::string field = "sequences[" + std::to_string(s) + "]";
+        if (!isFileName(sequence.name)) {
+            throw Error(ErrorCode::BadInput, file, field + ".name", "must be usable as a file name");
+        }
         if (!names.insert(sequence.name).second) {
             throw Error(ErrorCode::BadInput, file, field + ".name", "the name \"" + sequence.name + "\" is used twice");
         }
@@ -152,7 +156,8 @@ Dataset readDataset(const fs::path& folder) {
     Dataset dataset;
     dataset.folder = folder;
     dataset.name = document["name"].get<std::string>();
-    dataset.cameras = readCameras(folder / document["cameras"].get<std::string>());
+    dataset.camerasFile = document["cameras"].get<std::string>();
+    dataset.cameras = readCameras(folder / dataset.camerasFile);
     readHands(dataset, document, file.string());
     for (const json& sequence : document["sequences"]) {
         dataset.sequences.push_back(sequenceFromJson(sequence));
@@ -163,7 +168,7 @@ Dataset readDataset(const fs::path& folder) {
 
 void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, const fs::path& folder) {
     PendingFolder pending(folder);
-    writeCameras(pending.path() / "cameras.json", dataset.cameras);
+    writeCameras(pending.path() / dataset.camerasFile, dataset.cameras);
     checkSequences(dataset, (folder / "dataset.json").string());
     for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
         const fs::path file = pending.path() / dataset.handFiles.at(h);
@@ -182,6 +187,12 @@ void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, co
     }
     writeJsonFile(pending.path() / "dataset.json", toJson(dataset));
     pending.commit();
+}
+
+void rewriteDatasetFile(const Dataset& dataset) {
+    const fs::path file = dataset.folder / "dataset.json";
+    checkSequences(dataset, file.string());
+    writeJsonFile(file, toJson(dataset));
 }
 
 Motion readMotion(const Dataset& dataset, const Sequence& sequence) {

@@ -44,6 +44,7 @@ struct Dataset {
     std::vector<HandModel> hands;      ///< none, one, or left and right
     std::vector<std::string> handFiles; ///< relative, parallel to hands
     std::vector<Sequence> sequences;
+    std::string camerasFile = "cameras.json"; ///< relative
 
     /// Throws Error(NotFound) naming the dataset and the sequence.
     const Sequence& sequence(const std::string& sequenceName) const;
@@ -59,6 +60,8 @@ Dataset readDataset(const std::filesystem::path& folder);
 /// Writes a whole dataset: into a temporary folder beside it, then renamed. `motions` is parallel to dataset.sequences
 /// (an empty motion is not written). `folder` may not exist or must be empty.
 void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, const std::filesystem::path& folder);
+/// Rewrites dataset.json of a dataset that is there (dataset.folder), atomically; all its other files stay as they are.
+void rewriteDatasetFile(const Dataset& dataset);
 /// The recorded poses of a sequence; empty if it has none. Throws Error if the file does not fit the hands.
 Motion readMotion(const Dataset& dataset, const Sequence& sequence);
 

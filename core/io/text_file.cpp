@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/text_file.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -43,6 +44,11 @@ std::vector<std::string_view> splitWords(std::string_view line, bool commas) {
         start = line.find_first_not_of(separators, end);
     }
     return words;
+}
+
+bool isFileName(std::string_view name) {
+    return !name.empty() && name.size() <= 200 && name != "." && name != ".." &&
+           std::none_of(name.begin(), name.end(), [](char c) { return c == '/' || static_cast<unsigned char>(c) < 32; });
 }
 
 bool parseNumber(std::string_view word, double& value) {

@@ -157,4 +157,18 @@ TEST(RigidMotion, KnowsWhatIsARotation) {
     EXPECT_FALSE(core::isRotation(broken));
 }
 
+TEST(RigidMotion, FindsTheNearestRotationOfAMatrixOfFewDigits) {
+    test::RandomValues random("nearest rotation");
+    for (int i = 0; i < 50; ++i) {
+        const Matrix3d rotation = core::rotationExp(random.point(3));
+        const Matrix3d written = (rotation * 1e4).array().round() / 1e4; // as a file with four digits has it
+        const auto nearest = core::nearestRotation(written, 1e-3);
+        ASSERT_TRUE(nearest);
+        EXPECT_TRUE(core::isRotation(*nearest, 1e-12));
+        EXPECT_LE((*nearest - written).norm(), (rotation - written).norm() + 1e-12) << "none is nearer, not even the original";
+    }
+    EXPECT_FALSE(core::nearestRotation(Matrix3d::Identity() * 1.1, 1e-3));
+    EXPECT_FALSE(core::nearestRotation(-Matrix3d::Identity(), 1e-3));
+}
+
 } // namespace

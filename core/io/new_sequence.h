@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/dataset.h"
+
+namespace core {
+
+/// Footage of one camera, as a person names it.
+struct Footage {
+    std::string camera;
+    std::filesystem::path path; ///< a video; a pattern of images with {frame}; or a folder of numbered images
+    int offsetFrames = 0;       ///< the footage's frame at the sequence's first instant
+};
+
+/// A sequence made of footage, and what a person should know about it.
+struct NewSequence {
+    Sequence sequence;
+    std::vector<std::string> notes; ///< such as: cam1 has 41 frames more than the others
+};
+
+/// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Paths are written relative to
+/// `datasetFolder` (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not given, else 50.
+/// Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size that the camera is calibrated for.
+NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage,
+                         const std::filesystem::path& datasetFolder, std::optional<double> framesPerSecond = {});
+
+/// A folder of images whose names differ in one running number, as a pattern: "shots" -> "shots/img_{frame:04}.png", starting at `first`.
+struct ImagePattern {
+    std::string pattern;
+    int first = 0;
+    int count = 0; ///< without a gap
+};
+/// Throws Error(BadInput) if there are no images or their names are not numbered in one way.
+ImagePattern findImagePattern(const std::filesystem::path& folder);
+
+} // namespace core
