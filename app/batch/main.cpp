@@ -42,6 +42,10 @@ void addVerbs(CLI::App& program) {
     app::addTriangulateVerb(program);
 }
 
+bool isVerb(CLI::App& program, const std::string& word) {
+    return !program.get_subcommands([&](const CLI::App* verb) { return verb->get_name() == word; }).empty();
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -51,6 +55,9 @@ int main(int argc, char** argv) {
         program.set_version_flag("--version", HANDLENS_VERSION);
         program.require_subcommand(1);
         addVerbs(program);
+        if (argc > 1 && argv[1][0] != '-' && !isVerb(program, argv[1])) {
+            return fail("\"" + std::string(argv[1]) + "\" is no verb (see --help)", kBadUsage);
+        }
         try {
             program.parse(argc, argv);
         } catch (const CLI::Success& request) { // --help, --version

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include <Eigen/LU>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -234,11 +235,11 @@ std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras) 
         normal += across;
         rhs += across * camera.centreInWorld();
     }
-    const Eigen::FullPivLU<Eigen::Matrix3d> lu(normal);
-    if (lu.rcond() < 1e-4) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
+    if (solver.eigenvalues()[0] < 1e-4 * static_cast<double>(cameras.size())) { // all axes within about half a degree
         return std::nullopt;
     }
-    return lu.solve(rhs);
+    return normal.ldlt().solve(rhs);
 }
 
 std::vector<fs::path> calibrationFiles(const fs::path& path, const std::vector<std::string>& extensions) {

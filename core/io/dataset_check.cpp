@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/dataset_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -12,7 +13,9 @@
 #include "core/io/annotation_store.h"
 #include "core/io/cameras_file.h"
 #include "core/io/dataset.h"
+#include "core/io/frames.h"
 #include "core/io/hand_file.h"
+#include "core/io/image_file.h"
 #include "core/io/json_file.h"
 
 namespace core {
@@ -94,11 +97,30 @@ void checkVisible(Findings& findings, const Dataset& dataset, const Sequence& se
     }
 }
 
-void checkFilesOf(Findings& findings, const Dataset& dataset, const Sequence& sequence) {
-    for (const ViewSource& view : sequence.views) {
-        if (view.kind == ViewKind::Video && !fs::exists(dataset.folder / view.path)) {
-            findings.push_back({false, (dataset.folder / view.path).string() + ": no such video (" + sequence.name + ", " + view.camera + ")"});
+/// The footage of one view: there, of the calibrated size, and long enough.
+void checkFootage(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
+    const Camera& camera = dataset.cameras[static_cast<std::size_t>(dataset.cameraIndex(view.camera))];
+    const fs::path path = dataset.folder / view.path;
+    const int last = sequence.frameCount - 1 + view.offsetFrames;
+    ImageSize size = camera.size;
+    if (view.kind == ViewKind::Video) {
+        const VideoInfo info = readVideoInfo(path);
+        size = info.size;
+        if (view.offsetFrames < 0 || last >= info.frames) {
+            throw Error(ErrorCode::BadInput, path.string(), "frames", "the sequence needs frames " + std::to_string(view.offsetFrames) + " to " +
+                                                                          std::to_string(last) + ", the video has " + std::to_string(info.frames));
         }
+    } else if (view.kind == ViewKind::Images) {
+        const cv::Mat image = readImage(fillPattern(path.string(), view.camera, view.offsetFrames));
+        size = {image.cols, image.rows};
+        for (int frame = view.offsetFrames; frame <= last; ++frame) {
+            if (const std::string file = fillPattern(path.string(), view.camera, frame); !fs::exists(file)) {
+                throw Error(ErrorCode::NotFound, file, "", "no such file");
+            }
+        }
+    }
+    if (size != camera.size) {
+        throw Error(ErrorCode::BadInput, path.string(), "size", "is not the size that " + camera.name + " is calibrated for");
     }
 }
 
@@ -121,19 +143,36 @@ void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence
     }
 }
 
-void checkDataset(Findings& findings, const fs::path& folder) {
-    const Dataset dataset = readDataset(folder);
-    for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
-        checkSurface(findings, dataset.hands[h], dataset.handFiles[h]);
+/// The files that dataset.json names, each by itself, so that one broken file does not hide the next.
+void checkParts(Findings& findings, const fs::path& folder) {
+    const nlohmann::json document = readOwnFile(folder / "dataset.json", "dataset");
+    attempt(findings, [&] { readCameras(folder / document["cameras"].get<std::string>()); });
+    for (const nlohmann::json& hand : document["hands"]) {
+        const std::string file = hand["file"].get<std::string>();
+        attempt(findings, [&] { checkSurface(findings, readHandModel(folder / file), file); });
     }
+}
+
+bool hasProblem(const Findings& findings) {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) { return !finding.isNote; });
+}
+
+void checkDataset(Findings& findings, const fs::path& folder) {
+    checkParts(findings, folder);
+    if (hasProblem(findings)) {
+        return; // the sequences make no sense without cameras and hands
+    }
+    const Dataset dataset = readDataset(folder);
     for (const Sequence& sequence : dataset.sequences) {
         attempt(findings, [&] {
             const Motion motion = readMotion(dataset, sequence);
             noteLimits(findings, dataset, sequence, motion);
             checkVisible(findings, dataset, sequence, motion);
         });
-        checkFilesOf(findings, dataset, sequence);
         attempt(findings, [&] { checkAnnotations(findings, dataset, sequence); });
+        for (const ViewSource& view : sequence.views) {
+            attempt(findings, [&] { checkFootage(dataset, sequence, view); });
+        }
     }
 }
 

@@ -38,7 +38,10 @@ std::vector<double> columnNumbers(mat_t* file, const std::string& name, const ch
 
 Camera readParams(const fs::path& path) {
     const std::string name = path.string();
-    const MatFile file(Mat_Open(name.c_str(), MAT_ACC_RDONLY), &Mat_Close);
+    constexpr std::uintmax_t kHeaderBytes = 128;
+    std::error_code ignored;
+    const bool isLongEnough = fs::file_size(path, ignored) >= kHeaderBytes && !ignored;
+    const MatFile file(isLongEnough ? Mat_Open(name.c_str(), MAT_ACC_RDONLY) : nullptr, &Mat_Close);
     if (!file) {
         throw Error(ErrorCode::BadInput, name, "", "is no MATLAB file that can be read");
     }

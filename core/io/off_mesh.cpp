@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/off_mesh.h"
 
-#include <charconv>
+#include <cmath>
 
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
@@ -12,11 +12,6 @@
 namespace core {
 
 namespace {
-
-struct OffHeader {
-    int vertices, triangles;
-    std::size_t lines; ///< non-empty lines that must follow
-};
 
 Error bad(const std::filesystem::path& file, const std::string& field, const std::string& detail) {
     return Error(ErrorCode::BadInput, file.string(), field, detail);
@@ -39,7 +34,7 @@ void checkOff(const std::filesystem::path& file, const std::string& text) {
         const std::vector<double> face = lines.nextNumbers(4, "a triangle: 3 and its vertices");
         for (int i = 1; i < 4; ++i) {
             const double index = face[static_cast<std::size_t>(i)];
-            if (face[0] != 3 || !(index >= 0 && index < counts[0])) {
+            if (face[0] != 3 || index != std::floor(index) || !(index >= 0 && index < counts[0])) {
                 throw lines.errorHere("is not a triangle of the file's vertices");
             }
         }

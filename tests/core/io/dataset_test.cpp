@@ -140,10 +140,35 @@ TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
 
 TEST_F(DatasetFolder, ChecksListProblemsInsteadOfThrowing) {
     test::writeText(m_path / "motion/first.json", "{");
-    test::writeText(m_path / "hands/left.json", test::readText(m_path / "hands/left.json"));
     const std::vector<core::Finding> findings = core::checkPath(m_path);
     EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::Finding& f) { return !f.isNote && f.text.find("first.json") != std::string::npos; }));
     test::expectError([&] { core::checkPath(m_folder / "none"); }, NotFound, "none", "no such file");
+}
+
+TEST_F(DatasetFolder, ChecksNameEveryBrokenFile) {
+    test::writeText(m_path / "hands/left.json", "{");
+    test::writeText(m_path / "hands/right.json", "[");
+    test::writeText(m_path / "cameras.json", "");
+    std::string all;
+    for (const core::Finding& finding : core::checkPath(m_path)) {
+        all += finding.text + "\n";
+    }
+    for (const char* name : {"left.json", "right.json", "cameras.json"}) {
+        EXPECT_NE(all.find(name), std::string::npos) << all;
+    }
+}
+
+TEST_F(DatasetFolder, ChecksFindMissingAndShortFootage) {
+    core::Dataset dataset = core::readDataset(m_path);
+    dataset.sequences[1].views[0] = {"cam0", core::ViewKind::Video, "none.mp4", 0};
+    dataset.sequences[1].views[1] = {"cam1", core::ViewKind::Images, "shots/{frame}.png", 0};
+    core::rewriteDatasetFile(dataset);
+    std::string all;
+    for (const core::Finding& finding : core::checkPath(m_path)) {
+        all += finding.isNote ? "" : finding.text + "\n";
+    }
+    EXPECT_NE(all.find("none.mp4: no such video"), std::string::npos) << all;
+    EXPECT_NE(all.find("shots/0.png: no such file"), std::string::npos) << all;
 }
 
 TEST_F(DatasetFolder, ChecksSingleFiles) {

@@ -56,10 +56,11 @@ TEST_F(HandFile, ReadsBackExactlyWhatWasWritten) {
 
 TEST_F(HandFile, RefusesBrokenSkeletons) {
     const std::string good = test::readText(m_file);
-    expectRefused(replaced(good, "\"index_mcp\"", "\"forearm\""), "bones[1].name", "twice");
+    std::string twice = replaced(good, "\"index_pip\"", "\"index_mcp\"");
+    expectRefused(replaced(twice, "\"bone\": \"index_pip\"", "\"bone\": \"index_mcp\""), "bones[2].name", "twice");
     expectRefused(replaced(good, "\"parent\": \"forearm\"", "\"parent\": \"elbow\""), "bones[1].parent", "unknown bone \"elbow\"");
     expectRefused(replaced(good, "\"parent\": \"forearm\"", "\"parent\": null"), "bones[1].parent", "root");
-    expectRefused(replaced(good, "\"rotation\": [[1.0", "\"rotation\": [[-1.0"), "bones[0].rotation", "not a rotation");
+    expectRefused(replaced(good, "\"rotation\": [[", "\"rotation\": [[-"), "bones[0].rotation", "not a rotation");
     expectRefused(replaced(good, "\"axis\": [0.0,1.0", "\"axis\": [0.0,2.0"), "dofs[0].axis", "unit");
     expectRefused(replaced(good, "\"minRad\": -1.5", "\"minRad\": 1.5"), "dofs[0].minRad", "larger");
     expectRefused(replaced(good, "\"bone\": \"index_mcp\"", "\"bone\": \"forearm\""), "dofs[0].bone", "root");
