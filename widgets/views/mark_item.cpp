@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QFontMetricsF>
 #include <QPainter>
+#include <QPixmapCache>
+#include <QWidget>
 
 #include "widgets/views/joint_colours.h"
 
@@ -18,9 +20,9 @@ constexpr double kRadius = 4.5; // of the ring's line; with its width the ring m
 constexpr double kLineWidth = 2;
 constexpr double kOutline = 1; // dark, on both sides of the line
 constexpr double kHaloRadius = 8;
-constexpr double kCrossGap = 7; // half of what the cross-hair leaves open... on each side of the centre
 constexpr double kCrossReach = 19;
 constexpr double kLabelOffset = 10;
+constexpr int kGlyphReach = 22; // from the centre to the edge of its picture
 const QColor kDark(0, 0, 0, 200);
 const QColor kOutlierRed(0xFF, 0x3B, 0x30);
 
@@ -112,23 +114,58 @@ QRectF MarkItem::boundingRect() const {
     return hasLabel() ? ring.united(labelRect()) : ring;
 }
 
-void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setBrush(Qt::NoBrush);
+/// The mark without its label, around the origin.
+void MarkItem::drawGlyph(QPainter& painter) const {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
     if (m_mark.selected) {
-        drawSelection(*painter, m_mark.joint.hand);
+        drawSelection(painter, m_mark.joint.hand);
     }
-    drawOutlined(*painter, ringPen(m_mark), [&] { drawRing(*painter, m_mark.joint.hand, kRadius); });
+    drawOutlined(painter, ringPen(m_mark), [&] { drawRing(painter, m_mark.joint.hand, kRadius); });
     if (m_mark.occluded) {
         QPen bar(fingerColour(m_mark.joint.joint), kLineWidth);
         bar.setCapStyle(Qt::FlatCap);
-        drawOutlined(*painter, bar, [&] { painter->drawLine(QPointF(-5.5, 8.5), QPointF(5.5, 8.5)); });
+        drawOutlined(painter, bar, [&] { painter.drawLine(QPointF(-5.5, 8.5), QPointF(5.5, 8.5)); });
     }
     if (m_mark.outlier) {
-        drawOutlierCross(*painter);
+        drawOutlierCross(painter);
+    }
+}
+
+/// The glyph as a picture: of the few dozen kinds of marks, each is drawn once and then only copied.
+QPixmap MarkItem::glyph(double pixelRatio) const {
+    const QColor colour = fingerColour(m_mark.joint.joint);
+    const QString key = QStringLiteral("handlens-mark %1 %2 %3 %4 %5 %6")
+                            .arg(colour.rgba())
+                            .arg(m_mark.joint.hand == core::Side::Left)
+                            .arg(static_cast<int>(m_mark.origin == MarkOrigin::Manual))
+                            .arg(m_mark.occluded)
+                            .arg(m_mark.outlier)
+                            .arg(pixelRatio);
+    QPixmap picture;
+    if (!QPixmapCache::find(key, &picture)) {
+        picture = QPixmap((QSizeF(2 * kGlyphReach, 2 * kGlyphReach) * pixelRatio).toSize());
+        picture.setDevicePixelRatio(pixelRatio);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        painter.translate(kGlyphReach, kGlyphReach);
+        drawGlyph(painter);
+        painter.end();
+        QPixmapCache::insert(key, picture);
+    }
+    return picture;
+}
+
+void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) {
+    // Pictures lie on whole pixels; the selected mark and saved pictures are exact.
+    if (widget && !m_mark.selected) {
+        painter->drawPixmap(QPointF(-kGlyphReach, -kGlyphReach), glyph(widget->devicePixelRatioF()));
+    } else {
+        drawGlyph(*painter);
     }
     if (hasLabel()) {
         const QRectF box = labelRect();
+        painter->setRenderHint(QPainter::Antialiasing);
         painter->setPen(Qt::NoPen);
         painter->setBrush(QColor(0, 0, 0, 170));
         painter->drawRoundedRect(box, 3, 3);

@@ -21,6 +21,8 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
 
 private:
+    void drawGlyph(QPainter& painter) const;
+    QPixmap glyph(double pixelRatio) const;
     bool hasLabel() const { return !m_mark.label.isEmpty() && (m_labelShown || m_mark.selected); }
     QRectF labelRect() const;
 

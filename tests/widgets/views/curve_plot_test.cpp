@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/views/curve_plot.h"
+
+#include <QApplication>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pointer.h"
+
+namespace {
+
+using namespace widgets;
+
+int countNear(const QImage& image, const QColor& colour) {
+    int found = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor c = image.pixelColor(x, y);
+            found += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                         std::abs(c.blue() - colour.blue()) <
+                     60;
+        }
+    }
+    return found;
+}
+
+class CurvePlotTest : public testing::Test {
+protected:
+    CurvePlotTest() {
+        plot.resize(420, 260);
+        plot.show();
+        QApplication::processEvents();
+    }
+    static Curve line(const QColor& colour, double from, double to) {
+        Curve curve;
+        curve.name = QStringLiteral("a");
+        curve.colour = colour;
+        curve.points = {{0, from}, {10, to}};
+        return curve;
+    }
+    CurvePlot plot;
+};
+
+TEST_F(CurvePlotTest, DrawsEveryCurveInItsColour) {
+    EXPECT_EQ(countNear(plot.grab().toImage(), Qt::red), 0);
+    plot.setCurves({line(Qt::red, 0, 5), line(Qt::blue, 5, 0)});
+    const QImage image = plot.grab().toImage();
+    EXPECT_GT(countNear(image, Qt::red), 200);
+    EXPECT_GT(countNear(image, Qt::blue), 200);
+}
+
+TEST_F(CurvePlotTest, ARisingCurveRises) {
+    plot.setCurves({line(Qt::red, 0, 5)});
+    const QImage image = plot.grab().toImage();
+    const auto heightAt = [&](int x) {
+        for (int y = image.height() - 1; y >= 0; --y) {
+            const QColor c = image.pixelColor(x, y);
+            if (c.red() > 200 && c.green() < 90) {
+                return image.height() - y;
+            }
+        }
+        return 0;
+    };
+    EXPECT_GT(heightAt(330), heightAt(150) + 40);
+    EXPECT_GT(heightAt(150), 0);
+}
+
+TEST_F(CurvePlotTest, AClickTellsItsX) {
+    CurvePlotSettings settings;
+    settings.xMin = 0;
+    settings.xMax = 20;
+    plot.setSettings(settings);
+    plot.setCurves({line(Qt::red, 0, 5)});
+    QSignalSpy clicked(&plot, &CurvePlot::xClicked);
+    test::click(&plot, {200, 100});
+    test::click(&plot, {300, 100});
+    test::click(&plot, {1, 100});
+    ASSERT_EQ(clicked.count(), 2) << "beside the axes is no place on the curve";
+    const double first = clicked[0][0].toDouble(), second = clicked[1][0].toDouble();
+    EXPECT_GT(first, 0);
+    EXPECT_LT(second, 20);
+    // 100 px apart on an axis of 20 that is a little narrower than the widget.
+    EXPECT_NEAR(second - first, 20.0 * 100 / 370, 0.6);
+}
+
+TEST_F(CurvePlotTest, SavesItselfAsVectorsOnPaper) {
+    plot.setCurves({line(Qt::red, 0, 5)});
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("plot.svg"));
+    ASSERT_TRUE(plot.saveSvg(path));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray svg = file.readAll();
+    EXPECT_TRUE(svg.contains("<path"));
+    EXPECT_TRUE(svg.contains("#ff0000"));
+    EXPECT_FALSE(svg.contains("<image"));
+    EXPECT_EQ(plot.grabPicture(2).size(), QSize(840, 520));
+    EXPECT_EQ(plot.grabPicture(1).pixelColor(2, 2), QColor(Qt::white));
+    EXPECT_FALSE(plot.saveSvg(folder.filePath(QStringLiteral("no/such/folder.svg"))));
+}
+
+TEST_F(CurvePlotTest, WhiteLinesStayVisibleOnPaper) {
+    plot.setCurves({line(Qt::white, 0, 5)});
+    EXPECT_GT(countNear(plot.grabPicture(1), QColor(42, 42, 42)), 100);
+}
+
+TEST_F(CurvePlotTest, OddValuesDoNoHarm) {
+    Curve odd = line(Qt::red, 0, 5);
+    odd.points = {{0, 1}, {1, std::nan("")}, {2, HUGE_VAL}, {3, -1}, {4, 2}};
+    CurvePlotSettings settings;
+    settings.yLogarithmic = true;
+    plot.setSettings(settings);
+    plot.setCurves({odd, Curve{}});
+    EXPECT_FALSE(plot.grab().isNull());
+    test::moveTo(&plot, {200, 100});
+    EXPECT_FALSE(plot.grab().isNull());
+}
+
+} // namespace
