@@ -18,6 +18,7 @@ public:
 
     /// The display's name, such as ":3".
     const std::string& name() const { return m_name; }
+    int processId() const { return m_process; }
 
 private:
     std::string m_name;

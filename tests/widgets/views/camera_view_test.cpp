@@ -28,7 +28,8 @@ protected:
         QApplication::processEvents();
         QObject::connect(&view, &CameraView::pointPlaced, [this](QPointF px) { placed.push_back(px); });
         QObject::connect(&view, &CameraView::pointWithdrawn, [this] { ++withdrawn; });
-        QObject::connect(&view, &CameraView::markDragStarted, [this](auto& joint, QPointF) { dragStarted.push_back(joint); });
+        QObject::connect(&view, &CameraView::markDragStarted,
+                         [this](auto& joint, QPointF) { dragStarted.push_back(joint); });
         QObject::connect(&view, &CameraView::markDragged, [this](auto&, QPointF px) { dragged.push_back(px); });
         QObject::connect(&view, &CameraView::markDropped, [this](auto&, QPointF px) { dropped.push_back(px); });
         QObject::connect(&view, &CameraView::markDragCancelled, [this](auto& joint) { cancelled.push_back(joint); });
@@ -245,9 +246,8 @@ TEST_F(CameraViewTest, EscapeCancelsADragOnly) {
 TEST_F(CameraViewTest, ARightClickAsksForAMenuAtTheMark) {
     view.setMarks({mark(kThumb, {600, 800})});
     std::vector<std::pair<QPointF, core::JointId>> asked;
-    QObject::connect(&view, &CameraView::contextMenuRequested, [&](QPointF px, const core::JointId& joint, QPoint) {
-        asked.emplace_back(px, joint);
-    });
+    QObject::connect(&view, &CameraView::contextMenuRequested,
+                     [&](QPointF px, const core::JointId& joint, QPoint) { asked.emplace_back(px, joint); });
     test::click(view.viewport(), onScreen({600, 800}), Qt::RightButton);
     test::click(view.viewport(), onScreen({60, 80}), Qt::RightButton);
     ASSERT_EQ(asked.size(), 2u);

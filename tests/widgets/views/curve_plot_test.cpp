@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/views/curve_plot.h"
 
+#include <cmath>
+
 #include <QApplication>
 #include <QFile>
 #include <QSignalSpy>

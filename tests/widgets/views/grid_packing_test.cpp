@@ -14,7 +14,7 @@ constexpr double kLandscape = 1920.0 / 1080;
 
 TEST(GridPacking, PortraitFootageFillsAWideWindow) {
     EXPECT_EQ(packGrid(8, kPortrait, {1330, 980}, 18), (GridShape{2, 4}));
-    EXPECT_EQ(packGrid(8, kPortrait, {1900, 900}, 18), (GridShape{1, 8}));
+    EXPECT_EQ(packGrid(8, kPortrait, {1900, 500}, 18), (GridShape{1, 8}));
     EXPECT_EQ(packGrid(2, 1, {1330, 700}, 18), (GridShape{1, 2}));
 }
 
@@ -41,7 +41,8 @@ TEST(GridPacking, WastesLeast) {
                 ASSERT_GE(best.rows * best.columns, count);
                 EXPECT_LT(best.rows * best.columns - count, best.columns) << "a row stays empty";
                 for (int rows = 1; rows <= count; ++rows) {
-                    EXPECT_GE(pictureWidth(best) * (1 + 1e-6), pictureWidth({rows, (count + rows - 1) / rows})) << count;
+                    EXPECT_GE(pictureWidth(best) * (1 + 1e-6), pictureWidth({rows, (count + rows - 1) / rows}))
+                        << count;
                 }
             }
         }

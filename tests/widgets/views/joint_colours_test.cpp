@@ -31,7 +31,9 @@ TEST(JointColours, MethodsKeepTheirsWhateverTheirOptions) {
     EXPECT_EQ(all.size(), 8u);
 }
 
-double luminance(const QColor& c) { return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF(); }
+double luminance(const QColor& c) {
+    return 0.2126 * c.redF() + 0.7152 * c.greenF() + 0.0722 * c.blueF();
+}
 
 TEST(JointColours, ErrorsGetLighterAllTheWay) {
     for (int i = 0; i < 100; ++i) {

@@ -61,7 +61,8 @@ TEST(MeshLayer, OffAndEmptyLayersDrawNothing) {
     EXPECT_TRUE(drawMeshLayers(camera, {}, {0, 0}, {100, 100}, 0.1).picture.isNull());
 }
 
-/// In a view, at a zoom where image pixels are large, the layer covers exactly the image pixels that the full mask does.
+/// In a view, at a zoom where image pixels are large, the layer covers exactly the image pixels that the full mask
+/// does.
 TEST(MeshLayer, LiesOnTheImagePixelsThatItBelongsTo) {
     const core::Camera camera = test::cameraRing(2)[1];
     MeshLayer layer = test::ballLayer(Qt::white);

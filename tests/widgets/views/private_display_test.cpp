@@ -19,14 +19,6 @@ namespace {
 
 using widgets::PrivateDisplay;
 
-/// The server's process, as its lock file says; 0 if there is none.
-int serverProcess(const std::string& name) {
-    std::ifstream lock("/tmp/.X" + name.substr(1) + "-lock");
-    int process = 0;
-    lock >> process;
-    return process;
-}
-
 bool isRunning(int process) {
     std::ifstream status("/proc/" + std::to_string(process) + "/stat");
     std::string id, program, state;
@@ -57,8 +49,8 @@ TEST_F(PrivateDisplayTest, SeveralRunAtOnceAndEndWithTheirObjects) {
         EXPECT_NE(one.name(), two.name());
         EXPECT_EQ(std::getenv("DISPLAY"), two.name());
         EXPECT_STREQ(std::getenv("QT_QPA_PLATFORM"), "xcb");
-        first = serverProcess(one.name());
-        second = serverProcess(two.name());
+        first = one.processId();
+        second = two.processId();
         EXPECT_TRUE(isRunning(first));
         EXPECT_TRUE(isRunning(second));
     }
@@ -72,7 +64,7 @@ TEST_F(PrivateDisplayTest, NoServerOutlivesAKilledProgram) {
     const pid_t program = fork();
     if (program == 0) {
         const PrivateDisplay display(640, 480);
-        const int server = serverProcess(display.name());
+        const int server = display.processId();
         if (write(ends[1], &server, sizeof server) != sizeof server) {
             _exit(1);
         }

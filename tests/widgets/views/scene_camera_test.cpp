@@ -54,7 +54,8 @@ TEST(SceneCamera, FittedCameraShowsTheWholeImageInTheMiddle) {
     EXPECT_EQ(fitted.size.width, 800);
     EXPECT_NEAR(fitted.intrinsics(0, 0), camera.intrinsics(0, 0) / 4, 1e-9);
     // The image's edges, x = -0.5 and 1079.5, lie 135 px left and right of the window's middle edge.
-    const double left = (-0.5 - camera.intrinsics(0, 2)) / camera.intrinsics(0, 0) * fitted.intrinsics(0, 0) + fitted.intrinsics(0, 2);
+    const double left =
+        (-0.5 - camera.intrinsics(0, 2)) / camera.intrinsics(0, 0) * fitted.intrinsics(0, 0) + fitted.intrinsics(0, 2);
     EXPECT_NEAR(left, 400 - 135 - 0.5, 1e-9);
 }
 

@@ -61,7 +61,7 @@ protected:
 
 TEST_F(SceneViewTest, MeshesAreLitInTheirMethodsColours) {
     ASSERT_TRUE(gl);
-    EXPECT_EQ(count(scene.grabPicture(), QColor(0x56, 0xB4, 0xE9)), 0);
+    EXPECT_LT(count(scene.grabPicture(), QColor(0x56, 0xB4, 0xE9)), 20);
     MeshLayer blue = test::ballLayer(QColor(0x56, 0xB4, 0xE9)), orange = test::ballLayer(QColor(0xE6, 0x9F, 0x00));
     orange.surfaces = {test::ballSurface({260, 0, 0}, 80)};
     scene.setMeshLayers({blue, orange});
@@ -69,7 +69,7 @@ TEST_F(SceneViewTest, MeshesAreLitInTheirMethodsColours) {
     EXPECT_GT(count(both, blue.colour), 800);
     EXPECT_GT(count(both, orange.colour), 500);
     scene.setMeshLayers({blue});
-    EXPECT_EQ(count(scene.grabPicture(), orange.colour), 0);
+    EXPECT_LT(count(scene.grabPicture(), orange.colour), 20) << "only the axes' letters";
 }
 
 TEST_F(SceneViewTest, OrbitPanAndZoomMoveThePicture) {

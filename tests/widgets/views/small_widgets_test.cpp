@@ -77,7 +77,7 @@ TEST(Loupe, MagnifiesTheExactPlace) {
     const QImage shown = loupe.grab().toImage();
     const QPoint middle(shown.width() / 2, shown.height() / 2);
     const auto isGreen = [&](int dx) { return shown.pixelColor(middle + QPoint(dx, -2)).green() > 200; };
-    EXPECT_TRUE(isGreen(-1));  // 8 screen px per pixel: it begins 2 px left of the middle
+    EXPECT_TRUE(isGreen(-1)); // 8 screen px per pixel: it begins 2 px left of the middle
     EXPECT_FALSE(isGreen(-4));
     EXPECT_TRUE(isGreen(4));
     EXPECT_FALSE(isGreen(8));
