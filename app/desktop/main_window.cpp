@@ -42,7 +42,10 @@ QString droppedFolder(const QMimeData* data) {
 } // namespace
 
 MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidget* parent)
-    : QMainWindow(parent), m_settings(settings), m_actions(this, settings), m_playback(m_workbench.selection, m_workbench.frames) {
+    : QMainWindow(parent)
+    , m_settings(settings)
+    , m_actions(this, settings)
+    , m_playback(m_workbench.selection, m_workbench.frames) {
     initResources();
     build();
     connectSession();
@@ -53,7 +56,8 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     bindPanelActions(*this);
     buildMenus(*this);
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
-    const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString() : QString::fromStdString(options.rater);
+    const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
+                                                : QString::fromStdString(options.rater);
     m_workbench.document.setRater(rater.toStdString());
     restoreLayout();
     refreshTitle();
@@ -71,11 +75,13 @@ void MainWindow::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_message = new widgets::MessageBar(central);
-    m_framesBar = new widgets::FramesBar(m_workbench.selection, m_workbench.document, m_workbench.coverage, m_workbench.joints, central);
+    m_framesBar = new widgets::FramesBar(m_workbench.selection, m_workbench.document, m_workbench.coverage,
+                                         m_workbench.joints, central);
     m_pages = new QStackedWidget(central);
     m_empty = new widgets::EmptyState(m_pages);
     m_workspaces = new Workspaces(m_workbench, m_pages);
-    m_statusLine = new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
+    m_statusLine =
+        new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_workspaces);
     column->addWidget(m_message);
@@ -85,7 +91,8 @@ void MainWindow::build() {
     setCentralWidget(central);
     setAcceptDrops(true);
     setWindowIcon(QIcon(QStringLiteral(":/icons/handlens.svg")));
-    m_framesBar->setActions(m_actions.action(QStringLiteral("go.previousFrame")), m_actions.action(QStringLiteral("go.nextFrame")),
+    m_framesBar->setActions(m_actions.action(QStringLiteral("go.previousFrame")),
+                            m_actions.action(QStringLiteral("go.nextFrame")),
                             m_actions.action(QStringLiteral("go.play")));
     m_framesBar->hide();
     m_statusLine->setIdleText(tr("Open a dataset to begin."));
@@ -93,7 +100,8 @@ void MainWindow::build() {
     m_empty->setRecentDatasets(m_settings.value(kRecentKey).toStringList());
     connect(m_empty, &widgets::EmptyState::openRequested, this, &MainWindow::askForDataset);
     connect(m_empty, &widgets::EmptyState::demoRequested, this, &MainWindow::openDemo);
-    connect(m_empty, &widgets::EmptyState::recentRequested, this, [this](const QString& folder) { openDataset(folder); });
+    connect(m_empty, &widgets::EmptyState::recentRequested, this,
+            [this](const QString& folder) { openDataset(folder); });
 }
 
 QWidget* MainWindow::makeWorkspaceBar() {
@@ -140,9 +148,8 @@ void MainWindow::connectSession() {
             showHints();
         refreshTitle();
     });
-    connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this, [this](const QString& name) {
-        m_workbench.session.openSequence(name, 0);
-    });
+    connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this,
+            [this](const QString& name) { m_workbench.session.openSequence(name, 0); });
 }
 
 void MainWindow::connectDocument() {
@@ -166,11 +173,13 @@ void MainWindow::connectDocument() {
     connect(&files, &widgets::AnnotationFiles::exported, this, [this](const QString& path) {
         m_statusLine->sayBriefly(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
     });
-    connect(&files, &widgets::AnnotationFiles::imported, this, [this](const QString& path, int marks, const QString& warnings) {
-        m_statusLine->sayBriefly(tr("%n mark(s) imported from %1", nullptr, marks).arg(QFileInfo(path).fileName()));
-        if (!warnings.isEmpty())
-            showMessage(warnings);
-    });
+    connect(&files, &widgets::AnnotationFiles::imported, this,
+            [this](const QString& path, int marks, const QString& warnings) {
+                m_statusLine->sayBriefly(
+                    tr("%n mark(s) imported from %1", nullptr, marks).arg(QFileInfo(path).fileName()));
+                if (!warnings.isEmpty())
+                    showMessage(warnings);
+            });
 }
 
 void MainWindow::connectWork() {
@@ -184,7 +193,8 @@ void MainWindow::connectWork() {
     connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
     widgets::BenchmarkRunner& benchmarks = m_workbench.benchmarks;
-    connect(&benchmarks, &widgets::BenchmarkRunner::started, this, [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
+    connect(&benchmarks, &widgets::BenchmarkRunner::started, this,
+            [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
     connect(&benchmarks, &widgets::BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
         m_statusLine->showWork(tr("Benchmark: %1").arg(text), fraction);
     });
@@ -211,7 +221,8 @@ void MainWindow::askForDataset() {
 
 void MainWindow::openDemo() {
     m_playback.stop();
-    m_workbench.session.openDemo(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/demo"));
+    m_workbench.session.openDemo(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                                 QStringLiteral("/demo"));
 }
 
 void MainWindow::showMessage(const QString& text) {
@@ -221,7 +232,8 @@ void MainWindow::showMessage(const QString& text) {
 void MainWindow::showHints() {
     if (!m_hints) {
         m_hints = new widgets::Hints(m_workspaces->grid());
-        connect(m_hints, &widgets::Hints::closed, this, [this] { m_settings.setValue(QStringLiteral("hintsSeen"), true); });
+        connect(m_hints, &widgets::Hints::closed, this,
+                [this] { m_settings.setValue(QStringLiteral("hintsSeen"), true); });
     }
     m_hints->show();
 }
@@ -258,8 +270,9 @@ void MainWindow::refreshTitle() {
         setWindowTitle(QStringLiteral("Handlens"));
         return;
     }
-    setWindowTitle(QStringLiteral("%1 \u2013 %2 \u2013 Handlens")
-                       .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_workbench.session.sequence()->name)));
+    setWindowTitle(
+        QStringLiteral("%1 \u2013 %2 \u2013 Handlens")
+            .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_workbench.session.sequence()->name)));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

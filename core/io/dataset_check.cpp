@@ -154,7 +154,7 @@ void checkParts(Findings& findings, const fs::path& folder) {
 }
 
 bool hasProblem(const Findings& findings) {
-    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) { return !finding.isNote; });
+    return std::any_of(findings.begin(), findings.end(), [](const CheckFinding& finding) { return !finding.isNote; });
 }
 
 void checkDataset(Findings& findings, const fs::path& folder) {

@@ -197,7 +197,8 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
             if (indent > 4 || !opensFunction(file.lines[i])) {
                 continue;
             }
-            const std::string closing = std::string(indent, ' ') + "}";
+            const bool continues = indent == 4 && (file.lines[i][indent] == ':' || file.lines[i][indent] == ',');
+            const std::string closing = std::string(continues ? 0 : indent, ' ') + "}"; // a constructor's initialisers stand deeper
             std::size_t end = i + 1;
             while (end < file.lines.size() && !file.lines[end].starts_with(closing)) {
                 ++end;
