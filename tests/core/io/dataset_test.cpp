@@ -120,7 +120,7 @@ TEST_F(DatasetFolder, IsNotThereAtAllIfItCannotBeWritten) {
 }
 
 TEST_F(DatasetFolder, ChecksFindNoProblemInAGoodOne) {
-    for (const core::Finding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
         EXPECT_TRUE(finding.isNote) << finding.text;
     }
 }
@@ -131,7 +131,7 @@ TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
     motion[3][1][core::kRigidDofs + 2] = 0.1 + 0.0873; // 5 degrees above the most
     core::writeMotionFile(m_path / "motion/first.json", dataset.hands, motion);
     bool isNoted = false;
-    for (const core::Finding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
         EXPECT_TRUE(finding.isNote) << finding.text;
         isNoted = isNoted || finding.text == "motion/first.json: right index_pip.flexion: up to 5.0 degrees outside its limits in 1 frames";
     }
@@ -140,8 +140,8 @@ TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
 
 TEST_F(DatasetFolder, ChecksListProblemsInsteadOfThrowing) {
     test::writeText(m_path / "motion/first.json", "{");
-    const std::vector<core::Finding> findings = core::checkPath(m_path);
-    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::Finding& f) { return !f.isNote && f.text.find("first.json") != std::string::npos; }));
+    const std::vector<core::CheckFinding> findings = core::checkPath(m_path);
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::CheckFinding& f) { return !f.isNote && f.text.find("first.json") != std::string::npos; }));
     test::expectError([&] { core::checkPath(m_folder / "none"); }, NotFound, "none", "no such file");
 }
 
@@ -150,7 +150,7 @@ TEST_F(DatasetFolder, ChecksNameEveryBrokenFile) {
     test::writeText(m_path / "hands/right.json", "[");
     test::writeText(m_path / "cameras.json", "");
     std::string all;
-    for (const core::Finding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
         all += finding.text + "\n";
     }
     for (const char* name : {"left.json", "right.json", "cameras.json"}) {
@@ -164,7 +164,7 @@ TEST_F(DatasetFolder, ChecksFindMissingAndShortFootage) {
     dataset.sequences[1].views[1] = {"cam1", core::ViewKind::Images, "shots/{frame}.png", 0};
     core::rewriteDatasetFile(dataset);
     std::string all;
-    for (const core::Finding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
         all += finding.isNote ? "" : finding.text + "\n";
     }
     EXPECT_NE(all.find("none.mp4: no such video"), std::string::npos) << all;
