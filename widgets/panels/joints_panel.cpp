@@ -22,10 +22,10 @@ JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const 
     column->addWidget(m_note);
     m_table->setModel(m_model);
     styleTable(*m_table);
-    const int widest = m_table->fontMetrics().horizontalAdvance(QStringLiteral("000.00"));
+    const int widest = m_table->fontMetrics().horizontalAdvance(QStringLiteral("00.00"));
     for (const int wide : {JointTableModel::Views, JointTableModel::ErrorPx, JointTableModel::SigmaMm}) {
         m_table->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Fixed);
-        m_table->setColumnWidth(wide, widest + 2 * kSpacing);
+        m_table->setColumnWidth(wide, widest + kSpacing);
     }
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
