@@ -9,6 +9,7 @@
 #include "core/error.h"
 #include "core/io/annotation_formats.h"
 #include "core/io/annotation_store.h"
+#include "core/io/dataset_annotations.h"
 
 namespace app {
 
@@ -51,7 +52,7 @@ void importFile(const AnnotationsArguments& arguments) {
     options.jointMap = arguments.map;
     options.camera = arguments.camera;
     const core::ImportedAnnotations imported = core::importAnnotations(dataset, sequence, arguments.kind, arguments.file, options);
-    auto store = core::AnnotationStore::open(dataset.folder / sequence.annotations);
+    auto store = core::AnnotationStore::open(core::annotationFile(dataset, sequence));
     if (store.isReadOnly()) {
         throw core::Error(core::ErrorCode::Io, store.file().string(), "", "is read-only: " + store.readOnlyReason());
     }

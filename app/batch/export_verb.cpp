@@ -6,7 +6,7 @@
 #include "app/batch/verbs.h"
 #include "core/error.h"
 #include "core/io/annotation_formats.h"
-#include "core/io/annotation_store.h"
+#include "core/io/dataset_annotations.h"
 
 namespace app {
 
@@ -25,15 +25,6 @@ std::string kindList() {
     return kinds;
 }
 
-/// The annotations of a sequence; none if nobody has annotated it yet.
-core::AnnotationSet readAnnotations(const core::Dataset& dataset, const core::Sequence& sequence) {
-    const auto file = dataset.folder / sequence.annotations;
-    if (sequence.annotations.empty() || !std::filesystem::exists(file)) {
-        return {};
-    }
-    return core::AnnotationStore::open(file, core::StoreAccess::ReadOnly).annotations();
-}
-
 void exportSequence(const ExportArguments& arguments) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const core::Sequence& sequence = dataset.sequence(arguments.sequence);
@@ -43,7 +34,7 @@ void exportSequence(const ExportArguments& arguments) {
     if (!arguments.rater.empty()) {
         options.rater = arguments.rater;
     }
-    core::exportAnnotations(dataset, sequence, readAnnotations(dataset, sequence), arguments.kind, arguments.out, options);
+    core::exportAnnotations(dataset, sequence, core::readAnnotations(dataset, sequence), arguments.kind, arguments.out, options);
 }
 
 } // namespace

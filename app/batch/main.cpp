@@ -39,6 +39,7 @@ void addVerbs(CLI::App& program) {
     app::addMergeVerb(program);
     app::addNewVerb(program);
     app::addRenderVerb(program);
+    app::addReportVerb(program);
     app::addTriangulateVerb(program);
 }
 

@@ -21,6 +21,7 @@ void addJointsVerb(CLI::App& program);
 void addMergeVerb(CLI::App& program);
 void addNewVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
+void addReportVerb(CLI::App& program);
 void addTriangulateVerb(CLI::App& program);
 
 } // namespace app

@@ -38,74 +38,32 @@ std::string colourOf(const std::string& method, std::size_t number) {
     return kOtherColours[number % kOtherColours.size()];
 }
 
-/// One line of a plot: gnuplot's columns 1 and 2, in this order.
-struct Line {
-    std::string name;
-    std::string colour;
-    std::vector<std::array<double, 2>> points;
-    const char* style = "linespoints pt 7 ps 0.5";
-};
-
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) {
-        result += c == '\'' ? std::string("''") : std::string(1, c);
-    }
-    return result + "'";
-}
-
-std::string preamble(const std::string& id, const std::string& xLabel, const std::string& yLabel) {
-    return "set encoding utf8\n"
-           "set terminal svg size 760,430 dynamic enhanced background '#ffffff' font 'sans-serif,13' name " + quoted(id) + "\n"
-           "set border 3 lc rgb '#888888'\nset tics nomirror out\nset grid ytics lc rgb '#e4e4e4' lw 1\n"
-           "set key outside right top noenhanced samplen 2\n"
-           "set xlabel " + quoted(xLabel) + "\nset ylabel " + quoted(yLabel) + "\n";
-}
-
-/// Data blocks and the plot command for lines.
-std::string plotOf(const std::vector<Line>& lines) {
-    std::string data;
-    std::string plot;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string block = "$d" + std::to_string(i);
-        data += block + " << EOD\n";
-        for (const auto& [x, y] : lines[i].points) {
-            if (!std::isnan(y)) {
-                data += exactText(x) + " " + fixedText(y, 5) + "\n";
-            }
-        }
-        data += "EOD\n";
-        plot += (i == 0 ? "plot " : ", ") + block + " using 1:2 with " + lines[i].style + " lw 2 lc rgb '" + lines[i].colour + "' title " + quoted(lines[i].name);
-    }
-    return data + plot + "\n";
-}
-
-bool hasData(const std::vector<Line>& lines) {
-    return std::any_of(lines.begin(), lines.end(), [](const Line& line) { return !line.points.empty(); });
+bool hasData(const std::vector<PlotLine>& lines) {
+    return std::any_of(lines.begin(), lines.end(), [](const PlotLine& line) { return !line.points.empty(); });
 }
 
 Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods, const std::string& id,
                     const std::string& title) {
-    std::vector<Line> lines;
+    std::vector<PlotLine> lines;
     for (const ErrorCurve& curve : errorCurves(results)) {
         const auto at = std::find(methods.begin(), methods.end(), curve.method);
         if (curve.method != "initial" && at == methods.end()) {
             continue;
         }
-        Line line{curve.method, colourOf(curve.method, lines.size()), {}, "lines"};
+        PlotLine line{curve.method, colourOf(curve.method, lines.size()), {}, "lines"};
         for (std::size_t i = 0; i < curve.share.size(); ++i) {
             line.points.push_back({curve.thresholdsMm[i], 100 * curve.share[i]});
         }
         lines.push_back(std::move(line));
     }
     return {id, title, "Share of the frame pairs whose mean joint error is below the threshold. Higher and further left is better.",
-            preamble(id, "threshold (mm)", "pairs below it (%)") + "set yrange [0:100]\nset xrange [0:10]\n" + plotOf(lines)};
+            gnuplotPreamble(id, "threshold (mm)", "pairs below it (%)") + "set yrange [0:100]\nset xrange [0:10]\n" + gnuplotPlot(lines)};
 }
 
 Figure differencesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
-    std::vector<Line> lines;
+    std::vector<PlotLine> lines;
     for (const std::string& method : methods) {
-        Line line{method, colourOf(method, lines.size()), {}};
+        PlotLine line{method, colourOf(method, lines.size()), {}};
         for (const int difference : differencesOf(results)) {
             const ErrorStatistics statistics = errorStatistics(results, method, difference);
             if (statistics.pairs > 0) {
@@ -116,17 +74,17 @@ Figure differencesFigure(const BenchmarkResults& results, const std::vector<std:
     }
     return {"differences", "Error over the distance of the start frame",
             "Mean joint error after the fit; the start pose is that many frames away.",
-            preamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" + plotOf(lines)};
+            gnuplotPreamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" + gnuplotPlot(lines)};
 }
 
 Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
     std::string tics;
     for (std::size_t j = 0; j < results.joints.size(); ++j) {
-        tics += (j == 0 ? "" : ", ") + quoted(jointLabel(results.joints[j])) + " " + std::to_string(j);
+        tics += (j == 0 ? "" : ", ") + gnuplotQuoted(jointLabel(results.joints[j])) + " " + std::to_string(j);
     }
-    std::vector<Line> lines;
+    std::vector<PlotLine> lines;
     for (const std::string& method : methods) {
-        Line line{method, colourOf(method, lines.size()), {}};
+        PlotLine line{method, colourOf(method, lines.size()), {}};
         const std::vector<double> means = meanJointErrorsMm(results, method);
         for (std::size_t j = 0; j < means.size(); ++j) {
             if (!std::isnan(means[j])) {
@@ -136,12 +94,12 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
         lines.push_back(std::move(line));
     }
     return {"joints", "Error per joint", "Mean error of every joint over all pairs.",
-            preamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset bmargin 7.5\n" +
-                "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + plotOf(lines)};
+            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset bmargin 7.5\n" +
+                "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + gnuplotPlot(lines)};
 }
 
 Figure speedFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
-    std::vector<Line> lines;
+    std::vector<PlotLine> lines;
     for (const std::string& method : methods) {
         const ErrorStatistics statistics = errorStatistics(results, method);
         if (statistics.pairs > 0 && statistics.meanSeconds > 0) {
@@ -150,18 +108,18 @@ Figure speedFigure(const BenchmarkResults& results, const std::vector<std::strin
         }
     }
     return {"speed", "Error against time", "One point per method; further left is faster, further down is more exact.",
-            preamble("speed", "seconds per pair", "mean error (mm)") +
-                "set yrange [0:*]\nset xrange [0:*]\n" + plotOf(lines)};
+            gnuplotPreamble("speed", "seconds per pair", "mean error (mm)") +
+                "set yrange [0:*]\nset xrange [0:*]\n" + gnuplotPlot(lines)};
 }
 
 std::string scheduleName(Schedule schedule) {
     return schedule == Schedule::Paper ? "paper's schedule" : "rigid phase first";
 }
 
-std::vector<Line> linesOf(const BenchmarkResults& results, const SweepFigure& sweep) {
-    std::vector<Line> lines;
+std::vector<PlotLine> linesOf(const BenchmarkResults& results, const SweepFigure& sweep) {
+    std::vector<PlotLine> lines;
     for (const SweepSeries& series : sweep.series) {
-        Line line{series.name, kOtherColours[lines.size() % kOtherColours.size()], {}};
+        PlotLine line{series.name, kOtherColours[lines.size() % kOtherColours.size()], {}};
         for (const SweepPoint& point : series.points) {
             const ErrorStatistics statistics = errorStatistics(results, point.method);
             if (statistics.pairs > 0) {
@@ -175,7 +133,7 @@ std::vector<Line> linesOf(const BenchmarkResults& results, const SweepFigure& sw
     return lines;
 }
 
-Figure sweepFigure(const SweepFigure& sweep, const std::vector<Line>& lines, Schedule schedule) {
+Figure sweepFigure(const SweepFigure& sweep, const std::vector<PlotLine>& lines, Schedule schedule) {
     const std::string id = sweep.id + (schedule == Schedule::Paper ? "-paper" : "");
     const bool isLogarithmic = sweep.xLabel == "bins" || sweep.id == "tau";
     std::string tics = "set xtics (";
@@ -183,8 +141,8 @@ Figure sweepFigure(const SweepFigure& sweep, const std::vector<Line>& lines, Sch
         tics += (i == 0 ? "" : ", ") + exactText(lines.front().points[i][0]);
     }
     return {id, sweep.title + " (" + scheduleName(schedule) + ")", "Mean joint error over all pairs.",
-            preamble(id, sweep.xLabel, "mean error (mm)") + (isLogarithmic ? "set logscale x 2\n" : "") + tics +
-                ")\nset offsets graph 0.05, graph 0.05, graph 0.1, 0\nset yrange [0:*]\n" + plotOf(lines)};
+            gnuplotPreamble(id, sweep.xLabel, "mean error (mm)") + (isLogarithmic ? "set logscale x 2\n" : "") + tics +
+                ")\nset offsets graph 0.05, graph 0.05, graph 0.1, 0\nset yrange [0:*]\n" + gnuplotPlot(lines)};
 }
 
 /// Of each of the paper's families, the method with the smallest mean error.
@@ -248,7 +206,7 @@ std::vector<Figure> sweepResultFigures(const BenchmarkResults& results) {
     std::vector<Figure> figures;
     for (const Schedule schedule : {Schedule::Paper, Schedule::RigidFirst}) {
         for (const SweepFigure& sweep : sweepFigures(schedule)) {
-            const std::vector<Line> lines = linesOf(results, sweep);
+            const std::vector<PlotLine> lines = linesOf(results, sweep);
             if (hasData(lines)) {
                 figures.push_back(sweepFigure(sweep, lines, schedule));
             }

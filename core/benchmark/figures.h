@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "core/benchmark/benchmark_results.h"
+#include "core/numeric/gnuplot_text.h"
 
 namespace core {
-
-/// A figure as a program for gnuplot (5.2 or newer) with its data inside; it prints an SVG to standard output.
-struct Figure {
-    std::string id;      ///< short, unique within a report
-    std::string title;
-    std::string caption; ///< what is drawn, and how to read it
-    std::string gnuplot;
-};
 
 /// The methods that overview figures show: those without options if there are any, at most `most`; other trackers are
 /// always among them.

@@ -6,33 +6,16 @@
 
 #include "core/benchmark/findings.h"
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
+#include "core/numeric/html_text.h"
+#include "core/numeric/number_text.h"
 
 namespace core {
 
 namespace {
 
 constexpr std::size_t kWorstPairs = 5; ///< listed per method
-
-const char* const kStyle =
-    "body{font:15px/1.5 sans-serif;color:#1f2328;max-width:1080px;margin:24px auto;padding:0 18px}\n"
-    "h1{font-size:24px}h2{font-size:19px;margin-top:36px}\n"
-    "table{border-collapse:collapse;font-variant-numeric:tabular-nums;margin:12px 0}\n"
-    "th,td{padding:3px 12px;border-bottom:1px solid #dfe2e6;text-align:right;white-space:nowrap}\n"
-    "th:first-child,td.text{text-align:left;white-space:normal;font-weight:normal}\n"
-    "thead th{border-bottom:2px solid #8b949e}tr.paper{color:#6e7781;font-style:italic}\n"
-    "figure{margin:18px 0}figure svg{width:100%;height:auto;max-width:860px}figcaption{color:#57606a}\n"
-    "code{background:#f3f4f6;padding:1px 5px;border-radius:3px}.no{color:#b42318}.yes{color:#17703a}.open{color:#8a6d00}\n";
-
-std::string cell(const std::string& text) {
-    return "<td class=\"text\">" + htmlEscaped(text) + "</td>";
-}
-
-std::string numberCell(double value, int digits) {
-    return "<td>" + fixedText(value, digits) + "</td>";
-}
 
 std::string introduction(const ReportContent& content) {
     const BenchmarkResults& results = *content.results;
@@ -51,20 +34,6 @@ std::string introduction(const ReportContent& content) {
     return text;
 }
 
-std::string figuresHtml(const ReportContent& content) {
-    if (!content.pictures) {
-        return "<h2>Figures</h2>\n<p class=\"no\">gnuplot is not installed, so this report has no figures. Install the package "
-               "gnuplot-nox and run the same command again: nothing is computed twice.</p>\n";
-    }
-    std::string text = "<h2>Figures</h2>\n";
-    for (std::size_t i = 0; i < content.figures.size(); ++i) {
-        const Figure& figure = content.figures[i];
-        text += "<figure id=\"figure-" + figure.id + "\">\n<h3>" + htmlEscaped(figure.title) + "</h3>\n" +
-                (*content.pictures)[i] + "\n<figcaption>" + htmlEscaped(figure.caption) + "</figcaption>\n</figure>\n";
-    }
-    return text;
-}
-
 std::string findingCell(const Finding& finding) {
     const char* kind = finding.verdict == Verdict::Reproduced ? "yes" : finding.verdict == Verdict::NotReproduced ? "no" : "open";
     return "<td class=\"text\"><b class=\"" + std::string(kind) + "\">" + std::string(verdictName(finding.verdict)) +
@@ -77,7 +46,7 @@ std::string findingsHtml(const ReportContent& content) {
     std::string text = "<h2>Findings of the paper</h2>\n<p>Mean errors over all pairs, mm.</p>\n<table>\n<thead><tr><th>claim</th>"
                        "<th>the paper's schedule</th><th>rigid phase first (default)</th></tr></thead>\n<tbody>\n";
     for (std::size_t i = 0; i < paper.size(); ++i) {
-        text += "<tr>" + cell(paper[i].claim) + findingCell(paper[i]) + findingCell(ours[i]) + "</tr>\n";
+        text += "<tr>" + htmlTextCell(paper[i].claim) + findingCell(paper[i]) + findingCell(ours[i]) + "</tr>\n";
     }
     return text + "</tbody>\n</table>\n";
 }
@@ -85,12 +54,12 @@ std::string findingsHtml(const ReportContent& content) {
 std::string optionRow(const BenchmarkResults& results, const OpenOption& option, const std::string& variant) {
     const ErrorStatistics base = errorStatistics(results, option.method);
     const ErrorStatistics other = errorStatistics(results, variant);
-    std::string row = "<tr>" + cell(option.name) + cell(option.what) + cell(option.defaultValue) + cell(option.source) + cell(variant);
+    std::string row = "<tr>" + htmlTextCell(option.name) + htmlTextCell(option.what) + htmlTextCell(option.defaultValue) + htmlTextCell(option.source) + htmlTextCell(variant);
     if (base.pairs == 0 || other.pairs == 0) {
         return row + "<td></td><td></td><td></td><td></td></tr>\n";
     }
-    return row + numberCell(other.meanMm, 2) + numberCell(other.meanMm - base.meanMm, 2) + numberCell(other.meanSeconds, 3) +
-           numberCell(1000 * (other.meanSeconds - base.meanSeconds), 0) + "</tr>\n";
+    return row + htmlNumberCell(other.meanMm, 2) + htmlNumberCell(other.meanMm - base.meanMm, 2) + htmlNumberCell(other.meanSeconds, 3) +
+           htmlNumberCell(1000 * (other.meanSeconds - base.meanSeconds), 0) + "</tr>\n";
 }
 
 std::string optionsHtml(const BenchmarkResults& results) {
@@ -105,13 +74,44 @@ std::string optionsHtml(const BenchmarkResults& results) {
     return text + "</tbody>\n</table>\n";
 }
 
+/// What an idea of `best` gains and costs: with it against without it.
+std::string ideaRow(const BenchmarkResults& results, const BestIdea& idea) {
+    const ErrorStatistics best = errorStatistics(results, "best");
+    const ErrorStatistics variant = errorStatistics(results, idea.variant);
+    std::string row = "<tr>" + htmlTextCell(idea.what) + htmlTextCell(idea.kept ? "part of best" : "left out") + htmlTextCell(idea.variant);
+    if (best.pairs == 0 || variant.pairs == 0) {
+        return row + "<td></td><td></td><td></td><td></td></tr>\n";
+    }
+    const ErrorStatistics& with = idea.kept ? best : variant;
+    const ErrorStatistics& without = idea.kept ? variant : best;
+    return row + htmlNumberCell(variant.meanMm, 3) + htmlNumberCell(variant.worstMm, 2) +
+           htmlNumberCell(without.meanMm - with.meanMm, 3) + htmlNumberCell(1000 * (with.meanSeconds - without.meanSeconds), 0) +
+           "</tr>\n";
+}
+
+std::string ideasHtml(const BenchmarkResults& results) {
+    const ErrorStatistics best = errorStatistics(results, "best");
+    std::string text = "<h2>What best is made of</h2>\n<p>Each idea switched the other way, alone. Gain: how much lower the mean error is "
+                       "with the idea than without it; cost: how much longer a pair takes with it.";
+    if (best.pairs > 0) {
+        text += " best itself: " + fixedText(best.meanMm, 3) + " mm, worst pair " + fixedText(best.worstMm, 2) + " mm, " +
+                fixedText(best.meanSeconds, 3) + " s.";
+    }
+    text += "</p>\n<table>\n<thead><tr><th>idea</th><th>verdict</th><th>tried</th><th>mm</th><th>worst, mm</th><th>gain, mm</th>"
+            "<th>cost, ms</th></tr></thead>\n<tbody>\n";
+    for (const BestIdea& idea : bestIdeas()) {
+        text += ideaRow(results, idea);
+    }
+    return text + "</tbody>\n</table>\n";
+}
+
 std::string worstHtml(const ReportContent& content) {
     std::string text = "<h2>Worst pairs</h2>\n<table>\n<thead><tr><th>method</th><th>sequence</th><th>start</th><th>test</th>"
                        "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
     for (const std::string& method : headlineMethods(*content.results)) {
         for (const PairResult& row : worstPairs(*content.results, method, kWorstPairs)) {
-            text += "<tr>" + cell(method) + cell(row.pair.sequence) + "<td>" + std::to_string(row.pair.start) + "</td><td>" +
-                    std::to_string(row.pair.test) + "</td>" + numberCell(row.initialErrorMm, 2) + numberCell(row.errorMm, 2) +
+            text += "<tr>" + htmlTextCell(method) + htmlTextCell(row.pair.sequence) + "<td>" + std::to_string(row.pair.start) + "</td><td>" +
+                    std::to_string(row.pair.test) + "</td>" + htmlNumberCell(row.initialErrorMm, 2) + htmlNumberCell(row.errorMm, 2) +
                     "<td class=\"text\"><code>" + htmlEscaped(openCommand(content.dataset, row.pair)) + "</code></td></tr>\n";
         }
     }
@@ -177,14 +177,14 @@ std::string openCommand(const std::string& dataset, const FramePair& pair) {
 std::string reportHtml(const ReportContent& content) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<title>Handlens benchmark</title>\n<style>\n" +
-                       std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
+                       std::string(kReportStyle) + "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
     text += introduction(content) + tablesHtml(content);
     if (content.sweep) {
         text += findingsHtml(content);
     }
-    text += figuresHtml(content);
+    text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr);
     if (content.sweep) {
-        text += optionsHtml(*content.results);
+        text += optionsHtml(*content.results) + ideasHtml(*content.results);
     }
     return text + worstHtml(content) + "</body>\n</html>\n";
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/benchmark/metrics.h"
+#include "core/numeric/html_text.h"
 #include "core/numeric/number_text.h"
 #include "core/benchmark/paper_results.h"
 
@@ -150,29 +151,6 @@ std::string htmlTable(const ResultTable& table) {
         text += "</tr>\n";
     }
     return text + "</tbody>\n</table>\n";
-}
-
-std::string htmlEscaped(const std::string& text) {
-    std::string escaped;
-    for (const char c : text) {
-        switch (c) {
-        case '&':
-            escaped += "&amp;";
-            break;
-        case '<':
-            escaped += "&lt;";
-            break;
-        case '>':
-            escaped += "&gt;";
-            break;
-        case '"':
-            escaped += "&quot;";
-            break;
-        default:
-            escaped += c;
-        }
-    }
-    return escaped;
 }
 
 } // namespace core

@@ -33,7 +33,4 @@ std::string markdownTable(const ResultTable& table);
 std::string latexTable(const ResultTable& table);
 std::string htmlTable(const ResultTable& table);
 
-/// Text with &, <, > and quotes escaped for HTML.
-std::string htmlEscaped(const std::string& text);
-
 } // namespace core

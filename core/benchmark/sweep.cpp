@@ -88,6 +88,21 @@ std::vector<OpenOption> openOptions() {
     };
 }
 
+std::vector<BestIdea> bestIdeas() {
+    return {
+        {"the palm finds its place before the fingers move", true, "best:palm=0"},
+        {"coarse levels of the mesh first", true, "best:coarse=0"},
+        {"tau anneals from 45 deg to 22.5", true, "best:wide=0"},
+        {"the distance along the outline counts a tenth", true, "best:across=0"},
+        {"a weak pull of the angles to those of the start", true, "best:prior=0"},
+        {"other starts where silhouettes are left unexplained", true, "best:restarts=0"},
+        {"last iterations on the full mesh", true, "best:polish=0"},
+        {"contour points pull the model, too", false, "best:both=1"},
+        {"only contour points within tau are searched", false, "best:within=1"},
+        {"Cauchy weights, 5 mm", false, "best:robust=5"},
+    };
+}
+
 std::vector<std::string> sweepMethods() {
     std::vector<std::string> methods;
     for (const Schedule schedule : {Schedule::RigidFirst, Schedule::Paper}) {
@@ -110,6 +125,9 @@ std::vector<std::string> sweepMethods() {
         for (const std::string& variant : option.variants) {
             addOnce(methods, withOptions(variant, {}));
         }
+    }
+    for (const BestIdea& idea : bestIdeas()) {
+        addOnce(methods, idea.variant);
     }
     return methods;
 }

@@ -42,14 +42,22 @@ constexpr Phase kLivePolish{1, false, 22.5, Detail::Medium, 150, 0};
 /// Mean distance of the two silhouettes' outlines, px, above which other starts are tried; good fits reach 0.4 to 0.6.
 constexpr double kUnexplainedPx = 0.75;
 
-IterationSettings settingsOf(const Phase& phase) {
+constexpr double kNarrowTauDeg = 22.5;
+
+IterationSettings settingsOf(const Phase& phase, const BestIdeas& ideas) {
     IterationSettings settings;
-    settings.rule.tauRad = static_cast<float>(phase.tauDeg * std::numbers::pi / 180);
-    settings.detail = phase.detail;
+    const double tauDeg = ideas.wide ? phase.tauDeg : kNarrowTauDeg;
+    settings.rule.tauRad = static_cast<float>(tauDeg * std::numbers::pi / 180);
+    if (ideas.withinTau) {
+        settings.rule.search = MatchRule::Search::WithinTau;
+    }
+    settings.detail = ideas.coarse ? phase.detail : Detail::Full;
     settings.pointsPerCamera = phase.points;
-    settings.rigidOnly = phase.rigidOnly;
-    settings.tangentWeight = kTangentWeight;
-    settings.startPrior = kStartPrior;
+    settings.contourPointsPerCamera = ideas.bothWays ? phase.points : 0;
+    settings.rigidOnly = phase.rigidOnly && ideas.palm;
+    settings.tangentWeight = ideas.across ? kTangentWeight : 1;
+    settings.startPrior = ideas.prior ? kStartPrior : 0;
+    settings.robustMm = ideas.robustMm;
     return settings;
 }
 
@@ -78,42 +86,23 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
     return poses;
 }
 
-/// One way from the start to a pose, with its own history.
-struct Attempt {
-    HandPoses poses;
-    std::vector<FitIteration> history;
-    FitTermination termination = FitTermination::MaxIterations;
-};
-
 class BestFit {
 public:
-    BestFit(PoseRefiner& refiner, std::stop_token stop, const FitProgress& progress, int expectedIterations)
+    BestFit(PoseRefiner& refiner, const Method& method, std::stop_token stop, const FitProgress& progress,
+            int expectedIterations)
         : m_refiner(refiner)
-        , m_stop(stop)
-        , m_progress(progress)
-        , m_expected(expectedIterations) {}
+        , m_ideas(method.ideas)
+        , m_loop(refiner, stop, progress, expectedIterations) {}
 
     /// False if the fit is over: stopped or without matches.
-    bool run(const Phase& phase, Attempt& attempt) {
-        const IterationSettings settings = settingsOf(phase);
+    bool run(const Phase& phase, FitAttempt& attempt) {
+        const IterationSettings settings = settingsOf(phase, m_ideas);
         for (int i = 0; i < phase.iterations; ++i) {
-            if (m_stop.stop_requested()) {
-                attempt.termination = FitTermination::Stopped;
+            const FitLoop::Outcome outcome = m_loop.iterate(attempt, settings, phase.convergedMm);
+            if (outcome == FitLoop::Outcome::Over) {
                 return false;
             }
-            FitIteration record = m_refiner.iterate(attempt.poses, settings);
-            record.iteration = static_cast<int>(attempt.history.size());
-            record.poses = attempt.poses;
-            attempt.history.push_back(record);
-            ++m_done;
-            if (m_progress) {
-                m_progress(std::min(m_done, m_expected), m_expected);
-            }
-            if (record.matches == 0) {
-                attempt.termination = FitTermination::NoMatches;
-                return false;
-            }
-            if (record.stepMm < phase.convergedMm) {
+            if (outcome == FitLoop::Outcome::Settled) {
                 attempt.termination = FitTermination::Converged;
                 return true;
             }
@@ -122,22 +111,20 @@ public:
         return true;
     }
 
-    bool runAll(std::initializer_list<Phase> phases, Attempt& attempt) {
-        for (const Phase& phase : phases) {
-            if (!run(phase, attempt)) {
-                return false;
-            }
-        }
-        return true;
+    bool runAll(std::initializer_list<Phase> phases, FitAttempt& attempt) {
+        return std::all_of(phases.begin(), phases.end(), [&](const Phase& phase) { return run(phase, attempt); });
     }
 
-    double score(const Attempt& attempt) { return m_refiner.silhouetteDifferencePx(attempt.poses); }
+    double score(const FitAttempt& attempt) { return m_refiner.silhouetteDifferencePx(attempt.poses); }
 
     /// Replaces `best` by the alternative that explains the masks better. False if the fit is over.
-    bool improve(Attempt& best, const HandPoses& start, std::span<const StartKind> otherStarts) {
+    bool improve(FitAttempt& best, const HandPoses& start, std::span<const StartKind> otherStarts) {
+        if (!m_ideas.restarts) {
+            return true;
+        }
         double bestScore = score(best);
         const auto tryFrom = [&](const HandPoses& from, std::initializer_list<Phase> phases) {
-            Attempt attempt;
+            FitAttempt attempt;
             attempt.poses = from;
             if (!runAll(phases, attempt)) {
                 best.termination = attempt.termination;
@@ -164,32 +151,32 @@ public:
         return true;
     }
 
+    bool polish(const Phase& phase, FitAttempt& attempt) { return !m_ideas.polish || run(phase, attempt); }
+
 private:
     PoseRefiner& m_refiner;
-    std::stop_token m_stop;
-    const FitProgress& m_progress;
-    int m_expected;
-    int m_done = 0;
+    const BestIdeas& m_ideas;
+    FitLoop m_loop;
 };
 
 } // namespace
 
-void fitBest(PoseRefiner& refiner, bool live, std::stop_token stop, const FitProgress& progress, FitResult& result) {
+FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& start, std::stop_token stop,
+                   const FitProgress& progress) {
+    const bool live = method.live;
     const int expected = live ? kLivePalm.iterations + kLiveFingers.iterations + kLivePolish.iterations
                               : kPalm.iterations + kFingers.iterations + kPolish.iterations;
-    BestFit fit(refiner, stop, progress, expected);
-    Attempt attempt;
-    attempt.poses = result.poses;
+    BestFit fit(refiner, method, stop, progress, expected);
+    FitAttempt attempt;
+    attempt.poses = start;
     if (live) {
-        if (fit.runAll({kLivePalm, kLiveFingers}, attempt) && fit.improve(attempt, result.poses, kOtherLiveStarts)) {
-            fit.run(kLivePolish, attempt);
+        if (fit.runAll({kLivePalm, kLiveFingers}, attempt) && fit.improve(attempt, start, kOtherLiveStarts)) {
+            fit.polish(kLivePolish, attempt);
         }
-    } else if (fit.runAll({kPalm, kFingers}, attempt) && fit.improve(attempt, result.poses, kOtherStarts)) {
-        fit.run(kPolish, attempt);
+    } else if (fit.runAll({kPalm, kFingers}, attempt) && fit.improve(attempt, start, kOtherStarts)) {
+        fit.polish(kPolish, attempt);
     }
-    result.poses = attempt.poses;
-    result.history = std::move(attempt.history);
-    result.termination = attempt.termination;
+    return attempt;
 }
 
 } // namespace core

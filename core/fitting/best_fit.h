@@ -3,14 +3,15 @@
 
 #include <stop_token>
 
-#include "core/fitting/pose_estimator.h"
-#include "core/fitting/pose_refiner.h"
+#include "core/fitting/fit_loop.h"
+#include "core/fitting/method.h"
 
 namespace core {
 
-/// Our own method, from silhouettes and the start pose alone: palm before fingers, both directions, tau annealed from
-/// wide to narrow, coarse to fine, and several starts of which the score picks one. `live` is the real-time variant.
-/// Continues from result.poses and fills history and termination.
-void fitBest(PoseRefiner& refiner, bool live, std::stop_token stop, const FitProgress& progress, FitResult& result);
+/// Our own method, from silhouettes and the start pose alone: palm before fingers, tau annealed from wide to narrow, coarse
+/// to fine, a residual that counts across the outline, and other starts where the silhouettes are left unexplained.
+/// `method` says which of these ideas are in use, and whether it is the real-time variant.
+FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& start, std::stop_token stop,
+                   const FitProgress& progress);
 
 } // namespace core

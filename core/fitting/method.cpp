@@ -77,6 +77,36 @@ std::string_view oneOf(std::string_view text, std::string_view key, std::string_
     fail(text, key, "must be " + list);
 }
 
+struct NamedIdea {
+    const char* name;
+    bool BestIdeas::*field;
+};
+
+constexpr std::array<NamedIdea, 9> kIdeas{{{"palm", &BestIdeas::palm},
+                                           {"coarse", &BestIdeas::coarse},
+                                           {"wide", &BestIdeas::wide},
+                                           {"across", &BestIdeas::across},
+                                           {"prior", &BestIdeas::prior},
+                                           {"restarts", &BestIdeas::restarts},
+                                           {"polish", &BestIdeas::polish},
+                                           {"both", &BestIdeas::bothWays},
+                                           {"within", &BestIdeas::withinTau}}};
+
+/// False if the key names no idea of `best`.
+bool setIdea(BestIdeas& ideas, std::string_view text, std::string_view key, std::string_view value) {
+    if (key == "robust") {
+        ideas.robustMm = number(text, key, value, 0, 1000);
+        return true;
+    }
+    for (const NamedIdea& idea : kIdeas) {
+        if (key == idea.name) {
+            ideas.*idea.field = flag(text, key, value);
+            return true;
+        }
+    }
+    return false;
+}
+
 void setOption(Method& m, std::string_view text, std::string_view key, std::string_view value) {
     const bool best = m.kind == MethodKind::Best;
     const bool quant = m.kind == MethodKind::DchQuant || m.kind == MethodKind::DchQuant2;
@@ -96,6 +126,8 @@ void setOption(Method& m, std::string_view text, std::string_view key, std::stri
         m.backend = oneOf(text, key, value, {"tensor", "direct"}) == "tensor" ? Dt3Backend::Tensor : Dt3Backend::Direct;
     } else if (key == "live" && best) {
         m.live = flag(text, key, value);
+    } else if (best && setIdea(m.ideas, text, key, value)) {
+        return;
     } else if (key == "gate" && !best) {
         m.gatePx = number(text, key, value, 0, 1e6);
     } else if (key == "truncate" && !best) {
@@ -170,6 +202,10 @@ std::string methodName(const Method& method) {
     add(method.binWeights != plain.binWeights, "weights", method.binWeights ? "1" : "0");
     add(method.backend != plain.backend, "backend", method.backend == Dt3Backend::Tensor ? "tensor" : "direct");
     add(method.live != plain.live, "live", method.live ? "1" : "0");
+    for (const NamedIdea& idea : kIdeas) {
+        add(method.ideas.*idea.field != plain.ideas.*idea.field, idea.name, method.ideas.*idea.field ? "1" : "0");
+    }
+    add(method.ideas.robustMm != plain.ideas.robustMm, "robust", shortest(method.ideas.robustMm));
     add(method.gatePx != plain.gatePx, "gate", shortest(method.gatePx));
     add(method.truncatePx2 != plain.truncatePx2, "truncate", shortest(method.truncatePx2));
     add(method.polygonEpsilonPx != plain.polygonEpsilonPx, "epsilon", shortest(method.polygonEpsilonPx));

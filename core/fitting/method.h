@@ -17,6 +17,22 @@ enum class Dt3Backend { Direct, Tensor };
 /// to 12 px.
 enum class Schedule { RigidFirst, Paper };
 
+/// The ideas that `best` is made of, each an option of its own, so that what it earns can be measured (`best:prior=0`).
+/// Those that are off by default were tried and cost more than they bring.
+struct BestIdeas {
+    bool palm = true;        ///< the palm finds its place before the fingers move
+    bool coarse = true;      ///< coarse levels of the mesh first; else the full mesh all the way
+    bool wide = true;        ///< tau anneals from 45 deg to 22.5; else 22.5 deg all the way
+    bool across = true;      ///< the distance along the outline counts a tenth: rims may slide
+    bool prior = true;       ///< a weak pull of the angles to those of the start
+    bool restarts = true;    ///< other starts where silhouettes are left unexplained
+    bool polish = true;      ///< the last iterations on the full mesh
+    bool bothWays = false;   ///< contour points pull the nearest rim points, too
+    bool withinTau = false;  ///< only contour points within tau are searched; else the nearest is found, then rejected
+    double robustMm = 0;     ///< Cauchy scale of the distance, mm; 0 = none
+    bool operator==(const BestIdeas&) const = default;
+};
+
 /// A method with all its options. Every field is an option of the method's name: `dch-thres:tau=22.5:signed=1`.
 struct Method {
     MethodKind kind = MethodKind::DchThres;
@@ -35,6 +51,7 @@ struct Method {
     Schedule schedule = Schedule::RigidFirst;
     Dt3Backend backend = Dt3Backend::Direct;
     bool live = false; ///< best only: the real-time variant
+    BestIdeas ideas{}; ///< best only
     bool operator==(const Method&) const = default;
 };
 

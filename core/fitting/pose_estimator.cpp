@@ -59,48 +59,39 @@ FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
 }
 
 /// The paper's loop; with the default schedule its first iterations move each hand as a whole.
-void runPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule& rule, std::stop_token stop,
-                    const FitProgress& progress, FitResult& result) {
+FitAttempt runPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule& rule, const HandPoses& start,
+                          std::stop_token stop, const FitProgress& progress) {
+    const bool rigidFirst = method.schedule == Schedule::RigidFirst;
+    const bool gated = method.kind == MethodKind::DchQuant || method.kind == MethodKind::DchQuant2;
+    FitLoop loop(refiner, stop, progress, method.maxIterations);
+    FitAttempt attempt;
+    attempt.poses = start;
     IterationSettings settings;
     settings.rule = rule;
     settings.damping = method.damping;
-    settings.rigidOnly = method.schedule == Schedule::RigidFirst;
-    const bool gated = method.kind == MethodKind::DchQuant || method.kind == MethodKind::DchQuant2;
-    result.termination = FitTermination::MaxIterations;
+    settings.rigidOnly = rigidFirst;
     for (int i = 0; i < method.maxIterations; ++i) {
-        if (stop.stop_requested()) {
-            result.termination = FitTermination::Stopped;
-            return;
-        }
-        if (i == kRigidIterations) {
-            settings.rigidOnly = false;
-        }
-        if (method.schedule == Schedule::RigidFirst) {
+        settings.rigidOnly = settings.rigidOnly && i < kRigidIterations;
+        if (rigidFirst) {
             const bool last = i >= method.maxIterations - kFullDetailIterations;
             settings.detail = settings.rigidOnly ? Detail::Coarse : last ? Detail::Full : Detail::Medium;
         }
-        if (method.schedule == Schedule::RigidFirst && gated && i >= kSettledShare * method.maxIterations) {
+        if (rigidFirst && gated && i >= kSettledShare * method.maxIterations) {
             settings.rule.gatePx = std::min(rule.gatePx, kNarrowGatePx);
         }
-        FitIteration record = refiner.iterate(result.poses, settings);
-        record.iteration = i;
-        record.poses = result.poses;
-        result.history.push_back(record);
-        if (progress) {
-            progress(i + 1, method.maxIterations);
+        const FitLoop::Outcome outcome = loop.iterate(attempt, settings, kConvergedMm);
+        if (outcome == FitLoop::Outcome::Over) {
+            return attempt;
         }
-        if (record.matches == 0) {
-            result.termination = FitTermination::NoMatches;
-            return;
+        if (outcome == FitLoop::Outcome::Settled && !settings.rigidOnly) {
+            attempt.termination = FitTermination::Converged;
+            return attempt;
         }
-        if (record.stepMm < kConvergedMm) {
-            if (!settings.rigidOnly) {
-                result.termination = FitTermination::Converged;
-                return;
-            }
+        if (outcome == FitLoop::Outcome::Settled) {
             settings.rigidOnly = false;
         }
     }
+    return attempt;
 }
 
 } // namespace
@@ -144,10 +135,13 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
     if (targets.empty()) {
         result.termination = FitTermination::NoMatches;
-    } else if (method.kind == MethodKind::Best) {
-        fitBest(refiner, method.live, stop, progress, result);
     } else {
-        runPaperMethod(refiner, method, rule, stop, progress, result);
+        FitAttempt attempt = method.kind == MethodKind::Best
+                                 ? fitBest(refiner, method, start, stop, progress)
+                                 : runPaperMethod(refiner, method, rule, start, stop, progress);
+        result.poses = std::move(attempt.poses);
+        result.history = std::move(attempt.history);
+        result.termination = attempt.termination;
     }
     result.seconds = total.seconds();
     return result;

@@ -5,7 +5,7 @@
 
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
-#include "core/io/annotation_store.h"
+#include "core/io/dataset_annotations.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
 
@@ -70,11 +70,7 @@ JointPositions annotatedJointsOf(const AnnotationSet& annotations, const std::ve
 
 std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const Sequence& sequence) {
     std::map<int, JointPositions> joints;
-    const fs::path file = dataset.folder / sequence.annotations;
-    if (sequence.annotations.empty() || !fs::exists(file)) {
-        return joints;
-    }
-    const AnnotationSet annotations = AnnotationStore::open(file, StoreAccess::ReadOnly).annotations();
+    const AnnotationSet annotations = readAnnotations(dataset, sequence);
     for (const int frame : annotatedFrames(annotations)) {
         JointPositions found = annotatedJointsOf(annotations, dataset.cameras, frame);
         if (!found.empty()) {

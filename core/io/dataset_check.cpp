@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/io/annotation_store.h"
+#include "core/io/dataset_annotations.h"
 #include "core/io/cameras_file.h"
 #include "core/io/dataset.h"
 #include "core/io/frames.h"
@@ -126,12 +127,9 @@ void checkFootage(const Dataset& dataset, const Sequence& sequence, const ViewSo
 
 /// The file must be whole; marks of cameras or frames that are gone are worth knowing.
 void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence& sequence) {
-    const fs::path file = dataset.folder / sequence.annotations;
-    if (sequence.annotations.empty() || !fs::exists(file)) {
-        return;
-    }
+    const fs::path file = annotationFile(dataset, sequence);
     int lostFrames = 0, lostCameras = 0;
-    for (const auto& [key, mark] : AnnotationStore::open(file, StoreAccess::ReadOnly).annotations().marks) {
+    for (const auto& [key, mark] : readAnnotations(dataset, sequence).marks) {
         lostFrames += key.frame < 0 || key.frame >= sequence.frameCount ? 1 : 0;
         lostCameras += dataset.cameraIndex(key.camera) < 0 ? 1 : 0;
     }

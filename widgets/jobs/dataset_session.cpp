@@ -2,6 +2,7 @@
 #include "widgets/jobs/dataset_session.h"
 
 #include "core/error.h"
+#include "core/io/dataset_annotations.h"
 #include "core/io/demo_dataset.h"
 
 namespace widgets {
@@ -69,9 +70,7 @@ void DatasetSession::load(DatasetReader reader, const QString& sequence, int fra
                               "the dataset has no sequence");
         loaded->sequence = name.empty() ? &dataset.sequences.front() : &dataset.sequence(name);
         loaded->motion = std::make_shared<const core::Motion>(core::readMotion(dataset, *loaded->sequence));
-        const std::string file = loaded->sequence->annotations;
-        loaded->annotations =
-            AnnotationDocument::read(dataset.folder / (file.empty() ? "annotations/" + loaded->sequence->name + ".sqlite" : file));
+        loaded->annotations = AnnotationDocument::read(core::annotationFile(dataset, *loaded->sequence));
         return [this, loaded, frame] { take(loaded, frame); };
     });
 }

@@ -155,6 +155,25 @@ TEST_F(Quality, FindsTheWrongHandByTheWayItsFingersBend) {
     }
 }
 
+TEST_F(Quality, AFrameLookedAtAgainIsAsGoodAsALookAtEverything) {
+    findingsOf(goodJoints());
+    core::QualityChecker checker(m_cameras, m_hands, kRater);
+    for (const int frame : core::annotatedFrames(m_set)) {
+        checker.check(m_set, frame);
+    }
+    EXPECT_TRUE(checker.findings().empty());
+    for (auto& [key, mark] : m_set.marks) { // a finger of frame 20 moves: its bones, and a click
+        mark.px.x() += key.frame == 20 && key.joint == JointId{Side::Left, "ring_tip"} ? 25 : 0;
+    }
+    m_set.marks.at({20, kRater, {Side::Right, "index_pip"}, "cam5"}).px.x() += 40;
+    std::erase_if(m_set.marks, [](const auto& entry) { return entry.first.frame == 40; });
+    checker.check(m_set, 20);
+    checker.check(m_set, 40);
+    EXPECT_FALSE(checker.findings().empty());
+    EXPECT_EQ(checker.findings(), core::checkSequence(m_set, m_cameras, kRater, m_hands));
+    EXPECT_EQ(checker.points().size(), 4u);
+}
+
 TEST_F(Quality, FindsAnglesBeyondTheLimits) {
     auto frames = goodJoints();
     const core::Skeleton& skeleton = m_hands[1].skeleton;

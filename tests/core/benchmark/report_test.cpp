@@ -2,6 +2,7 @@
 #include "core/benchmark/report.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,7 @@ TEST(Report, IsOneWellFormedPageWithoutANetwork) {
         EXPECT_FALSE(contains(html, "src="));
         EXPECT_EQ(contains(html, "Findings of the paper"), sweep);
         EXPECT_EQ(contains(html, "Options that the paper leaves open"), sweep);
+        EXPECT_EQ(contains(html, "What best is made of"), sweep);
     }
 }
 
@@ -84,6 +86,18 @@ TEST(Report, SplitsTheTableBySchedule) {
     BenchmarkResults stopped = test::handMadeResults();
     stopped.stopped = true;
     EXPECT_TRUE(contains(report(stopped, false, true), "stopped before its end"));
+}
+
+TEST(Report, SaysWhatEachIdeaOfBestGainsAndCosts) {
+    BenchmarkResults results = test::handMadeResults();
+    for (const auto& [method, errorMm, seconds] : {std::tuple{"best", 0.25, 0.5}, std::tuple{"best:palm=0", 1.5, 0.25}, std::tuple{"best:both=1", 0.5, 1.0}}) {
+        results.methods.emplace_back(method);
+        results.rows.push_back({results.pairs[0], method, 10, errorMm, 10, 1, seconds, {errorMm, errorMm, errorMm}});
+    }
+    sortRows(results);
+    const std::string html = report(results, true, true);
+    EXPECT_TRUE(contains(html, "<td class=\"text\">best:palm=0</td><td>1.500</td><td>1.50</td><td>1.250</td><td>250</td>")) << html;
+    EXPECT_TRUE(contains(html, "<td class=\"text\">best:both=1</td><td>0.500</td><td>0.50</td><td>-0.250</td><td>500</td>")) << html;
 }
 
 TEST(Figures, HoldTheirData) {

@@ -7,17 +7,18 @@
 
 namespace {
 
-using core::FitResult;
+using core::FitAttempt;
 using core::FitTermination;
 
 class BestFit : public testing::Test {
 protected:
-    FitResult fit(bool live, std::stop_token stop = {}, const core::FitProgress& progress = {}) {
-        FitResult result;
-        result.poses = m_scene.start;
-        core::PoseRefiner refiner(m_hands, m_scene.cameras, m_targets, m_scene.start, 1, result.profile);
-        core::fitBest(refiner, live, stop, progress, result);
-        return result;
+    FitAttempt fit(bool live, std::stop_token stop = {}, const core::FitProgress& progress = {}) {
+        return fit(core::parseMethod(live ? "best:live=1" : "best"), stop, progress);
+    }
+    FitAttempt fit(const core::Method& method, std::stop_token stop = {}, const core::FitProgress& progress = {}) {
+        core::FitProfile profile;
+        core::PoseRefiner refiner(m_hands, m_scene.cameras, m_targets, m_scene.start, 1, profile);
+        return core::fitBest(refiner, method, m_scene.start, stop, progress);
     }
 
     test::FittingScene m_scene{"best fit", 5};
@@ -31,13 +32,13 @@ TEST_F(BestFit, ComesNearTheTruth) {
 }
 
 TEST_F(BestFit, TheLiveVariantIsCoarserAndShorter) {
-    const FitResult live = fit(true), full = fit(false);
+    const FitAttempt live = fit(true), full = fit(false);
     EXPECT_LT(m_scene.errorMm(live.poses), 3);
     EXPECT_LT(live.history.size(), full.history.size());
 }
 
 TEST_F(BestFit, HistoryLeadsFromTheStartToTheResult) {
-    const FitResult result = fit(false);
+    const FitAttempt result = fit(false);
     ASSERT_FALSE(result.history.empty());
     core::HandPoses before = m_scene.start;
     for (std::size_t i = 0; i < result.history.size(); ++i) {
@@ -67,7 +68,7 @@ TEST_F(BestFit, ProgressNeverGoesBackOrBeyondTheEnd) {
 TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
     for (const int when : {1, 5, 11}) {
         std::stop_source source;
-        const FitResult result = fit(false, source.get_token(), [&](int done, int) {
+        const FitAttempt result = fit(false, source.get_token(), [&](int done, int) {
             if (done == when) {
                 source.request_stop();
             }
@@ -75,6 +76,15 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
         EXPECT_EQ(result.termination, FitTermination::Stopped);
         ASSERT_EQ(result.history.size(), static_cast<std::size_t>(when));
         EXPECT_EQ(result.poses[0], result.history.back().poses[0]);
+    }
+}
+
+TEST_F(BestFit, EveryIdeaCanBeSwitched) {
+    const FitAttempt all = fit(false);
+    for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "both=1", "within=1", "robust=5"}) {
+        const FitAttempt without = fit(core::parseMethod(std::string("best:") + idea));
+        EXPECT_GT((without.poses[0] - all.poses[0]).norm(), 1e-9) << idea << " changed nothing";
+        EXPECT_LT(m_scene.errorMm(without.poses), m_scene.errorMm(m_scene.start)) << idea;
     }
 }
 

@@ -46,6 +46,8 @@ TEST(Method, EveryOptionIsReadAndWrittenBack) {
         {"ch:iterations=7:damping=0.1:schedule=paper",
          {.kind = MethodKind::Ch, .maxIterations = 7, .damping = 0.1, .schedule = core::Schedule::Paper}},
         {"best:live=1", {.kind = MethodKind::Best, .live = true}},
+        {"best:palm=0:robust=5", {.kind = MethodKind::Best, .ideas = {.palm = false, .robustMm = 5}}},
+        {"best:both=1:within=1", {.kind = MethodKind::Best, .ideas = {.bothWays = true, .withinTau = true}}},
         {"best:epsilon=0.7:tangent=chord", {.kind = MethodKind::Best, .polygonEpsilonPx = 0.7, .chordTangent = true}}};
     for (const auto& [text, method] : cases) {
         EXPECT_EQ(parseMethod(text), method) << text;
@@ -83,6 +85,8 @@ const std::vector<Bad> kBadOptions{{"", "", "no such method"},
                                    {"dch-thres:centre=0.5", "centre", "is no option"},
                                    {"dch-quant:weights=1", "weights", "is no option"},
                                    {"dch-quant:backend=tensor", "backend", "is no option"},
+                                   {"dch-thres:palm=0", "palm", "is no option"},
+                                   {"best:palm=2", "palm", "must be 0 or 1"},
                                    {"best:iterations=5", "iterations", "is no option"},
                                    {"best:gate=5", "gate", "is no option"},
                                    {"best:damping=1", "damping", "is no option"},

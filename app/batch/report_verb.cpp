@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "app/batch/verbs.h"
+#include "core/io/annotation_report.h"
+
+namespace app {
+
+namespace {
+
+struct ReportArguments {
+    std::string dataset, out;
+    double badPx = 2;
+    double sigmaPx = 1;
+};
+
+void report(const ReportArguments& arguments) {
+    const core::Dataset dataset = core::readDataset(arguments.dataset);
+    const std::filesystem::path out = arguments.out.empty() ? dataset.folder / "report.html" : std::filesystem::path(arguments.out);
+    core::QualityOptions options;
+    options.triangulation.sigmaPx = arguments.sigmaPx;
+    core::writeAnnotationReport(dataset, out, arguments.badPx, options);
+    std::printf("%s\n", out.string().c_str());
+}
+
+} // namespace
+
+void addReportVerb(CLI::App& program) {
+    auto arguments = std::make_shared<ReportArguments>();
+    CLI::App* verb = program.add_subcommand("report", "Write a page on the annotations of a dataset: progress, raters, worst joints, doubts, figures");
+    verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
+    verb->add_option("--bad-px", arguments->badPx, "Joints with a larger reprojection error count as bad, px")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-6, 1e6));
+    verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
+        ->capture_default_str()
+        ->check(CLI::Range(1e-6, 1e6));
+    verb->add_option("--out", arguments->out, "The HTML file to write (report.html in the dataset)");
+    verb->callback([arguments] { report(*arguments); });
+}
+
+} // namespace app

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "core/annotation/annotation_summary.h"
+
+#include <algorithm>
+
+namespace core {
+
+namespace {
+
+RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const std::vector<Camera>& cameras, double badRmsPx,
+                       const TriangulationOptions& options) {
+    RaterSummary summary;
+    summary.rater = rater;
+    for (const auto& [key, mark] : set.marks) {
+        if (key.rater == rater && mark.isPlaced()) {
+            (mark.placement == Placement::Manual ? summary.clicks : summary.accepted) += 1;
+        }
+    }
+    for (const int frame : annotatedFrames(set)) {
+        if (marksOfFrame(set, frame, rater).empty()) {
+            continue;
+        }
+        ++summary.frames;
+        for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options)) {
+            summary.doneByFrame[frame] += coverage.done;
+            summary.joints.done += coverage.done;
+            summary.joints.partial += coverage.partial;
+            summary.joints.bad += coverage.bad;
+            summary.joints.occluded += coverage.occluded;
+        }
+    }
+    summary.noise = estimateClickNoise(set, cameras, rater, options);
+    return summary;
+}
+
+/// Adds the points of one rater to the joints and to the lists of errors.
+void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& joints, AnnotationSummary& summary) {
+    for (const auto& [frame, frameJoints] : points) {
+        for (const auto& [id, point] : frameJoints) {
+            JointSummary& joint = joints[id];
+            joint.joint = id;
+            ++joint.points;
+            joint.meanRmsPx += point.rmsPx;
+            joint.meanSigmaMm += sigmaMm(point.covariance);
+            joint.outliers += static_cast<int>(std::count(point.inlier.begin(), point.inlier.end(), false));
+            summary.rmsPx.push_back(point.rmsPx);
+            summary.sigmaMm.push_back(sigmaMm(point.covariance));
+        }
+    }
+}
+
+} // namespace
+
+AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
+                                       const std::vector<Camera>& cameras, const std::vector<HandModel>& hands, double badRmsPx,
+                                       const QualityOptions& options) {
+    AnnotationSummary summary;
+    summary.sequence = sequence;
+    summary.frameCount = frameCount;
+    std::map<JointId, JointSummary> joints;
+    for (const std::string& rater : ratersOf(set)) {
+        summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation));
+        addPoints(sequencePoints(set, cameras, rater, options.triangulation), joints, summary);
+        const auto findings = checkSequence(set, cameras, rater, hands, options);
+        summary.findings.insert(summary.findings.end(), findings.begin(), findings.end());
+    }
+    for (auto& [id, joint] : joints) {
+        joint.meanRmsPx /= joint.points;
+        joint.meanSigmaMm /= joint.points;
+        summary.joints.push_back(joint);
+    }
+    std::stable_sort(summary.joints.begin(), summary.joints.end(),
+                     [](const JointSummary& a, const JointSummary& b) { return a.meanSigmaMm > b.meanSigmaMm; });
+    summary.agreement = compareAllRaters(set, cameras, options.triangulation);
+    return summary;
+}
+
+} // namespace core

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/annotation_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/io/atomic_file.h"
+#include "core/io/dataset_annotations.h"
+#include "core/io/gnuplot.h"
+#include "core/numeric/html_text.h"
+#include "core/numeric/number_text.h"
+
+namespace core {
+
+namespace {
+
+constexpr std::size_t kWorstJoints = 12; ///< listed per sequence
+constexpr std::size_t kMostFindings = 40;
+
+const char* const kColours[] = {"#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#0072B2"};
+
+std::string colour(std::size_t i) {
+    return kColours[i % std::size(kColours)];
+}
+
+std::string count(int n) {
+    return "<td>" + std::to_string(n) + "</td>";
+}
+
+std::string tableHead(std::initializer_list<const char*> columns) {
+    std::string text = "<table>\n<thead><tr>";
+    for (const char* const column : columns) {
+        text += "<th>" + std::string(column) + "</th>";
+    }
+    return text + "</tr></thead>\n<tbody>\n";
+}
+
+constexpr const char* kTableEnd = "</tbody>\n</table>\n";
+
+std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
+    std::string text = "<h2>Progress</h2>\n" + tableHead({"sequence", "rater", "frames with marks", "of", "clicks", "accepted", "joints done", "partial",
+                                                          "bad", "occluded", "click &sigma;, px"});
+    for (const AnnotationSummary& sequence : sequences) {
+        if (sequence.empty()) {
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell("nobody yet") + count(0) + count(sequence.frameCount) +
+                    "<td></td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
+        }
+        for (const RaterSummary& rater : sequence.raters) {
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(rater.rater) + count(rater.frames) + count(sequence.frameCount) +
+                    count(rater.clicks) + count(rater.accepted) + count(rater.joints.done) + count(rater.joints.partial) + count(rater.joints.bad) +
+                    count(rater.joints.occluded) + htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2) + "</tr>\n";
+        }
+    }
+    return text + kTableEnd +
+           "<p>Bad: a large reprojection error, a click that disagrees, or no 3D point from two or more clicks. Click &sigma;: how far this "
+           "rater's clicks scatter per axis, estimated from how well they agree.</p>\n";
+}
+
+std::string agreementHtml(const std::vector<AnnotationSummary>& sequences) {
+    std::string rows;
+    for (const AnnotationSummary& sequence : sequences) {
+        for (const RaterComparison& pair : sequence.agreement) {
+            rows += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(pair.first) + htmlTextCell(pair.second) + count(pair.all.count) +
+                    htmlNumberCell(pair.all.meanMm, 2) + htmlNumberCell(pair.all.medianMm, 2) + htmlNumberCell(pair.all.maxMm, 2);
+            for (const BlandAltman& axis : pair.all.axes) {
+                rows += "<td>" + fixedText(axis.biasMm, 2) + " (" + fixedText(axis.lowerMm(), 2) + " to " + fixedText(axis.upperMm(), 2) + ")</td>";
+            }
+            rows += count(pair.clicks) + htmlNumberCell(pair.clickRmsPx, 2) + "</tr>\n";
+        }
+    }
+    if (rows.empty()) {
+        return "<h2>Agreement</h2>\n<p>No two raters have marked the same joint. A rater who marks a random part of the own work again can be "
+               "compared with it, too.</p>\n";
+    }
+    return "<h2>Agreement</h2>\n" +
+           tableHead({"sequence", "rater", "and", "joints", "mean, mm", "median", "largest", "x: bias (95 %), mm", "y", "z", "clicks", "RMS, px"}) +
+           rows + kTableEnd +
+           "<p>Distances between the 3D joints of two raters; bias and 95 % limits of agreement per axis after Bland and Altman (1986); RMS "
+           "distance between clicks of the same joint in the same view. &ldquo;(again)&rdquo; is a rater's second round.</p>\n";
+}
+
+std::string worstJointsHtml(const std::vector<AnnotationSummary>& sequences) {
+    std::string text = "<h2>Worst joints</h2>\n" + tableHead({"sequence", "joint", "points", "error, px", "expected distance, mm", "clicks that disagree"});
+    for (const AnnotationSummary& sequence : sequences) {
+        for (std::size_t i = 0; i < std::min(kWorstJoints, sequence.joints.size()); ++i) {
+            const JointSummary& joint = sequence.joints[i];
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(jointLabel(joint.joint)) + count(joint.points) +
+                    htmlNumberCell(joint.meanRmsPx, 2) + htmlNumberCell(joint.meanSigmaMm, 3) + count(joint.outliers) + "</tr>\n";
+        }
+    }
+    return text + kTableEnd;
+}
+
+std::string findingsHtml(const std::vector<AnnotationSummary>& sequences) {
+    std::string rows;
+    std::size_t all = 0;
+    for (const AnnotationSummary& sequence : sequences) {
+        for (const QualityFinding& finding : sequence.findings) {
+            if (++all <= kMostFindings) {
+                rows += "<tr>" + htmlTextCell(sequence.sequence) + count(finding.frame) + htmlTextCell(jointLabel(finding.joint)) +
+                        htmlTextCell(std::string(qualityKindName(finding.kind))) + htmlTextCell(finding.text) + "</tr>\n";
+            }
+        }
+    }
+    if (all == 0) {
+        return "<h2>Doubts</h2>\n<p class=\"yes\">Nothing stands out.</p>\n";
+    }
+    std::string text = "<h2>Doubts</h2>\n" + tableHead({"sequence", "frame", "joint", "kind", "what"}) + rows + kTableEnd;
+    if (all > kMostFindings) {
+        text += "<p>" + std::to_string(all - kMostFindings) + " more are listed in the window, under Quality.</p>\n";
+    }
+    return text;
+}
+
+/// Values counted in bins of `width` from 0 on, as boxes; the last bin takes the rest.
+PlotLine histogram(const std::string& name, const std::string& lineColour, const std::vector<double>& values, double width, int bins) {
+    std::vector<int> counts(static_cast<std::size_t>(bins));
+    for (const double value : values) {
+        ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(value / width), 0, bins - 1))];
+    }
+    PlotLine line{name, lineColour, {}, "boxes fs solid 0.6 noborder"};
+    for (int i = 0; i < bins; ++i) {
+        line.points.push_back({(i + 0.5) * width, static_cast<double>(counts[static_cast<std::size_t>(i)])});
+    }
+    return line;
+}
+
+Figure progressFigure(const std::vector<AnnotationSummary>& sequences) {
+    std::vector<PlotLine> lines;
+    for (const AnnotationSummary& sequence : sequences) {
+        for (const RaterSummary& rater : sequence.raters) {
+            PlotLine line{sequence.sequence + ", " + rater.rater, colour(lines.size()), {}, "points pt 7 ps 0.6"};
+            for (const auto& [frame, done] : rater.doneByFrame) {
+                line.points.push_back({static_cast<double>(frame), static_cast<double>(done)});
+            }
+            lines.push_back(std::move(line));
+        }
+    }
+    return {"progress", "Finished joints", "Joints of both hands that are done, per frame with marks.",
+            gnuplotPreamble("progress", "frame", "joints done") + "set yrange [0:*]\n" + gnuplotPlot(lines)};
+}
+
+Figure errorFigure(const std::vector<AnnotationSummary>& sequences) {
+    constexpr double kBinPx = 0.1;
+    constexpr int kBins = 40;
+    std::vector<double> all;
+    for (const AnnotationSummary& sequence : sequences) {
+        all.insert(all.end(), sequence.rmsPx.begin(), sequence.rmsPx.end());
+    }
+    return {"errors", "Reprojection errors", "How many 3D joints have which error over the views that they were made from; the last bar holds all larger ones.",
+            gnuplotPreamble("errors", "error (px)", "joints") + "set yrange [0:*]\nset xrange [0:" + exactText(kBinPx * kBins) + "]\nset boxwidth " +
+                exactText(0.9 * kBinPx) + "\n" + gnuplotPlot({histogram("", colour(0), all, kBinPx, kBins)})};
+}
+
+Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
+    std::map<JointId, std::array<double, 2>> sums; // sum, count
+    for (const AnnotationSummary& sequence : sequences) {
+        for (const JointSummary& joint : sequence.joints) {
+            sums[joint.joint][0] += joint.meanSigmaMm * joint.points;
+            sums[joint.joint][1] += joint.points;
+        }
+    }
+    std::string tics;
+    PlotLine line{"", colour(0), {}, "boxes fs solid 0.6 noborder"};
+    for (const auto& [joint, sum] : sums) {
+        const std::size_t at = line.points.size();
+        tics += (at == 0 ? "" : ", ") + gnuplotQuoted(jointLabel(joint)) + " " + std::to_string(at);
+        line.points.push_back({static_cast<double>(at), sum[0] / sum[1]});
+    }
+    return {"uncertainty", "Uncertainty per joint", "Expected distance of the 3D joint from its true place, mean over all frames and raters.",
+            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset bmargin 7.5\nset boxwidth 0.8\n" +
+                "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + gnuplotPlot({line})};
+}
+
+} // namespace
+
+std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequences) {
+    const auto has = [&](auto member) {
+        return std::any_of(sequences.begin(), sequences.end(), [&](const AnnotationSummary& sequence) { return !(sequence.*member).empty(); });
+    };
+    std::vector<Figure> figures;
+    if (has(&AnnotationSummary::raters)) {
+        figures.push_back(progressFigure(sequences));
+    }
+    if (has(&AnnotationSummary::rmsPx)) {
+        figures.push_back(errorFigure(sequences));
+        figures.push_back(uncertaintyFigure(sequences));
+    }
+    return figures;
+}
+
+std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences, const std::vector<std::string>* pictures) {
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Annotations of " + htmlEscaped(dataset) +
+                       "</title>\n<style>\n" + std::string(kReportStyle) + "</style>\n</head>\n<body>\n<h1>Annotations of " + htmlEscaped(dataset) + "</h1>\n";
+    text += progressHtml(sequences);
+    const std::vector<Figure> figures = annotationFigures(sequences);
+    if (!figures.empty()) {
+        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) + figuresHtml(figures, pictures);
+    }
+    return text + "</body>\n</html>\n";
+}
+
+void writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, double badRmsPx, const QualityOptions& options) {
+    std::vector<AnnotationSummary> sequences;
+    for (const Sequence& sequence : dataset.sequences) {
+        sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence), dataset.cameras,
+                                                 dataset.hands, badRmsPx, options));
+    }
+    std::vector<std::string> programs;
+    for (const Figure& figure : annotationFigures(sequences)) {
+        programs.push_back(figure.gnuplot);
+    }
+    const auto pictures = drawWithGnuplot(programs);
+    writeFileAtomically(path, annotationReportHtml(dataset.name, sequences, pictures ? &*pictures : nullptr));
+}
+
+} // namespace core

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "core/numeric/gnuplot_text.h"
+
+#include <cmath>
+
+#include "core/numeric/html_text.h"
+#include "core/numeric/number_text.h"
+
+namespace core {
+
+std::string gnuplotQuoted(const std::string& text) {
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? std::string("''") : std::string(1, c);
+    }
+    return result + "'";
+}
+
+std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, const std::string& yLabel) {
+    return "set encoding utf8\n"
+           "set terminal svg size 760,430 dynamic enhanced background '#ffffff' font 'sans-serif,13' name " + gnuplotQuoted(id) + "\n"
+           "set border 3 lc rgb '#888888'\nset tics nomirror out\nset grid ytics lc rgb '#e4e4e4' lw 1\n"
+           "set key outside right top noenhanced samplen 2\n"
+           "set xlabel " + gnuplotQuoted(xLabel) + "\nset ylabel " + gnuplotQuoted(yLabel) + "\n";
+}
+
+std::string gnuplotPlot(const std::vector<PlotLine>& lines) {
+    std::string data;
+    std::string plot;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string block = "$d" + std::to_string(i);
+        data += block + " << EOD\n";
+        for (const auto& [x, y] : lines[i].points) {
+            if (!std::isnan(y)) {
+                data += exactText(x) + " " + fixedText(y, 5) + "\n";
+            }
+        }
+        data += "EOD\n";
+        const std::string title = lines[i].name.empty() ? std::string("notitle") : "title " + gnuplotQuoted(lines[i].name);
+        plot += (i == 0 ? "plot " : ", ") + block + " using 1:2 with " + lines[i].style + " lw 2 lc rgb '" + lines[i].colour + "' " + title;
+    }
+    return data + plot + "\n";
+}
+
+std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures) {
+    std::string text = "<h2>Figures</h2>\n";
+    if (!pictures) {
+        return text + "<p class=\"no\">gnuplot is not installed, so this report has no figures. Install the package "
+                      "gnuplot-nox and run the same command again: nothing is computed twice.</p>\n";
+    }
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        const Figure& figure = figures[i];
+        text += "<figure id=\"figure-" + figure.id + "\">\n<h3>" + htmlEscaped(figure.title) + "</h3>\n" + (*pictures)[i] +
+                "\n<figcaption>" + htmlEscaped(figure.caption) + "</figcaption>\n</figure>\n";
+    }
+    return text;
+}
+
+} // namespace core

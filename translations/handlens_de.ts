@@ -1,0 +1,1665 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>app::ActionTable</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Annotate</source>
+        <translation>A&amp;nnotieren</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Gehe zu</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>An&amp;passen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Open a dataset...</source>
+        <translation>Datensatz ö&amp;ffnen...</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>&amp;Demo öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Import annotations...</source>
+        <translation>Annotationen &amp;importieren...</translation>
+    </message>
+    <message>
+        <source>&amp;Export ground truth...</source>
+        <translation>Ground Truth &amp;exportieren...</translation>
+    </message>
+    <message>
+        <source>Writes all annotations and their 3D joints of this sequence</source>
+        <translation>Schreibt alle Annotationen dieser Sequenz und deren 3D-Gelenke</translation>
+    </message>
+    <message>
+        <source>&amp;Save the views as a picture...</source>
+        <translation>Ansichten als Grafik &amp;speichern...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Note on this frame...</source>
+        <translation>&amp;Notiz zu diesem Bild...</translation>
+    </message>
+    <message>
+        <source>Your n&amp;ame...</source>
+        <translation>Ihr N&amp;ame...</translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under</source>
+        <translation>Der Name, unter dem Ihre Marken gespeichert werden</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts...</source>
+        <translation>&amp;Tastenkürzel...</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Untersuchen</translation>
+    </message>
+    <message>
+        <source>&amp;Benchmark</source>
+        <translation>&amp;Benchmark</translation>
+    </message>
+    <message>
+        <source>&amp;Hide all overlays</source>
+        <translation>Alle E&amp;inblendungen verbergen</translation>
+    </message>
+    <message>
+        <source>While the key is held</source>
+        <translation>Solange die Taste gedrückt ist</translation>
+    </message>
+    <message>
+        <source>Error lines three times as &amp;long</source>
+        <translation>Fehlerlinien &amp;3-mal so lang</translation>
+    </message>
+    <message>
+        <source>Lou&amp;pe</source>
+        <translation>Lu&amp;pe</translation>
+    </message>
+    <message>
+        <source>Magnifies the pixels around the pointer</source>
+        <translation>Vergrößert die Pixel um den Mauszeiger</translation>
+    </message>
+    <message>
+        <source>S&amp;keleton</source>
+        <translation>&amp;Skelett</translation>
+    </message>
+    <message>
+        <source>&amp;Epipolar guides</source>
+        <translation>&amp;Epipolarlinien</translation>
+    </message>
+    <message>
+        <source>Lines on which the selected joint must lie, as the other views say</source>
+        <translation>Linien, auf denen das gewählte Gelenk laut den anderen Ansichten liegen muss</translation>
+    </message>
+    <message>
+        <source>P&amp;re-placed marks</source>
+        <translation>&amp;Vorplatzierte Marken</translation>
+    </message>
+    <message>
+        <source>Marks that wait to be accepted</source>
+        <translation>Marken, die noch zu übernehmen sind</translation>
+    </message>
+    <message>
+        <source>Joint &amp;names</source>
+        <translation>Gelenkn&amp;amen</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the selected joint</source>
+        <translation>Gewähltem Gelenk &amp;folgen</translation>
+    </message>
+    <message>
+        <source>Keeps the selected joint in the middle of every zoomed view</source>
+        <translation>Hält das gewählte Gelenk in der Mitte jeder gezoomten Ansicht</translation>
+    </message>
+    <message>
+        <source>Mesh: sha&amp;ded</source>
+        <translation>Netz: s&amp;chattiert</translation>
+    </message>
+    <message>
+        <source>Mesh: &amp;wireframe</source>
+        <translation>Netz: Draht&amp;gitter</translation>
+    </message>
+    <message>
+        <source>Mesh: o&amp;ff</source>
+        <translation>Net&amp;z: aus</translation>
+    </message>
+    <message>
+        <source>Next mesh st&amp;yle</source>
+        <translation>N&amp;ächster Netzstil</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;opaque</source>
+        <translation>Netz &amp;weniger transparent</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;transparent</source>
+        <translation>Netz &amp;transparenter</translation>
+    </message>
+    <message>
+        <source>Mesh of the left hand</source>
+        <translation>Netz der linken Hand</translation>
+    </message>
+    <message>
+        <source>Mesh of the right hand</source>
+        <translation>Netz der rechten Hand</translation>
+    </message>
+    <message>
+        <source>Mesh of the recorded pose</source>
+        <translation>Netz der aufgezeichneten Pose</translation>
+    </message>
+    <message>
+        <source>Mesh of the fit&apos;s start pose</source>
+        <translation>Netz der Startpose der Anpassung</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness, contrast, gamma...</source>
+        <translation>&amp;Helligkeit, Kontrast, Gamma...</translation>
+    </message>
+    <message>
+        <source>Of the current view or of all</source>
+        <translation>Der aktuellen oder aller Ansichten</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras: hide, reorder...</source>
+        <translation>Kameras: ausblenden, or&amp;dnen...</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w whole images</source>
+        <translation>Ganze Kame&amp;rabilder zeigen</translation>
+    </message>
+    <message>
+        <source>Ends zoom and pan in all views</source>
+        <translation>Hebt Zoom und Verschiebung in allen Ansichten auf</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom all views to the joint</source>
+        <translation>Alle Ansichten auf das Gelenk zoo&amp;men</translation>
+    </message>
+    <message>
+        <source>Maximise view 1</source>
+        <translation>Ansicht 1 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 2</source>
+        <translation>Ansicht 2 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 3</source>
+        <translation>Ansicht 3 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 4</source>
+        <translation>Ansicht 4 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 5</source>
+        <translation>Ansicht 5 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 6</source>
+        <translation>Ansicht 6 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 7</source>
+        <translation>Ansicht 7 maximieren</translation>
+    </message>
+    <message>
+        <source>Maximise view 8</source>
+        <translation>Ansicht 8 maximieren</translation>
+    </message>
+    <message>
+        <source>All views again</source>
+        <translation>Wieder alle Ansichten</translation>
+    </message>
+    <message>
+        <source>Reset the 3D sc&amp;ene</source>
+        <translation>3D-Szene zur&amp;ücksetzen</translation>
+    </message>
+    <message>
+        <source>Look thro&amp;ugh the current camera</source>
+        <translation>Durch die a&amp;ktuelle Kamera blicken</translation>
+    </message>
+    <message>
+        <source>The 3D scene from the current camera</source>
+        <translation>Die 3D-Szene aus Sicht der aktuellen Kamera</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght colours</source>
+        <translation>He&amp;lle Farben</translation>
+    </message>
+    <message>
+        <source>Full scree&amp;n</source>
+        <translation>V&amp;ollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the pre-placed mark</source>
+        <translation>Vor&amp;platzierte Marke übernehmen</translation>
+    </message>
+    <message>
+        <source>In the current view or, if that has a mark, in the next one without</source>
+        <translation>In der aktuellen Ansicht oder, falls diese eine Marke hat, in der nächsten ohne</translation>
+    </message>
+    <message>
+        <source>Accept in all &amp;views</source>
+        <translation>In &amp;allen Ansichten übernehmen</translation>
+    </message>
+    <message>
+        <source>Accept all joints of the &amp;frame</source>
+        <translation>Alle Gelenke des &amp;Bildes übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the mark</source>
+        <translation>Marke &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Of the selected joint in the current view</source>
+        <translation>Des gewählten Gelenks in der aktuellen Ansicht</translation>
+    </message>
+    <message>
+        <source>Delete in all vie&amp;ws</source>
+        <translation>In allen Ansichten lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>&amp;Occluded, estimated</source>
+        <translation>&amp;Verdeckt, geschätzt</translation>
+    </message>
+    <message>
+        <source>The joint is hidden here; its place is a guess</source>
+        <translation>Das Gelenk ist hier verborgen; sein Ort ist geschätzt</translation>
+    </message>
+    <message>
+        <source>&amp;Cannot be placed here</source>
+        <translation>Hier &amp;nicht platzierbar</translation>
+    </message>
+    <message>
+        <source>&amp;Previous joint</source>
+        <translation>V&amp;origes Gelenk</translation>
+    </message>
+    <message>
+        <source>&amp;Next joint</source>
+        <translation>Nächstes &amp;Gelenk</translation>
+    </message>
+    <message>
+        <source>Previous view</source>
+        <translation>Vorige Ansicht</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Nächste Ansicht</translation>
+    </message>
+    <message>
+        <source>Nudge left</source>
+        <translation>Nach links rücken</translation>
+    </message>
+    <message>
+        <source>By a quarter of an image pixel</source>
+        <translation>Um ein Viertel eines Bildpixels</translation>
+    </message>
+    <message>
+        <source>Nudge right</source>
+        <translation>Nach rechts rücken</translation>
+    </message>
+    <message>
+        <source>Nudge up</source>
+        <translation>Nach oben rücken</translation>
+    </message>
+    <message>
+        <source>Nudge down</source>
+        <translation>Nach unten rücken</translation>
+    </message>
+    <message>
+        <source>Nudge left by a pixel</source>
+        <translation>Ein Pixel nach links rücken</translation>
+    </message>
+    <message>
+        <source>Nudge right by a pixel</source>
+        <translation>Ein Pixel nach rechts rücken</translation>
+    </message>
+    <message>
+        <source>Nudge up by a pixel</source>
+        <translation>Ein Pixel nach oben rücken</translation>
+    </message>
+    <message>
+        <source>Nudge down by a pixel</source>
+        <translation>Ein Pixel nach unten rücken</translation>
+    </message>
+    <message>
+        <source>Copy the pose of the previous annotated frame</source>
+        <translation>Pose des vorigen annotierten Bildes kopieren</translation>
+    </message>
+    <message>
+        <source>As marks that wait to be checked</source>
+        <translation>Als Marken, die noch zu prüfen sind</translation>
+    </message>
+    <message>
+        <source>&amp;Interpolate between annotated frames</source>
+        <translation>Zwischen annotierten Bildern &amp;interpolieren</translation>
+    </message>
+    <message>
+        <source>In 3D, along straight lines, over the gap around this frame</source>
+        <translation>In 3D, geradlinig, über die Lücke um dieses Bild</translation>
+    </message>
+    <message>
+        <source>Interpolate along a curve</source>
+        <translation>Entlang einer Kurve interpolieren</translation>
+    </message>
+    <message>
+        <source>In 3D, cubic, over the gap around this frame</source>
+        <translation>In 3D, kubisch, über die Lücke um dieses Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Swap left and right from here on</source>
+        <translation>Ab hier links und rechts &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>Delete all marks of this frame</source>
+        <translation>Alle Marken dieses Bildes löschen</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames...</source>
+        <translation>Marken mehrerer Bilder löschen...</translation>
+    </message>
+    <message>
+        <source>Next joint when all views are done</source>
+        <translation>Nächstes Gelenk, wenn alle Ansichten fertig sind</translation>
+    </message>
+    <message>
+        <source>14 joints per hand</source>
+        <translation>14 Gelenke je Hand</translation>
+    </message>
+    <message>
+        <source>21 joints per hand</source>
+        <translation>21 Gelenke je Hand</translation>
+    </message>
+    <message>
+        <source>With wrist and finger tips</source>
+        <translation>Mit Handgelenk und Fingerspitzen</translation>
+    </message>
+    <message>
+        <source>All joints of the model</source>
+        <translation>Alle Gelenke des Modells</translation>
+    </message>
+    <message>
+        <source>Move the joint up in the list</source>
+        <translation>Gelenk in der Liste nach oben</translation>
+    </message>
+    <message>
+        <source>Move the joint down in the list</source>
+        <translation>Gelenk in der Liste nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Previous frame</source>
+        <translation>&amp;Voriges Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>&amp;Nächstes Bild</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>Zehn Bilder zurück</translation>
+    </message>
+    <message>
+        <source>Ten frames forward</source>
+        <translation>Zehn Bilder vor</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Erstes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Letztes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Go to frame...</source>
+        <translation>&amp;Gehe zu Bild...</translation>
+    </message>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Next &amp;bad joint</source>
+        <translation>Nächstes &amp;schlechtes Gelenk</translation>
+    </message>
+    <message>
+        <source>Error above the threshold, an outlier, or no 3D point</source>
+        <translation>Fehler über der Schwelle, ein Ausreißer oder kein 3D-Punkt</translation>
+    </message>
+    <message>
+        <source>Previous b&amp;ad joint</source>
+        <translation>Voriges s&amp;chlechtes Gelenk</translation>
+    </message>
+    <message>
+        <source>Next &amp;unlabelled frame</source>
+        <translation>Nächstes &amp;unfertiges Bild</translation>
+    </message>
+    <message>
+        <source>The next frame in which a joint is not done</source>
+        <translation>Das nächste Bild, in dem ein Gelenk nicht fertig ist</translation>
+    </message>
+    <message>
+        <source>Previous unlab&amp;elled frame</source>
+        <translation>Voriges un&amp;fertiges Bild</translation>
+    </message>
+    <message>
+        <source>Next annotated frame</source>
+        <translation>Nächstes annotiertes Bild</translation>
+    </message>
+    <message>
+        <source>Previous annotated frame</source>
+        <translation>Voriges annotiertes Bild</translation>
+    </message>
+    <message>
+        <source>Last e&amp;dited frame</source>
+        <translation>Zuletzt &amp;bearbeitetes Bild</translation>
+    </message>
+    <message>
+        <source>Error &amp;threshold...</source>
+        <translation>Fehlersch&amp;welle...</translation>
+    </message>
+    <message>
+        <source>Joints with a larger error count as bad</source>
+        <translation>Gelenke mit größerem Fehler gelten als schlecht</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the current frame</source>
+        <translation>Pose an aktuelles Bild &amp;anpassen</translation>
+    </message>
+    <message>
+        <source>With the chosen methods, from a recorded pose some frames before</source>
+        <translation>Mit den gewählten Methoden, ab einer aufgezeichneten Pose einige Bilder davor</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Show the fit &amp;panel</source>
+        <translation>Bereich „Anpassung“ &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous iteration</source>
+        <translation>&amp;Vorige Iteration</translation>
+    </message>
+    <message>
+        <source>Shows the poses as they were before</source>
+        <translation>Zeigt die Posen, wie sie davor waren</translation>
+    </message>
+    <message>
+        <source>&amp;Next iteration</source>
+        <translation>&amp;Nächste Iteration</translation>
+    </message>
+    <message>
+        <source>&amp;Result of the fit</source>
+        <translation>&amp;Ergebnis der Anpassung</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Four hints</source>
+        <translation>&amp;Vier Hinweise</translation>
+    </message>
+    <message>
+        <source>&amp;About Handlens</source>
+        <translation>Ü&amp;ber Handlens</translation>
+    </message>
+</context>
+<context>
+    <name>app::MainWindow</name>
+    <message>
+        <source>No annotated frame before this one.</source>
+        <translation>Kein annotiertes Bild vor diesem.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no 3D joint that is missing here.</source>
+        <translation>Bild %1 hat kein 3D-Gelenk, das hier fehlt.</translation>
+    </message>
+    <message>
+        <source>Annotate a frame before and a frame after this one first.</source>
+        <translation>Zuerst ein Bild vor und ein Bild nach diesem annotieren.</translation>
+    </message>
+    <message>
+        <source>No joint has a 3D point in both frame %1 and frame %2.</source>
+        <translation>Kein Gelenk hat sowohl in Bild %1 als auch in Bild %2 einen 3D-Punkt.</translation>
+    </message>
+    <message>
+        <source>There are no marks of yours there.</source>
+        <translation>Dort gibt es keine Marken von Ihnen.</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames</source>
+        <translation>Marken mehrerer Bilder löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Open a dataset to begin.</source>
+        <translation>Zum Beginnen einen Datensatz öffnen.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+    <message>
+        <source>This could not be opened. %1</source>
+        <translation>Das konnte nicht geöffnet werden. %1</translation>
+    </message>
+    <message>
+        <source>Not saved yet, but nothing is lost: it is tried again every few seconds. %1</source>
+        <translation>Noch nicht gespeichert, aber nichts ist verloren: Es wird alle paar Sekunden erneut versucht. %1</translation>
+    </message>
+    <message>
+        <source>Read-only: %1. You can look and export; edits are not possible.</source>
+        <translation>Schreibgeschützt: %1. Ansehen und Exportieren sind möglich, Bearbeiten nicht.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exportiert nach %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) imported from %1</source>
+        <translation>
+            <numerusform>%n Marke aus %1 importiert</numerusform>
+            <numerusform>%n Marken aus %1 importiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fitting</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>Fitting: %1</source>
+        <translation>Anpassung: %1</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Benchmark</translation>
+    </message>
+    <message>
+        <source>Benchmark: %1</source>
+        <translation>Benchmark: %1</translation>
+    </message>
+    <message>
+        <source>Open a dataset</source>
+        <translation>Datensatz öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Export ground truth</source>
+        <translation>Ground Truth exportieren</translation>
+    </message>
+    <message>
+        <source>Ground truth (*.json)</source>
+        <translation>Ground Truth (*.json)</translation>
+    </message>
+    <message>
+        <source>Import annotations</source>
+        <translation>Annotationen importieren</translation>
+    </message>
+    <message>
+        <source>Save the views as a picture</source>
+        <translation>Ansichten als Grafik speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Grafiken (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>%1 konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Ihr Name</translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name:</source>
+        <translation>Ihre Marken werden unter diesem Namen gespeichert:</translation>
+    </message>
+    <message>
+        <source>About Handlens</source>
+        <translation>Über Handlens</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;3D hand ground truth in calibrated multi-camera footage.&lt;/p&gt;&lt;p&gt;MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;3D-Ground-Truth von Händen in kalibrierten Mehrkamera-Aufnahmen.&lt;/p&gt;&lt;p&gt;MIT-Lizenz. Erstellt mit Qt, VTK, Eigen, OpenCV, SQLite und anderen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>No bad joint in that direction.</source>
+        <translation>Kein schlechtes Gelenk in dieser Richtung.</translation>
+    </message>
+    <message>
+        <source>Every frame in that direction is done.</source>
+        <translation>Alle Bilder in dieser Richtung sind fertig.</translation>
+    </message>
+    <message>
+        <source>No frame with marks in that direction.</source>
+        <translation>Kein Bild mit Marken in dieser Richtung.</translation>
+    </message>
+    <message>
+        <source>Nothing was edited yet.</source>
+        <translation>Es wurde noch nichts bearbeitet.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RangeWindow</name>
+    <message>
+        <source>From frame</source>
+        <translation>Von Bild</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>Bis Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutModel</name>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Wirkung</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2” already: change that one first.</source>
+        <translation>%1 gehört bereits zu „%2“: zuerst dort ändern.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutWindow</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation>Doppelklick auf ein Tastenkürzel, um es zu ändern.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Advice</name>
+    <message numerus="yes">
+        <source>%n view(s)</source>
+        <translation>
+            <numerusform>%n Ansicht</numerusform>
+            <numerusform>%n Ansichten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Choose a joint on the left.</source>
+        <translation>Links ein Gelenk wählen.</translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras.</source>
+        <translation>Ein Gelenk braucht mindestens zwei Kameras.</translation>
+    </message>
+    <message>
+        <source>Click %1 in any view.</source>
+        <translation>%1 in beliebiger Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>The click in %1 disagrees with the others: check it.</source>
+        <translation>Der Klick in %1 passt nicht zu den anderen: bitte prüfen.</translation>
+    </message>
+    <message>
+        <source>No 3D point: %1.</source>
+        <translation>Kein 3D-Punkt: %1.</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view.</source>
+        <translation>%1 in zweiter Ansicht anklicken.</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view, best in %2.</source>
+        <translation>%1 in zweiter Ansicht anklicken, am besten in %2.</translation>
+    </message>
+    <message>
+        <source>Done in every view: go on with the next joint.</source>
+        <translation>In allen Ansichten fertig: weiter mit dem nächsten Gelenk.</translation>
+    </message>
+    <message>
+        <source>Accept the remaining views with Space, or mark them as not placeable.</source>
+        <translation>Übrige Ansichten mit Leertaste übernehmen oder als nicht platzierbar markieren.</translation>
+    </message>
+    <message>
+        <source>Click %1 next (→ %2 mm), or accept with Space.</source>
+        <translation>Nächster Klick in %1 (→ %2 mm) oder mit Leertaste übernehmen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationDocument</name>
+    <message>
+        <source>Nothing was changed: the annotations are open for reading only (%1).</source>
+        <translation>Nichts wurde geändert: Die Annotationen sind nur zum Lesen geöffnet (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationFiles</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>Zuerst einen Datensatz öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Annotator</name>
+    <message>
+        <source>Nothing to accept: click %1 in two views first.</source>
+        <translation>Nichts zu übernehmen: zuerst %1 in zwei Ansichten anklicken.</translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this view.</source>
+        <translation>In dieser Ansicht gibt es keine Marke von %1.</translation>
+    </message>
+    <message>
+        <source>Click the place where the joint is hidden, then mark it as occluded.</source>
+        <translation>Die Stelle anklicken, an der das Gelenk verborgen ist, dann als verdeckt markieren.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPage</name>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source> % of frames</source>
+        <translation> % der Bilder</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Frames apart</source>
+        <translation>Bildabstände</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Seed</translation>
+    </message>
+    <message>
+        <source>Double-click a pair to inspect it</source>
+        <translation>Doppelklick auf ein Paar, um es zu untersuchen</translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation>Anteil der Paare unter jedem Fehler</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Fehler, mm</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation>Paare, %</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation>Benchmark starten, um die Methoden zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation>Fehler je Gelenk</translation>
+    </message>
+    <message>
+        <source>“%1” is no number of frames.</source>
+        <translation>„%1“ ist keine Anzahl von Bildern.</translation>
+    </message>
+    <message>
+        <source>Choose at least one method and one sequence.</source>
+        <translation>Mindestens eine Methode und eine Sequenz wählen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Starten</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkRunner</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>Zuerst einen Datensatz öffnen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>%1 von %2 Anpassungen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurvePlot</name>
+    <message>
+        <source>curves</source>
+        <translation>Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EditText</name>
+    <message>
+        <source>delete %1 in %2</source>
+        <translation>%1 in %2 löschen</translation>
+    </message>
+    <message>
+        <source>mark %1 as not placeable in %2</source>
+        <translation>%1 in %2 als nicht platzierbar markieren</translation>
+    </message>
+    <message>
+        <source>accept %1 in %2</source>
+        <translation>%1 in %2 übernehmen</translation>
+    </message>
+    <message>
+        <source>place %1 in %2</source>
+        <translation>%1 in %2 platzieren</translation>
+    </message>
+    <message>
+        <source>move %1 in %2</source>
+        <translation>%1 in %2 verschieben</translation>
+    </message>
+    <message>
+        <source>mark %1 as occluded in %2</source>
+        <translation>%1 in %2 als verdeckt markieren</translation>
+    </message>
+    <message>
+        <source>mark %1 as visible in %2</source>
+        <translation>%1 in %2 als sichtbar markieren</translation>
+    </message>
+    <message numerus="yes">
+        <source>accept %n mark(s)</source>
+        <translation>
+            <numerusform>%n Marke übernehmen</numerusform>
+            <numerusform>%n Marken übernehmen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>copy a pose (%n mark(s))</source>
+        <translation>
+            <numerusform>Pose kopieren (%n Marke)</numerusform>
+            <numerusform>Pose kopieren (%n Marken)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>interpolate (%n mark(s))</source>
+        <translation>
+            <numerusform>interpolieren (%n Marke)</numerusform>
+            <numerusform>interpolieren (%n Marken)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>swap left and right (%n mark(s))</source>
+        <translation>
+            <numerusform>links und rechts tauschen (%n Marke)</numerusform>
+            <numerusform>links und rechts tauschen (%n Marken)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n mark(s)</source>
+        <translation>
+            <numerusform>%n Marke löschen</numerusform>
+            <numerusform>%n Marken löschen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>import %n mark(s)</source>
+        <translation>
+            <numerusform>%n Marke importieren</numerusform>
+            <numerusform>%n Marken importieren</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>propose %n mark(s)</source>
+        <translation>
+            <numerusform>%n Marke vorschlagen</numerusform>
+            <numerusform>%n Marken vorschlagen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>note on frame %1</source>
+        <translation>Notiz zu Bild %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>change %n mark(s)</source>
+        <translation>
+            <numerusform>%n Marke ändern</numerusform>
+            <numerusform>%n Marken ändern</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EmptyState</name>
+    <message>
+        <source>Recent datasets</source>
+        <translation>Zuletzt geöffnete Datensätze</translation>
+    </message>
+    <message>
+        <source>Open a dataset, drop its folder here, or try the demo.</source>
+        <translation>Datensatz öffnen, seinen Ordner hierher ziehen oder die Demo ausprobieren.</translation>
+    </message>
+    <message>
+        <source>Open a dataset...</source>
+        <translation>Datensatz öffnen...</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Demo ausprobieren</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FindingModel</name>
+    <message>
+        <source>Finding</source>
+        <translation>Befund</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitRunner</name>
+    <message>
+        <source>This sequence has no recorded motion to start a fit from.</source>
+        <translation>Diese Sequenz hat keine aufgezeichnete Bewegung als Start einer Anpassung.</translation>
+    </message>
+    <message>
+        <source>The start and the test frame must be between 0 and %1.</source>
+        <translation>Start- und Testbild müssen zwischen 0 und %1 liegen.</translation>
+    </message>
+    <message>
+        <source>Choose at least one method.</source>
+        <translation>Mindestens eine Methode wählen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FittingPanel</name>
+    <message>
+        <source>Iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Fehler, mm</translation>
+    </message>
+    <message>
+        <source>The error of every iteration appears here.</source>
+        <translation>Hier erscheint der Fehler jeder Iteration.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Frame whose recorded pose the fit starts from</source>
+        <translation>Bild, von dessen aufgezeichneter Pose die Anpassung ausgeht</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Frame whose silhouettes are to be met</source>
+        <translation>Bild, dessen Silhouetten zu treffen sind</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Hier</translation>
+    </message>
+    <message>
+        <source>Test the current frame</source>
+        <translation>Aktuelles Bild als Testbild</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FramesBar</name>
+    <message>
+        <source>Sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>Frame: type a number and press Enter</source>
+        <translation>Bild: Nummer eingeben und Eingabetaste drücken</translation>
+    </message>
+    <message>
+        <source>Frame </source>
+        <translation>Bild </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandDiagram</name>
+    <message>
+        <source>Joints of both hands</source>
+        <translation>Gelenke beider Hände</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Hints</name>
+    <message>
+        <source>Choose a joint on the left, then click it in two views: its 3D place appears at once.</source>
+        <translation>Links ein Gelenk wählen, dann in zwei Ansichten anklicken: Sein Ort in 3D erscheint sofort.</translation>
+    </message>
+    <message>
+        <source>Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything.</source>
+        <translation>Die Leertaste übernimmt eine vorplatzierte Marke, X löscht eine Marke, Strg+Z nimmt alles zurück.</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
+        <translation>Das Mausrad zoomt, die mittlere Taste verschiebt, ein Doppelklick füllt das Fenster mit einer Ansicht.</translation>
+    </message>
+    <message>
+        <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
+        <translation>A und D gehen durch die Bilder, W und S durch die Gelenke; F1 zeigt alle Tasten.</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectPage</name>
+    <message>
+        <source>Cameras: </source>
+        <translation>Kameras: </translation>
+    </message>
+    <message>
+        <source>Rows of cameras, from the current one on</source>
+        <translation>Kamerazeilen, ab der aktuellen Kamera</translation>
+    </message>
+    <message>
+        <source>Fit a pair of frames: F</source>
+        <translation>Pose an ein Bildpaar anpassen: F</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Iteration</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Fehler, mm</translation>
+    </message>
+    <message>
+        <source>Cost, mm²</source>
+        <translation>Kosten, mm²</translation>
+    </message>
+    <message>
+        <source>Fit the current frame (F) to see the methods side by side.</source>
+        <translation>Pose an das aktuelle Bild anpassen (F), um die Methoden nebeneinander zu sehen.</translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation>Bild %1 aus Bild %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>Iteration %1 of %2</source>
+        <translation>Iteration %1 von %2</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>aufgezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointErrorDiagram</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mean error per joint</source>
+        <translation>Mittlerer Fehler je Gelenk</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointTableModel</name>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>partial</source>
+        <translation>teilweise</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>state of a joint without marks</comment>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Gelenk</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ans.</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>Joint, in the order in which you work</source>
+        <translation>Gelenk, in der Reihenfolge der Bearbeitung</translation>
+    </message>
+    <message>
+        <source>Views with a click of yours</source>
+        <translation>Ansichten mit einem Klick von Ihnen</translation>
+    </message>
+    <message>
+        <source>Root mean square distance from click to reprojection, over the views used</source>
+        <translation>Quadratisches Mittel (RMS) des Abstands vom Klick zur Rückprojektion, über die verwendeten Ansichten</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the 3D joint (standard deviation)</source>
+        <translation>Unsicherheit des 3D-Gelenks (Standardabweichung)</translation>
+    </message>
+    <message>
+        <source>Done: every view is placed or cannot be placed</source>
+        <translation>Fertig: in jeder Ansicht platziert oder nicht platzierbar</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkPresenter</name>
+    <message>
+        <source>%1%2 frames</source>
+        <translation>%1%2 Bilder</translation>
+    </message>
+    <message>
+        <source>cannot be placed</source>
+        <translation>nicht platzierbar</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NoteEdit</name>
+    <message>
+        <source>Note on this frame</source>
+        <translation>Notiz zu diesem Bild</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PairTableModel</name>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Sequenz</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Test</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>Start mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>Fehler mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PictureExport</name>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Grafik (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Grafik speichern</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose a folder that you may write to.</source>
+        <translation>%1 konnte nicht geschrieben werden. Bitte einen Ordner mit Schreibrechten wählen.</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Grafik kopieren</translation>
+    </message>
+    <message>
+        <source>Save picture...</source>
+        <translation>Grafik speichern...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityFinding</name>
+    <message>
+        <source>%1 disagrees with the other views by %2 px</source>
+        <translation>%1 weicht um %2 px von den anderen Ansichten ab</translation>
+    </message>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>kein 3D-Punkt: %1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>Fehler von %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityPanel</name>
+    <message>
+        <source>Nothing stands out in this frame.</source>
+        <translation>In diesem Bild fällt nichts auf.</translation>
+    </message>
+    <message>
+        <source>Bad above</source>
+        <translation>Schlecht über</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>No frame of this sequence has marks yet.</source>
+        <translation>Noch kein Bild dieser Sequenz hat Marken.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks.</source>
+        <translation>
+            <numerusform>%n Bild mit Marken.</numerusform>
+            <numerusform>%n Bilder mit Marken.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Joints: %1 done, %2 partial, %3 bad.</source>
+        <translation>Gelenke: %1 fertig, %2 teilweise, %3 schlecht.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ResultTableModel</name>
+    <message>
+        <source>Converged</source>
+        <translation>Konvergiert</translation>
+    </message>
+    <message>
+        <source>Ended at the most iterations</source>
+        <translation>Höchstzahl der Iterationen erreicht</translation>
+    </message>
+    <message>
+        <source>No matches were left</source>
+        <translation>Keine Zuordnungen übrig</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>Start mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>Fehler mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Iterationen</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneView</name>
+    <message>
+        <source>The 3D scene needs OpenGL, which this display does not have.</source>
+        <translation>Die 3D-Szene braucht OpenGL, das auf dieser Anzeige fehlt.</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Look through</source>
+        <translation>Blick durch</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>Szene</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StatusLine</name>
+    <message numerus="yes">
+        <source>saved %n s ago</source>
+        <translation>
+            <numerusform>vor %n s gespeichert</numerusform>
+            <numerusform>vor %n s gespeichert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n min ago</source>
+        <translation>
+            <numerusform>vor %n min gespeichert</numerusform>
+            <numerusform>vor %n min gespeichert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n h ago</source>
+        <translation>
+            <numerusform>vor %n h gespeichert</numerusform>
+            <numerusform>vor %n h gespeichert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>NOT SAVED</source>
+        <translation>NICHT GESPEICHERT</translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation>schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>gespeichert</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n s left</source>
+        <translation>
+            <numerusform>, noch %n s</numerusform>
+            <numerusform>, noch %n s</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SummaryModel</name>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Seconds per pair</source>
+        <translation>Sekunden je Paar</translation>
+    </message>
+    <message>
+        <source>Mean and standard deviation of the error, mm, by frames apart</source>
+        <translation>Mittelwert und Standardabweichung des Fehlers, mm, je Bildabstand</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>All, mm</source>
+        <translation>Alle, mm</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
+        <translation>%1: %2 fertig, %3 teilweise, %4 schlecht, %5 verdeckt</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ViewPanel</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Schattiert</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Stil</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Kamerabild</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Gamma</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Alle Ansichten</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
+    <message>
+        <source>Untick to hide a view; drag to change the order</source>
+        <translation>Abwählen blendet eine Ansicht aus; Ziehen ändert die Reihenfolge</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Workspaces</name>
+    <message>
+        <source>Quality</source>
+        <translation>Qualität</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassung</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>All views are hidden: tick one under View, Cameras.</source>
+        <translation>Alle Ansichten sind ausgeblendet: unter „Ansicht“, „Kameras“ eine ankreuzen.</translation>
+    </message>
+</context>
+</TS>
