@@ -48,10 +48,6 @@
         <translation>Annotationen &amp;importieren...</translation>
     </message>
     <message>
-        <source>&amp;Export ground truth...</source>
-        <translation>Ground Truth &amp;exportieren...</translation>
-    </message>
-    <message>
         <source>Writes all annotations and their 3D joints of this sequence</source>
         <translation>Schreibt alle Annotationen dieser Sequenz und deren 3D-Gelenke</translation>
     </message>
@@ -543,6 +539,117 @@
         <source>&amp;About Handlens</source>
         <translation>Ü&amp;ber Handlens</translation>
     </message>
+    <message>
+        <source>&amp;Export annotations...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report on the annotations...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A page with progress, raters, worst joints and figures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hand &amp;model of the marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Propose the &amp;rest from the hand model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits the hand model to the 3D joints of this frame and places the others, to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints from a &amp;file...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mark a part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, without the first marks; once more to end the round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next joint of the second round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare ra&amp;ters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next &amp;test frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frames that the benchmark draws from this sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Previous test frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::FileActions</name>
+    <message>
+        <source>Handlens ground truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Files of the method&apos;s authors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>COCO keypoints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose, 2D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose, 3D</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TRC, marker motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>InterHand2.6M</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>FreiHAND, HanCo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table of 3D joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table of marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – a new folder (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::MainWindow</name>
@@ -634,14 +741,6 @@
         <translation>Noch keine</translation>
     </message>
     <message>
-        <source>Export ground truth</source>
-        <translation>Ground Truth exportieren</translation>
-    </message>
-    <message>
-        <source>Ground truth (*.json)</source>
-        <translation>Ground Truth (*.json)</translation>
-    </message>
-    <message>
         <source>Import annotations</source>
         <translation>Annotationen importieren</translation>
     </message>
@@ -704,6 +803,50 @@
     <message>
         <source>Nothing was edited yet.</source>
         <translation>Es wurde noch nichts bearbeitet.</translation>
+    </message>
+    <message>
+        <source>The hand model has nothing to add: every joint of the list that it knows has a mark.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finish some joints first: there is nothing to mark again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every joint of the round is marked: end it to see how you did.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No second round is under way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export annotations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report on the annotations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints from a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lists of joints (*.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No test frame in that direction, as the benchmark is set.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -817,8 +960,59 @@
         <translation>Übrige Ansichten mit Leertaste übernehmen oder als nicht platzierbar markieren.</translation>
     </message>
     <message>
-        <source>Click %1 next (→ %2 mm), or accept with Space.</source>
-        <translation>Nächster Klick in %1 (→ %2 mm) oder mit Leertaste übernehmen.</translation>
+        <source>fewer than two views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a click lies where the lens model cannot be inverted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rays are nearly parallel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the rays meet behind a camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AgreementModel</name>
+    <message>
+        <source>All joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bias %1 mm, 95 % of the differences between %2 and %3 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean difference along this axis of the world, mm (Bland and Altman)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation type="unfinished">Gelenk</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished">mm</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -901,10 +1095,6 @@
         <translation>Fehler je Gelenk</translation>
     </message>
     <message>
-        <source>“%1” is no number of frames.</source>
-        <translation>„%1“ ist keine Anzahl von Bildern.</translation>
-    </message>
-    <message>
         <source>Choose at least one method and one sequence.</source>
         <translation>Mindestens eine Methode und eine Sequenz wählen.</translation>
     </message>
@@ -919,6 +1109,10 @@
     <message>
         <source>start</source>
         <translation>Start</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of frames.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1036,6 +1230,14 @@
             <numerusform>%n Marke ändern</numerusform>
             <numerusform>%n Marken ändern</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>L %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1320,6 +1522,17 @@
     </message>
 </context>
 <context>
+    <name>widgets::ModelOfMarks</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::NoteEdit</name>
     <message>
         <source>Note on this frame</source>
@@ -1391,16 +1604,44 @@
 <context>
     <name>widgets::QualityFinding</name>
     <message>
-        <source>%1 disagrees with the other views by %2 px</source>
-        <translation>%1 weicht um %2 px von den anderen Ansichten ab</translation>
-    </message>
-    <message>
         <source>no 3D point: %1</source>
         <translation>kein 3D-Punkt: %1</translation>
     </message>
     <message>
         <source>error of %1 px</source>
         <translation>Fehler von %1 px</translation>
+    </message>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1431,6 +1672,83 @@
     <message>
         <source>Joints: %1 done, %2 partial, %3 bad.</source>
         <translation>Gelenke: %1 fertig, %2 teilweise, %3 schlecht.</translation>
+    </message>
+    <message>
+        <source>This frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whole sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing stands out in this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your clicks scatter by %1 px per axis.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RatersPanel</name>
+    <message>
+        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compares all raters as they stand now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shared click(s), %1 px apart (RMS)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 scatters by %2 px per axis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All raters together: %1 within %2 mm, from %n click(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; yours lies %1 mm from it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mark a part again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to your own marks; both rounds are compared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, without the first marks: how well do you repeat yourself?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second round: %1 of %2 joints are left.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1660,6 +1978,10 @@
     <message>
         <source>All views are hidden: tick one under View, Cameras.</source>
         <translation>Alle Ansichten sind ausgeblendet: unter „Ansicht“, „Kameras“ eine ankreuzen.</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

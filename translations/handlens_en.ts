@@ -91,6 +91,23 @@
     </message>
 </context>
 <context>
+    <name>widgets::RatersPanel</name>
+    <message numerus="yes">
+        <source>%n shared click(s), %1 px apart (RMS)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>All raters together: %1 within %2 mm, from %n click(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::StatusLine</name>
     <message numerus="yes">
         <source>saved %n s ago</source>

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <QDateTime>
+
 #include "app/desktop/main_window.h"
 #include "app/desktop/range_window.h"
 #include "core/annotation/edits.h"
@@ -108,11 +110,55 @@ void bindJointList(MainWindow& window) {
     actions.bind(id("annotation.jointDown"), [move] { move(1); });
 }
 
+void bindModel(MainWindow& window) {
+    widgets::Workbench& bench = window.workbench();
+    window.actions().bind(id("annotation.propose"), [&bench] { bench.model.fitOnce(); });
+    QObject::connect(&bench.model, &widgets::ModelOfMarks::impossible, &window.statusLine(), &widgets::StatusLine::sayBriefly);
+    QObject::connect(&bench.model, &widgets::ModelOfMarks::fitted, &window, [&window, &bench](const widgets::ModelFit& fit) {
+        std::vector<core::JointPoint> wanted;
+        for (const core::JointPoint& proposal : fit.proposals) {
+            if (bench.joints.contains(proposal.joint))
+                wanted.push_back(proposal);
+        }
+        pushOrSay(window,
+                  core::proposeEdit(bench.document.annotations(), bench.session.dataset()->cameras, fit.frame, bench.document.rater(), wanted,
+                                    "propose joints of the hand model"),
+                  MainWindow::tr("The hand model has nothing to add: every joint of the list that it knows has a mark."));
+    });
+}
+
+void bindRaters(MainWindow& window) {
+    constexpr double kShare = 0.1;
+    Actions& actions = window.actions();
+    widgets::RaterStudy& study = window.workbench().raters;
+    widgets::Workspaces& spaces = window.workspaces();
+    const auto showPanel = [&spaces] { spaces.raisePanel(spaces.ratersPanel()); };
+    const auto toggleRound = [&window, &study, showPanel] {
+        showPanel();
+        if (study.isRepeating())
+            study.endRepeating();
+        else if (!study.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch())))
+            window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
+    };
+    const auto next = [&window, &study] {
+        if (!study.goToNextTask())
+            window.statusLine().sayBriefly(study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
+                                                               : MainWindow::tr("No second round is under way."));
+    };
+    actions.bind(id("annotation.raters"), showPanel);
+    actions.bind(id("annotation.repeat"), toggleRound);
+    actions.bind(id("annotation.repeatNext"), next);
+    QObject::connect(spaces.ratersPanel(), &widgets::RatersPanel::roundRequested, &window, toggleRound);
+    QObject::connect(spaces.ratersPanel(), &widgets::RatersPanel::nextTaskRequested, &window, next);
+}
+
 } // namespace
 
 void bindAnnotationActions(MainWindow& window) {
     bindWholeFrames(window);
     bindJointList(window);
+    bindModel(window);
+    bindRaters(window);
 }
 
 } // namespace app

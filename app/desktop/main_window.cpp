@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "app/desktop/annotation_actions.h"
+#include "app/desktop/file_actions.h"
 #include "app/desktop/menus.h"
 #include "app/desktop/panel_actions.h"
 #include "app/desktop/resources.h"
@@ -54,6 +55,7 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     bindWindowActions(*this);
     bindAnnotationActions(*this);
     bindPanelActions(*this);
+    bindFileActions(*this);
     buildMenus(*this);
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
@@ -147,7 +149,9 @@ void MainWindow::connectSession() {
         if (std::exchange(m_mayHint, false))
             showHints();
         refreshTitle();
+        refreshTestFrames();
     });
+    connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::drawChanged, this, &MainWindow::refreshTestFrames);
     connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this,
             [this](const QString& name) { m_workbench.session.openSequence(name, 0); });
 }
@@ -172,6 +176,13 @@ void MainWindow::connectDocument() {
     connect(&files, &widgets::AnnotationFiles::failed, this, &MainWindow::showMessage);
     connect(&files, &widgets::AnnotationFiles::exported, this, [this](const QString& path) {
         m_statusLine->sayBriefly(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
+    });
+    connect(&files, &widgets::AnnotationFiles::reported, this, [this](const QString& path) {
+        m_statusLine->sayBriefly(tr("Report written to %1").arg(QDir::toNativeSeparators(path)));
+    });
+    connect(&files, &widgets::AnnotationFiles::jointsRead, this, [this](const std::vector<std::string>& names) {
+        if (m_workbench.session.dataset())
+            m_workbench.joints.setNames(names, *m_workbench.session.dataset());
     });
     connect(&files, &widgets::AnnotationFiles::imported, this,
             [this](const QString& path, int marks, const QString& warnings) {
@@ -273,6 +284,11 @@ void MainWindow::refreshTitle() {
     setWindowTitle(
         QStringLiteral("%1 \u2013 %2 \u2013 Handlens")
             .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_workbench.session.sequence()->name)));
+}
+
+void MainWindow::refreshTestFrames() {
+    const core::Sequence* sequence = m_workbench.session.sequence();
+    m_framesBar->setTestFrames(sequence ? m_workspaces->benchmarkPage()->testFrames(sequence->name, sequence->frameCount) : std::set<int>{});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

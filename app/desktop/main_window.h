@@ -67,6 +67,7 @@ private:
     void remember(const QString& folder);
     void restoreLayout();
     void refreshTitle();
+    void refreshTestFrames();
 
     QSettings& m_settings;
     widgets::Workbench m_workbench;

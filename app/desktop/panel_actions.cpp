@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/panel_actions.h"
 
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/shortcut_window.h"
-#include "core/io/annotation_formats.h"
 #include "widgets/document/edit_text.h"
 
 namespace app {
@@ -17,53 +15,6 @@ namespace {
 
 QString id(const char* text) {
     return QString::fromLatin1(text);
-}
-
-/// A file dialog that does not block; `chosen` gets the path.
-void askForFile(MainWindow& window, const QString& title, const QString& filter, bool toSave, const std::function<void(QString)>& chosen) {
-    auto* dialog = new QFileDialog(&window, title, QString(), filter);
-    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, chosen);
-    dialog->open();
-}
-
-QStringList importFilters() {
-    QStringList filters;
-    for (const core::AnnotationFormat& format : core::annotationFormats()) {
-        if (format.canImport)
-            filters << QStringLiteral("%1 (*)").arg(QString::fromUtf8(format.kind.data(), static_cast<int>(format.kind.size())));
-    }
-    return filters;
-}
-
-void bindFiles(MainWindow& window) {
-    Actions& actions = window.actions();
-    actions.bind(id("file.export"), [&window] {
-        askForFile(window, MainWindow::tr("Export ground truth"), MainWindow::tr("Ground truth (*.json)"), true, [&window](const QString& path) {
-            const bool named = path.endsWith(QLatin1String(".json"));
-            window.workbench().files.exportTo(QStringLiteral("handlens"), named ? path : path + QStringLiteral(".json"));
-        });
-    });
-    actions.bind(id("file.import"), [&window] {
-        auto* dialog = new QFileDialog(&window, MainWindow::tr("Import annotations"));
-        dialog->setNameFilters(importFilters());
-        dialog->setFileMode(QFileDialog::ExistingFile);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&window, dialog](const QString& path) {
-            window.workbench().files.importFrom(dialog->selectedNameFilter().section(QLatin1Char(' '), 0, 0), path);
-        });
-        dialog->open();
-    });
-    actions.bind(id("file.savePicture"), [&window] {
-        askForFile(window, MainWindow::tr("Save the views as a picture"), MainWindow::tr("Pictures (*.png)"), true,
-                   [&window](const QString& path) {
-                       const QString file = path.endsWith(QLatin1String(".png")) ? path : path + QStringLiteral(".png");
-                       if (!window.workspaces().grid()->grabPicture(2).save(file))
-                           window.showMessage(MainWindow::tr("%1 could not be written.").arg(file));
-                   });
-    });
 }
 
 void bindNames(MainWindow& window) {
@@ -154,7 +105,6 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
 } // namespace
 
 void bindPanelActions(MainWindow& window) {
-    bindFiles(window);
     bindNames(window);
     bindPanels(window);
     bindIterations(window);

@@ -132,6 +132,7 @@ void bindMeshLook(MainWindow& window) {
     actions.bindToggle(id("view.leftHand"), [change](bool on) { change([on](auto& look) { look.leftShown = on; }); });
     actions.bindToggle(id("view.rightHand"), [change](bool on) { change([on](auto& look) { look.rightShown = on; }); });
     actions.bindToggle(id("view.recordedMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kRecorded), on); });
+    actions.bindToggle(id("view.modelOfMarks"), [&window](bool on) { window.workbench().model.setOn(on); });
     actions.bindToggle(id("view.startMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kStart), on); });
 }
 
@@ -238,6 +239,15 @@ void bindJumps(MainWindow& window) {
     const QString noMarks = MainWindow::tr("No frame with marks in that direction.");
     bind("go.nextAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Way::Forward); }, noMarks);
     bind("go.previousAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Way::Back); }, noMarks);
+    const auto test = [&window, &bench](Way way) -> std::optional<int> {
+        if (!bench.session.sequence())
+            return std::nullopt;
+        const auto tests = window.workspaces().benchmarkPage()->testFrames(bench.session.sequence()->name, bench.selection.frameCount());
+        return widgets::nextOf(tests, bench.selection.frame(), way);
+    };
+    const QString noTest = MainWindow::tr("No test frame in that direction, as the benchmark is set.");
+    bind("go.nextTest", [=] { return test(Way::Forward); }, noTest);
+    bind("go.previousTest", [=] { return test(Way::Back); }, noTest);
     bind("go.lastEdited", [&bench] { return bench.document.lastEditedFrame(); }, MainWindow::tr("Nothing was edited yet."));
 }
 

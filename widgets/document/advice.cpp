@@ -21,6 +21,15 @@ QString number(double value, int decimals) {
 
 } // namespace
 
+/// Core's phrases, for the translators' files.
+[[maybe_unused]] constexpr const char* kReasons[] = {
+    QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"),
+};
+
 QString reasonText(const std::string& reason) {
     return text(reason.c_str());
 }
@@ -55,7 +64,7 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Done in every view: go on with the next joint."));
     if (next.isEmpty())
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accept the remaining views with Space, or mark them as not placeable."));
-    return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 next (\u2192 %2 mm), or accept with Space."))
+    return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
         .arg(next, number(found.nextViews.front().predictedSigmaMm, 2));
 }
 

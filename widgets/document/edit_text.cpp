@@ -57,6 +57,11 @@ QString sideText(core::Side side) {
                                     : text(QT_TRANSLATE_NOOP("widgets::EditText", "right"));
 }
 
+QString shortJointText(const core::JointId& joint) {
+    return (joint.hand == core::Side::Left ? text(QT_TRANSLATE_NOOP("widgets::EditText", "L %1")) : text(QT_TRANSLATE_NOOP("widgets::EditText", "R %1")))
+        .arg(QString::fromStdString(joint.joint));
+}
+
 QString jointText(const core::JointId& joint) {
     return QStringLiteral("%1 %2").arg(sideText(joint.hand), QString::fromStdString(joint.joint));
 }

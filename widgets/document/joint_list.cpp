@@ -30,6 +30,16 @@ std::optional<core::JointId> jointFromText(const std::string& text) {
     return core::JointId{*side, text.substr(space + 1)};
 }
 
+/// The sides to annotate with their models; both sides without one if the dataset has none.
+std::vector<std::pair<core::Side, const core::HandModel*>> handsOf(const core::Dataset& dataset) {
+    std::vector<std::pair<core::Side, const core::HandModel*>> hands;
+    for (const core::HandModel& hand : dataset.hands)
+        hands.emplace_back(hand.side, &hand);
+    if (hands.empty())
+        hands = {{core::Side::Left, nullptr}, {core::Side::Right, nullptr}};
+    return hands;
+}
+
 } // namespace
 
 std::vector<std::string> jointNames(JointChoice choice, const core::HandModel* hand) {
@@ -64,18 +74,21 @@ void JointList::setChoice(JointChoice choice, const core::Dataset& dataset) {
     m_choice = choice;
     if (choice != JointChoice::Custom) {
         m_joints.clear();
-        for (const core::HandModel& hand : dataset.hands) {
-            for (const std::string& name : jointNames(choice, &hand))
-                m_joints.push_back({hand.side, name});
-        }
-        if (dataset.hands.empty()) {
-            for (const core::Side side : {core::Side::Left, core::Side::Right}) {
-                for (const std::string& name : jointNames(choice, nullptr))
-                    m_joints.push_back({side, name});
-            }
+        for (const auto& [side, hand] : handsOf(dataset)) {
+            for (const std::string& name : jointNames(choice, hand))
+                m_joints.push_back({side, name});
         }
     }
     emit changed();
+}
+
+void JointList::setNames(const std::vector<std::string>& names, const core::Dataset& dataset) {
+    std::vector<core::JointId> joints;
+    for (const auto& [side, hand] : handsOf(dataset)) {
+        for (const std::string& name : names)
+            joints.push_back({side, name});
+    }
+    setCustom(std::move(joints));
 }
 
 void JointList::setCustom(std::vector<core::JointId> joints) {

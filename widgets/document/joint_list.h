@@ -39,6 +39,8 @@ public:
     void setChoice(JointChoice choice, const core::Dataset& dataset);
     /// An order of the annotator's own; doubles are dropped.
     void setCustom(std::vector<core::JointId> joints);
+    /// The same joints for every hand of the dataset (both hands if it has none), in the order given.
+    void setNames(const std::vector<std::string>& names, const core::Dataset& dataset);
     /// Moves the joint at `row` by `rows` places, within the list.
     void move(int row, int rows);
 

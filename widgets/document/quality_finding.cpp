@@ -2,6 +2,7 @@
 #include "widgets/document/quality_finding.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -11,6 +12,9 @@
 namespace widgets {
 
 namespace {
+
+constexpr double kOutlierSeverity = 10;
+constexpr double kNoPointSeverity = 100;
 
 QString text(const char* source) {
     return QCoreApplication::translate("widgets::QualityFinding", source);
@@ -22,13 +26,65 @@ void addOutliers(std::vector<QualityFinding>& findings, const core::JointId& joi
         if (!view.outlier || !view.errorPx)
             continue;
         findings.push_back({frame, joint, view.camera,
-                            text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "%1 disagrees with the other views by %2 px"))
+                            text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "click in %1 is %2 px off"))
                                 .arg(QString::fromStdString(view.camera), QLocale().toString(*view.errorPx, 'f', 1)),
-                            10 + *view.errorPx / badRmsPx});
+                            kOutlierSeverity + *view.errorPx / badRmsPx});
     }
 }
 
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString textOf(const core::QualityFinding& found) {
+    const double size = std::abs(found.value);
+    switch (found.kind) {
+    case core::QualityKind::Disagreement:
+        return found.camera.empty() ? text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "no 3D point from its clicks"))
+                                    : text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "click in %1 is %2 px off"))
+                                          .arg(QString::fromStdString(found.camera), number(size, 1));
+    case core::QualityKind::BoneLength:
+        return (found.value > 0 ? text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "bone %1 % longer than usual"))
+                                : text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "bone %1 % shorter than usual")))
+            .arg(number(size, 0));
+    case core::QualityKind::JointAngle:
+        return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "bent %1\u00b0 beyond its limit")).arg(number(size, 0));
+    case core::QualityKind::FingerOrder:
+        return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "fingers exchanged? %1 mm out of order")).arg(number(size, 1));
+    case core::QualityKind::HandMixUp:
+        return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "left and right exchanged?"));
+    case core::QualityKind::SharedPixel:
+        break;
+    }
+    return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "on the same pixel as another joint in %1")).arg(QString::fromStdString(found.camera));
+}
+
+/// How bad a doubt is, in units of its limit.
+double severityOf(const core::QualityFinding& found, double badRmsPx) {
+    const core::QualityOptions limits;
+    const double size = std::abs(found.value);
+    switch (found.kind) {
+    case core::QualityKind::Disagreement:
+        return found.camera.empty() ? kNoPointSeverity : kOutlierSeverity + size / badRmsPx;
+    case core::QualityKind::BoneLength:
+        return size / (100 * limits.boneLengthShare);
+    case core::QualityKind::JointAngle:
+        return size / limits.angleToleranceDeg;
+    case core::QualityKind::FingerOrder:
+        return size / limits.knuckleToleranceMm;
+    case core::QualityKind::HandMixUp:
+        return kOutlierSeverity;
+    case core::QualityKind::SharedPixel:
+        break;
+    }
+    return 1;
+}
+
 } // namespace
+
+QualityFinding findingOf(const core::QualityFinding& found, double badRmsPx) {
+    return {found.frame, found.joint, found.camera, textOf(found), severityOf(found, badRmsPx)};
+}
 
 std::vector<QualityFinding> findingsOf(const Reconstructions& reconstructions, int frame, double badRmsPx) {
     std::vector<QualityFinding> findings;
@@ -38,7 +94,7 @@ std::vector<QualityFinding> findingsOf(const Reconstructions& reconstructions, i
             if (found.manualViews >= 2)
                 findings.push_back({frame, joint, {},
                                     text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "no 3D point: %1")).arg(reasonText(found.result.reason)),
-                                    100});
+                                    kNoPointSeverity});
             continue;
         }
         const double rms = found.result.point->rmsPx;

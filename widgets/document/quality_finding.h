@@ -6,7 +6,7 @@
 
 #include <QString>
 
-#include "core/annotation/annotation_set.h"
+#include "core/annotation/quality.h"
 #include "widgets/document/reconstructions.h"
 
 namespace widgets {
@@ -22,5 +22,8 @@ struct QualityFinding {
 
 /// What the reconstructions of one frame say: large errors, views that disagree, joints without a point. Worst first.
 std::vector<QualityFinding> findingsOf(const Reconstructions& reconstructions, int frame, double badRmsPx);
+
+/// A doubt of the checks, in the person's language.
+QualityFinding findingOf(const core::QualityFinding& found, double badRmsPx);
 
 } // namespace widgets

@@ -5,6 +5,8 @@
 
 #include "core/annotation/edits.h"
 #include "core/io/annotation_formats.h"
+#include "core/io/annotation_report.h"
+#include "core/io/joint_files.h"
 
 namespace widgets {
 
@@ -43,6 +45,23 @@ void AnnotationFiles::importFrom(const QString& kind, const QString& path) {
                 warnings << QString::fromStdString(warning);
             emit imported(path, static_cast<int>(read->set.marks.size()), warnings.join(QLatin1Char('\n')));
         };
+    });
+}
+
+void AnnotationFiles::report(const QString& path, double badRmsPx) {
+    if (!m_session.dataset()) {
+        emit failed(tr("Open a dataset first."));
+        return;
+    }
+    m_job.start([this, path, badRmsPx, dataset = m_session.dataset()](const JobContext&) -> Job::Delivery {
+        core::writeAnnotationReport(*dataset, path.toStdString(), badRmsPx);
+        return [this, path] { emit reported(path); };
+    });
+}
+
+void AnnotationFiles::readJoints(const QString& path) {
+    m_job.start([this, path](const JobContext&) -> Job::Delivery {
+        return [this, names = core::readJointList(path.toStdString())] { emit jointsRead(names); };
     });
 }
 

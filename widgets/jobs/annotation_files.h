@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <QObject>
 #include <QString>
 
@@ -10,7 +13,8 @@
 
 namespace widgets {
 
-/// Exports and imports the annotations of the open sequence in the background. An import is one edit.
+/// Exports and imports the annotations of the open sequence, writes reports and reads lists of joints, in the background. An import
+/// is one edit.
 class AnnotationFiles : public QObject {
     Q_OBJECT
 
@@ -20,12 +24,18 @@ public:
     /// `kind` is one of core::annotationFormats().
     void exportTo(const QString& kind, const QString& path);
     void importFrom(const QString& kind, const QString& path);
+    /// A page about the annotations of all sequences; joints above `badRmsPx` count as bad.
+    void report(const QString& path, double badRmsPx);
+    /// Reads a list of joints of one hand.
+    void readJoints(const QString& path);
     bool isRunning() const { return m_job.isRunning(); }
 
 signals:
     void exported(const QString& path);
     /// `warnings` say what was left out, one a line.
     void imported(const QString& path, int marks, const QString& warnings);
+    void reported(const QString& path);
+    void jointsRead(const std::vector<std::string>& names);
     void failed(const QString& message);
 
 private:

@@ -6,6 +6,8 @@
 
 #include <QCoreApplication>
 
+#include <opencv2/imgproc.hpp>
+
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
 
@@ -43,6 +45,16 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     return outcome;
 }
 
+/// Where a mask's silhouette lies, with some room around it.
+QRectF roomyBounds(const cv::Mat& mask) {
+    constexpr double kRoom = 0.25; // of the longer side
+    const cv::Rect box = mask.empty() ? cv::Rect() : cv::boundingRect(mask);
+    if (box.empty())
+        return {};
+    const double room = kRoom * std::max(box.width, box.height);
+    return QRectF(box.x, box.y, box.width, box.height).adjusted(-room, -room, room, room);
+}
+
 /// The pair's poses and target silhouettes, drawn from the recorded pose of the test frame.
 FitOutcome preparePair(const core::Dataset& dataset, const core::Motion& motion, const std::string& sequence,
                        const FitRequest& request) {
@@ -54,6 +66,8 @@ FitOutcome preparePair(const core::Dataset& dataset, const core::Motion& motion,
     pair.initialErrorMm = core::meanJointDistanceMm(dataset.hands, pair.startPoses, pair.truePoses);
     for (const core::Camera& camera : dataset.cameras)
         pair.masks.push_back(core::renderHandsMask(camera, dataset.hands, pair.truePoses));
+    for (const cv::Mat& mask : pair.masks)
+        pair.handsPx.push_back(roomyBounds(mask));
     return pair;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <QObject>
+#include <QRectF>
 #include <QString>
 
 #include <opencv2/core/mat.hpp>
@@ -41,6 +42,7 @@ struct FitOutcome {
     core::HandPoses truePoses;
     double initialErrorMm = 0; ///< mean joint distance of the start pose
     std::vector<cv::Mat> masks; ///< target silhouettes, one per camera
+    std::vector<QRectF> handsPx; ///< where they lie in each camera's image, with some room around; empty where there are none
     std::vector<MethodOutcome> methods;
 };
 

@@ -50,4 +50,13 @@ std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const Join
     return std::nullopt;
 }
 
+std::optional<int> nextOf(const std::set<int>& frames, int frame, Way way) {
+    if (way == Way::Forward) {
+        const auto at = frames.upper_bound(frame);
+        return at == frames.end() ? std::nullopt : std::optional(*at);
+    }
+    const auto at = frames.lower_bound(frame);
+    return at == frames.begin() ? std::nullopt : std::optional(*std::prev(at));
+}
+
 } // namespace widgets

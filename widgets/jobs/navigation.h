@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "widgets/document/joint_list.h"
 #include "widgets/jobs/coverage.h"
@@ -17,5 +18,7 @@ std::optional<int> nextBadFrame(const FrameCoverage& coverage, int frame, Way wa
 std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, Way way);
 /// The nearest frame of [0, frameCount) from `frame` (not itself) in which a joint of the list is not done.
 std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount, int frame, Way way);
+/// The nearest of the given frames from `frame` (not itself).
+std::optional<int> nextOf(const std::set<int>& frames, int frame, Way way);
 
 } // namespace widgets

@@ -15,6 +15,9 @@
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"
 #include "widgets/jobs/job.h"
+#include "widgets/jobs/model_of_marks.h"
+#include "widgets/jobs/quality_checks.h"
+#include "widgets/jobs/rater_study.h"
 
 namespace widgets {
 
@@ -39,6 +42,9 @@ public:
     FitRunner fits;
     AnnotationFiles files;
     BenchmarkRunner benchmarks;
+    QualityChecks checks;
+    ModelOfMarks model;
+    RaterStudy raters;
 
     /// Which cameras are shown, and in which order; names. Kept with the annotations.
     void setShownCameras(const std::vector<std::string>& cameras);

@@ -36,7 +36,7 @@ QVariant FindingModel::data(const QModelIndex& index, int role) const {
     if (index.column() == Frame)
         return QLocale().toString(found.frame);
     if (index.column() == Joint)
-        return found.joint.joint.empty() ? QString() : jointText(found.joint);
+        return found.joint.joint.empty() ? QString() : shortJointText(found.joint);
     return found.text;
 }
 

@@ -90,7 +90,7 @@ QVariant JointTableModel::value(const core::JointReconstruction* found, int colu
 
 QVariant JointTableModel::text(const core::JointId& joint, const core::JointReconstruction* found, int column) const {
     if (column == Joint)
-        return jointText(joint);
+        return shortJointText(joint);
     if (column == State)
         return stateText(found);
     const QVariant number = value(found, column);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/benchmark_page.h"
 
+#include <numeric>
+
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -88,6 +90,9 @@ QWidget* BenchmarkPage::makeSettings() {
         field->setFocusPolicy(Qt::ClickFocus);
     m_run->setFocusPolicy(Qt::NoFocus);
     connect(m_run, &QPushButton::clicked, this, &BenchmarkPage::runOrStop);
+    connect(m_percent, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
+    connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
+    connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     return side;
 }
 
@@ -158,6 +163,32 @@ void BenchmarkPage::connectRunner() {
     });
 }
 
+core::PairOptions BenchmarkPage::pairOptions() const {
+    core::PairOptions options;
+    options.fraction = m_percent->value() / 100;
+    options.seed = static_cast<std::uint64_t>(m_seed->value());
+    options.differences.clear();
+    for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        options.differences.push_back(part.trimmed().toInt(&isNumber));
+        if (!isNumber)
+            throw core::Error(core::ErrorCode::Usage, {}, {}, tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
+    }
+    return options;
+}
+
+std::set<int> BenchmarkPage::testFrames(const std::string& sequence, int frameCount) const {
+    core::PairFrames frames{sequence, std::vector<int>(static_cast<std::size_t>(frameCount))};
+    std::iota(frames.frames.begin(), frames.frames.end(), 0);
+    std::set<int> tests;
+    try {
+        for (const core::FramePair& pair : core::drawPairs({frames}, pairOptions()))
+            tests.insert(pair.test);
+    } catch (const core::Error&) { // half typed
+    }
+    return tests;
+}
+
 BenchmarkRequest BenchmarkPage::request() const {
     BenchmarkRequest request;
     for (int row = 0; row < m_sequences->count(); ++row) {
@@ -168,15 +199,7 @@ BenchmarkRequest BenchmarkPage::request() const {
         if (box->isChecked())
             request.methods.push_back(box->text().toStdString());
     }
-    request.pairs.fraction = m_percent->value() / 100;
-    request.pairs.seed = static_cast<std::uint64_t>(m_seed->value());
-    request.pairs.differences.clear();
-    for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
-        bool isNumber = false;
-        request.pairs.differences.push_back(part.trimmed().toInt(&isNumber));
-        if (!isNumber)
-            throw core::Error(core::ErrorCode::Usage, {}, {}, tr("\u201c%1\u201d is no number of frames.").arg(part.trimmed()).toStdString());
-    }
+    request.pairs = pairOptions();
     if (request.methods.empty() || request.sequences.empty())
         throw core::Error(core::ErrorCode::Usage, {}, {}, tr("Choose at least one method and one sequence.").toStdString());
     return request;
@@ -235,6 +258,7 @@ void BenchmarkPage::takeResults() {
                 m_jointMethod->addItem(QString::fromStdString(method));
         }
     }
+    m_jointMethod->setVisible(m_jointMethod->count() > 0);
     m_curves->setCurves(curves);
     showJointErrors();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include <QCheckBox>
@@ -32,10 +34,16 @@ class BenchmarkPage : public QWidget {
 public:
     explicit BenchmarkPage(Workbench& workbench, QWidget* parent = nullptr);
 
+    /// Which test frames the settings draw from a sequence of `frameCount` frames; none if they make no sense now.
+    std::set<int> testFrames(const std::string& sequence, int frameCount) const;
+
     /// What the fields say. Throws core::Error(Usage) if the differences are no whole numbers.
     BenchmarkRequest request() const;
+    core::PairOptions pairOptions() const;
 
 signals:
+    /// The settings draw other test frames.
+    void drawChanged();
     /// A pair shall be looked at with this method.
     void pairOpened(const QString& sequence, int start, int test, const QString& method);
 

@@ -32,6 +32,8 @@ public:
     void setDataset(const core::Dataset& dataset);
     /// Shows which sequence is open.
     void setSequence(const QString& name);
+    /// Frames that the benchmark draws, marked below the timeline.
+    void setTestFrames(const std::set<int>& frames) { m_timeline->setTestFrames(frames); }
     /// The keyboard goes to the frame number.
     void askForFrame();
 

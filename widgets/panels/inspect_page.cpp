@@ -18,6 +18,8 @@ namespace widgets {
 namespace {
 
 constexpr int kMostRows = 4;
+constexpr int kViewsHeight = 620; ///< of the views and the plots below them, to begin with
+constexpr int kPlotsHeight = 220;
 
 /// The poses after `iteration` steps; the start before the first one.
 const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
@@ -95,8 +97,8 @@ void InspectPage::build() {
     auto* splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(m_grid);
     splitter->addWidget(plots);
-    splitter->setStretchFactor(0, 3);
-    splitter->setStretchFactor(1, 1);
+    splitter->setStretchFactor(0, 1);
+    splitter->setSizes({kViewsHeight, kPlotsHeight});
     splitter->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -160,6 +162,8 @@ void InspectPage::layOutGrid() {
         cameras.insert(cameras.end(), methodCount(), m_workbench.session.dataset()->cameras[static_cast<std::size_t>(camera)]);
     m_grid->setFixedColumns(static_cast<int>(methodCount()));
     m_grid->setCameras(cameras);
+    for (std::size_t view = 0; view < cameras.size(); ++view)
+        m_grid->view(static_cast<int>(view))->setHome(m_workbench.fits.outcome()->handsPx[static_cast<std::size_t>(m_shownCameras[view / methodCount()])]);
     for (const int camera : m_shownCameras)
         showPicture(camera, m_workbench.frames.picture(camera));
     showPoses();

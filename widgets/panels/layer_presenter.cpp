@@ -12,8 +12,10 @@ const QColor kAnnotatedColour(0x4D, 0xA3, 0xFF);
 
 std::vector<ViewSurfacePtr> surfacesOf(const core::Dataset& dataset, const core::HandPoses& poses) {
     std::vector<ViewSurfacePtr> surfaces;
-    for (std::size_t i = 0; i < dataset.hands.size() && i < poses.size(); ++i)
-        surfaces.push_back(makeViewSurface(dataset.hands[i], poses[i]));
+    for (std::size_t i = 0; i < dataset.hands.size() && i < poses.size(); ++i) {
+        if (poses[i].size() > 0) // else this hand has no pose
+            surfaces.push_back(makeViewSurface(dataset.hands[i], poses[i]));
+    }
     return surfaces;
 }
 

@@ -45,7 +45,8 @@ public:
     /// `layer` is kRecorded, kStart or a method's name.
     void setLayerShown(const QString& layer, bool shown);
     bool isLayerShown(const QString& layer) const { return !m_hidden.count(layer); }
-    /// Joints of a hand model that was fitted to the annotations, shown as a layer of its own; nothing to take it away.
+    /// The hand models that were fitted to the annotations, shown as a layer of their own; an empty pose leaves that hand out,
+    /// nothing takes the layer away.
     void setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame);
 
 signals:

@@ -131,6 +131,7 @@ std::vector<ViewMark> MarkPresenter::marksIn(int camera) const {
         marks.push_back(*mark);
         marks.back().selected = isSelected;
         marks.back().label = QString::fromStdString(joint.joint);
+        marks.back().named = isSelected && m_grid.view(camera)->camera().name == m_selection.camera();
     };
     for (const auto& [joint, found] : m_reconstructions.joints()) {
         if (camera < static_cast<int>(found.views.size()))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/quality_panel.h"
 
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QVBoxLayout>
@@ -11,8 +13,8 @@
 namespace widgets {
 
 QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_threshold(new QDoubleSpinBox(this)), m_summary(new QLabel(this)),
-      m_nothing(new QLabel(tr("Nothing stands out in this frame."), this)), m_table(new QTableView(this)),
+    : QWidget(parent), m_workbench(workbench), m_threshold(new QDoubleSpinBox(this)), m_scope(new QComboBox(this)), m_summary(new QLabel(this)),
+      m_nothing(new QLabel(this)), m_table(new QTableView(this)),
       m_model(new FindingModel(this)) {
     build();
     connect(&workbench.reconstructions, &Reconstructions::changed, this, &QualityPanel::refresh);
@@ -23,6 +25,11 @@ QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
         emit badRmsPxChanged(px);
         refresh();
     });
+    connect(&workbench.checks, &QualityChecks::changed, this, [this] {
+        refresh();
+        refreshSummary();
+    });
+    connect(m_scope, qOverload<int>(&QComboBox::currentIndexChanged), this, &QualityPanel::refresh);
     connect(m_table, &QTableView::clicked, this, &QualityPanel::jump);
     refresh();
     refreshSummary();
@@ -46,6 +53,9 @@ void QualityPanel::build() {
     row->addWidget(label);
     row->addWidget(m_threshold);
     row->addStretch(1);
+    m_scope->addItems({tr("This frame"), tr("Whole sequence")});
+    m_scope->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(m_scope);
     QPalette quiet = palette();
     quiet.setColor(QPalette::WindowText, quietTextColour(quiet));
     m_nothing->setPalette(quiet);
@@ -54,7 +64,6 @@ void QualityPanel::build() {
     m_table->setModel(m_model);
     styleTable(*m_table);
     m_table->setFocusPolicy(Qt::NoFocus);
-    m_table->setColumnHidden(FindingModel::Frame, true);
     column->addWidget(m_summary);
     column->addLayout(row);
     column->addWidget(m_nothing, 1);
@@ -66,8 +75,30 @@ void QualityPanel::askForThreshold() {
     m_threshold->selectAll();
 }
 
+std::vector<QualityFinding> QualityPanel::frameFindings() const {
+    const int frame = m_workbench.selection.frame();
+    const double bad = m_workbench.coverage.badRmsPx();
+    auto findings = findingsOf(m_workbench.reconstructions, frame, bad); // of this moment: clicks that disagree are among them
+    for (const core::QualityFinding& found : m_workbench.checks.findings()) {
+        if (found.frame == frame && found.kind != core::QualityKind::Disagreement)
+            findings.push_back(findingOf(found, bad));
+    }
+    std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.severity > b.severity; });
+    return findings;
+}
+
+std::vector<QualityFinding> QualityPanel::sequenceFindings() const {
+    std::vector<QualityFinding> findings;
+    for (const core::QualityFinding& found : m_workbench.checks.findings())
+        findings.push_back(findingOf(found, m_workbench.coverage.badRmsPx()));
+    return findings;
+}
+
 void QualityPanel::refresh() {
-    m_model->setFindings(findingsOf(m_workbench.reconstructions, m_workbench.selection.frame(), m_workbench.coverage.badRmsPx()));
+    const bool wholeSequence = m_scope->currentIndex() == 1;
+    m_model->setFindings(wholeSequence ? sequenceFindings() : frameFindings());
+    m_table->setColumnHidden(FindingModel::Frame, !wholeSequence);
+    m_nothing->setText(wholeSequence ? tr("Nothing stands out in this sequence.") : tr("Nothing stands out in this frame."));
     const bool any = m_model->rowCount() > 0;
     m_table->setVisible(any);
     m_nothing->setVisible(!any);
@@ -83,11 +114,15 @@ void QualityPanel::refreshSummary() {
         }
     }
     const int frames = static_cast<int>(m_workbench.coverage.frames().size());
-    if (frames == 0)
+    if (frames == 0) {
         m_summary->setText(tr("No frame of this sequence has marks yet."));
-    else
-        m_summary->setText(tr("%n frame(s) with marks.", nullptr, frames) + QLatin1Char(' ') +
-                           tr("Joints: %1 done, %2 partial, %3 bad.").arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad)));
+        return;
+    }
+    QString text = tr("%n frame(s) with marks.", nullptr, frames) + QLatin1Char(' ') +
+                   tr("Joints: %1 done, %2 partial, %3 bad.").arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
+    if (const auto& noise = m_workbench.checks.clickNoise())
+        text += QLatin1Char(' ') + tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
+    m_summary->setText(text);
 }
 
 void QualityPanel::jump(const QModelIndex& index) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTableView>
@@ -11,7 +12,7 @@
 
 namespace widgets {
 
-/// What deserves a look in the current frame, and how the sequence stands. A row jumps to its joint and view.
+/// What deserves a look in the current frame or the whole sequence, and how the sequence stands. A row jumps to its joint and view.
 class QualityPanel : public QWidget {
     Q_OBJECT
 
@@ -28,10 +29,13 @@ private:
     void build();
     void refresh();
     void refreshSummary();
+    std::vector<QualityFinding> frameFindings() const;
+    std::vector<QualityFinding> sequenceFindings() const;
     void jump(const QModelIndex& index);
 
     Workbench& m_workbench;
     QDoubleSpinBox* m_threshold;
+    QComboBox* m_scope;
     QLabel* m_summary;
     QLabel* m_nothing;
     QTableView* m_table;

@@ -87,7 +87,7 @@ int Timeline::frameAt(double x) const {
 
 void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane) const {
     painter.setPen(Qt::NoPen);
-    painter.setBrush(palette().color(QPalette::Base));
+    painter.setBrush(mixed(palette().color(QPalette::Window), palette().color(QPalette::WindowText), 0.14));
     painter.drawRect(lane);
     const int joints = hand == core::Side::Left ? m_leftJoints : m_rightJoints;
     const double step = m_frames > 0 ? lane.width() / m_frames : 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/view_options.h"
 
+#include <locale>
+#include <sstream>
+
 namespace widgets {
 
 namespace {
@@ -49,6 +52,29 @@ void ViewOptions::setAdjustment(const std::string& camera, const ImageAdjustment
     for (const CameraView* view : m_grid.views()) {
         if (camera.empty() || view->camera().name == camera)
             m_adjustments[view->camera().name] = adjustment;
+    }
+    applyToAll();
+    emit adjustmentsChanged();
+}
+
+std::string ViewOptions::adjustmentsText() const {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    for (const auto& [camera, adjustment] : m_adjustments)
+        text << adjustment.brightness << ' ' << adjustment.contrast << ' ' << adjustment.gamma << ' ' << camera << '\n';
+    return text.str();
+}
+
+void ViewOptions::setAdjustmentsFromText(const std::string& text) {
+    m_adjustments.clear();
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream fields(line);
+        fields.imbue(std::locale::classic());
+        ImageAdjustment adjustment;
+        std::string camera;
+        if (fields >> adjustment.brightness >> adjustment.contrast >> adjustment.gamma && std::getline(fields >> std::ws, camera))
+            m_adjustments[camera] = adjustment;
     }
     applyToAll();
 }

@@ -33,6 +33,13 @@ public:
     /// Of one camera, or of all with an empty name.
     void setAdjustment(const std::string& camera, const ImageAdjustment& adjustment);
 
+    /// All adjustments as text, a camera a line, and back; lines that make no sense are left out.
+    std::string adjustmentsText() const;
+    void setAdjustmentsFromText(const std::string& text);
+
+signals:
+    void adjustmentsChanged();
+
 private:
     void apply(CameraView& view) const;
     void applyToAll() const;

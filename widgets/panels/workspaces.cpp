@@ -10,6 +10,10 @@
 
 namespace widgets {
 
+namespace {
+constexpr const char* kAdjustmentsSetting = "adjustments";
+} // namespace
+
 Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(workbench), m_columns(new QSplitter(Qt::Horizontal, this)), m_middle(new QStackedWidget(this)),
       m_right(new QSplitter(Qt::Vertical, this)), m_tabs(new QTabWidget(this)),
@@ -18,7 +22,7 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
       m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
       m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
       m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)),
-      m_quality(new QualityPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
+      m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
       m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)) {
     build();
     connectGrid();
@@ -32,6 +36,12 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
             m_grid->view(camera)->setMessage(message);
     });
     connect(&workbench.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
+    connect(m_options, &ViewOptions::adjustmentsChanged, this,
+            [this] { m_workbench.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
+    connect(&workbench.model, &ModelOfMarks::changed, this, [this] {
+        const auto& fit = m_workbench.model.fit();
+        m_layers->setAnnotatedPose(fit ? std::optional(fit->poses) : std::nullopt, fit ? fit->frame : -1);
+    });
 }
 
 void Workspaces::build() {
@@ -44,6 +54,7 @@ void Workspaces::build() {
     m_tabs->addTab(m_quality, tr("Quality"));
     m_tabs->addTab(m_fitting, tr("Fit"));
     m_tabs->addTab(m_viewPanel, tr("View"));
+    m_tabs->addTab(m_raters, tr("Raters"));
     m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
     m_tabs->setDocumentMode(true);
     m_tabs->setFocusPolicy(Qt::NoFocus);
@@ -113,6 +124,7 @@ void Workspaces::takeSequence() {
         showPicture(camera, m_workbench.frames.picture(camera));
     showCurrentCamera();
     m_scene->resetView();
+    m_options->setAdjustmentsFromText(m_workbench.document.setting(kAdjustmentsSetting).value_or(std::string()));
 }
 
 void Workspaces::showOrder() {
@@ -194,6 +206,8 @@ QWidget* Workspaces::part(const QString& name) const {
         return m_fitting;
     if (name == QLatin1String("quality"))
         return m_quality;
+    if (name == QLatin1String("raters"))
+        return m_raters;
     if (name == QLatin1String("view"))
         return m_viewPanel;
     if (name == QLatin1String("inspect"))

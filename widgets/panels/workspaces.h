@@ -15,6 +15,7 @@
 #include "widgets/panels/layer_presenter.h"
 #include "widgets/panels/mark_presenter.h"
 #include "widgets/panels/quality_panel.h"
+#include "widgets/panels/raters_panel.h"
 #include "widgets/panels/view_options.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/views/camera_grid.h"
@@ -44,12 +45,13 @@ public:
     LayerPresenter* layers() const { return m_layers; }
     ViewOptions* options() const { return m_options; }
     QualityPanel* qualityPanel() const { return m_quality; }
+    RatersPanel* ratersPanel() const { return m_raters; }
     ViewPanel* viewPanel() const { return m_viewPanel; }
     InspectPage* inspectPage() const { return m_inspect; }
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
-    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "view", "curves", "views", "inspect", "benchmark" or a
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views", "inspect", "benchmark" or a
     /// camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
@@ -85,6 +87,7 @@ private:
     LayerPresenter* m_layers;
     ViewOptions* m_options;
     QualityPanel* m_quality;
+    RatersPanel* m_raters;
     ViewPanel* m_viewPanel;
     InspectPage* m_inspect;
     BenchmarkPage* m_benchmark;

@@ -169,19 +169,38 @@ double CameraView::scale() const {
     return transform().m11();
 }
 
-double CameraView::fittingScale() const {
-    const QSizeF image = imageSize();
-    if (image.isEmpty()) {
+double CameraView::fittingScale(const QSizeF& size) const {
+    if (size.isEmpty()) {
         return 1;
     }
-    return std::min(viewport()->width() / image.width(), viewport()->height() / image.height());
+    return std::min(viewport()->width() / size.width(), viewport()->height() / size.height());
+}
+
+void CameraView::setHome(const QRectF& homePx) {
+    if (homePx == m_home) {
+        return;
+    }
+    m_home = homePx;
+    if (m_fitted) {
+        fitImage();
+    }
 }
 
 void CameraView::fitImage() {
     m_fitted = true;
-    const double scale = std::max(1e-6, fittingScale());
-    const QSizeF left = QSizeF(viewport()->size()) - imageSize() * scale;
-    setViewTransform(scale, {left.width() / 2, left.height() / 2});
+    const QRectF home = m_home.isEmpty() ? QRectF(-kHalfPixel, imageSize()) : m_home;
+    const double scale = std::clamp(fittingScale(home.size()), 1e-6, kGreatestScale);
+    const QPointF middle(viewport()->width() / 2.0, viewport()->height() / 2.0);
+    setViewTransform(scale, middle - (home.center() + kHalfPixel) * scale);
+}
+
+void CameraView::showWholeImage() {
+    if (m_home.isEmpty()) {
+        fitImage();
+        return;
+    }
+    const QSizeF image = imageSize();
+    lookAt(QPointF(image.width() / 2, image.height() / 2) - kHalfPixel, fittingScale(image));
 }
 
 void CameraView::lookAt(QPointF centrePx, double newScale) {
@@ -193,8 +212,8 @@ void CameraView::lookAt(QPointF centrePx, double newScale) {
 
 void CameraView::zoomAt(QPointF viewportPoint, double factor) {
     const double wanted = std::min(scale() * factor, kGreatestScale);
-    if (wanted <= fittingScale()) {
-        fitImage();
+    if (wanted <= fittingScale(imageSize())) {
+        showWholeImage();
         return;
     }
     m_fitted = false;

@@ -72,8 +72,10 @@ public:
     /// colour.
     void setCurrent(bool current);
 
-    /// Shows the whole image, and keeps doing so when the widget is resized.
+    /// Shows the home (the whole image, unless another one was set), and keeps doing so when the widget is resized.
     void fitImage();
+    /// What fitImage() shows, image px; an empty rectangle is the whole image.
+    void setHome(const QRectF& homePx);
     bool isFitted() const { return m_fitted; }
     /// Puts image pixel `centrePx` into the middle, at `scale` screen pixels per image pixel (0: keeps the scale).
     void lookAt(QPointF centrePx, double scale = 0);
@@ -144,7 +146,8 @@ protected:
 private:
     friend class CameraViewMouse;
     QSizeF imageSize() const;
-    double fittingScale() const;
+    double fittingScale(const QSizeF& size) const;
+    void showWholeImage();
     void setViewTransform(double scale, QPointF translation);
     void requestMeshPicture();
     MeshLayerPainter::Request meshRequest(double pictureScale) const;
@@ -164,6 +167,7 @@ private:
     double m_fieldOpacity = 0.6;
     std::vector<MeshLayer> m_meshLayers;
     bool m_fitted = true;
+    QRectF m_home; ///< image px; empty: the whole image
     bool m_overlaysHidden = false;
     bool m_placingEnabled = true;
     bool m_loupeShown = false;

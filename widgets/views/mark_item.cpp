@@ -102,16 +102,24 @@ void MarkItem::setLabelShown(bool shown) {
     m_labelShown = shown;
 }
 
-QRectF MarkItem::labelRect() const {
+/// Below the mark to the right; `leftwards` and `upwards` where there is no room.
+QRectF MarkItem::labelRect(bool leftwards, bool upwards) const {
     const QFontMetricsF metrics(QApplication::font());
     const QSizeF size(metrics.horizontalAdvance(m_mark.label) + 8, metrics.height() + 2);
-    return {QPointF(kLabelOffset, kLabelOffset), size};
+    return {QPointF(leftwards ? -kLabelOffset - size.width() : kLabelOffset, upwards ? -kLabelOffset - size.height() : kLabelOffset), size};
+}
+
+QRectF MarkItem::labelRectIn(const QPainter& painter, const QWidget* widget) const {
+    if (!widget)
+        return labelRect(false, false);
+    const QRectF box = painter.worldTransform().mapRect(labelRect(false, false));
+    return labelRect(box.right() > widget->width(), box.bottom() > widget->height());
 }
 
 QRectF MarkItem::boundingRect() const {
     const double reach = m_mark.selected ? kCrossReach + 2 : 11;
     const QRectF ring(-reach, -reach, 2 * reach, 2 * reach);
-    return hasLabel() ? ring.united(labelRect()) : ring;
+    return hasLabel() ? ring.united(labelRect(false, false)).united(labelRect(true, true)) : ring;
 }
 
 /// The mark without its label, around the origin.
@@ -164,7 +172,7 @@ void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
         drawGlyph(*painter);
     }
     if (hasLabel()) {
-        const QRectF box = labelRect();
+        const QRectF box = labelRectIn(*painter, widget);
         painter->setRenderHint(QPainter::Antialiasing);
         painter->setPen(Qt::NoPen);
         painter->setBrush(QColor(0, 0, 0, 170));

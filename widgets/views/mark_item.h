@@ -23,8 +23,9 @@ public:
 private:
     void drawGlyph(QPainter& painter) const;
     QPixmap glyph(double pixelRatio) const;
-    bool hasLabel() const { return !m_mark.label.isEmpty() && (m_labelShown || m_mark.selected); }
-    QRectF labelRect() const;
+    bool hasLabel() const { return !m_mark.label.isEmpty() && (m_labelShown || m_mark.named); }
+    QRectF labelRect(bool leftwards, bool upwards) const;
+    QRectF labelRectIn(const QPainter& painter, const QWidget* widget) const;
 
     ViewMark m_mark;
     bool m_labelShown = false;

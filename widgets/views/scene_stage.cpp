@@ -297,7 +297,7 @@ void SceneStage::resetOrbit(QSize window) {
     constexpr double kAboveRad = 0.38, kAsideRad = 0.35; // so that depth is seen
     const Eigen::Vector3d aside = Eigen::AngleAxisd(kAsideRad, m_orbit.up) * level;
     m_orbit.away = std::cos(kAboveRad) * aside + std::sin(kAboveRad) * m_orbit.up;
-    m_orbit.frame(middle.centre, std::max(1.15 * hands.radiusMm, 0.45 * cameras.radiusMm), window);
+    m_orbit.frame(middle.centre, std::max(1.15 * hands.radiusMm, 0.28 * cameras.radiusMm), window);
 }
 
 DepthRange SceneStage::depthRange(const Eigen::Vector3d& eye, const Eigen::Vector3d& forward) const {

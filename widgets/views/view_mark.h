@@ -29,7 +29,8 @@ struct ViewMark {
     bool outlier = false;
     bool selected = false;
     std::optional<QPointF> reprojectionPx; ///< of the 3D joint: the thin line goes there
-    QString label;                         ///< beside the mark if it is selected, or if labels are shown
+    QString label;                         ///< beside the mark if it is named, or if labels are shown
+    bool named = false;
     bool operator==(const ViewMark&) const = default;
 };
 

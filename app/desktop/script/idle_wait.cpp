@@ -57,6 +57,7 @@ void waitMs(int milliseconds) {
 
 void drawNow(MainWindow& window) {
     window.workspaces().grid()->finishDrawing();
+    window.workspaces().inspectPage()->grid()->finishDrawing();
     QCoreApplication::sendPostedEvents();
 }
 

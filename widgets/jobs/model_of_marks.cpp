@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/jobs/model_of_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+
+namespace {
+
+/// A stretched hand within its limits.
+core::Pose neutralPose(const core::Skeleton& skeleton) {
+    core::Pose pose = skeleton.restPose();
+    for (std::size_t d = 0; d < skeleton.dofs.size(); ++d)
+        pose[core::kRigidDofs + static_cast<Eigen::Index>(d)] = std::clamp(0.0, skeleton.dofs[d].minRad, skeleton.dofs[d].maxRad);
+    return pose;
+}
+
+void addProposals(ModelFit& fit, const core::HandModel& hand, const core::Pose& pose, const core::JointPoints& points) {
+    const auto joints = core::jointPositions(hand.skeleton, pose);
+    for (std::size_t bone = 0; bone < joints.size(); ++bone) {
+        const core::JointId joint{hand.side, hand.skeleton.bones[bone].name};
+        if (!points.count(joint))
+            fit.proposals.push_back({joint, joints[bone]});
+    }
+}
+
+} // namespace
+
+std::optional<ModelFit> fitModelToPoints(const core::Dataset& dataset, int frame, const core::JointPoints& points) {
+    ModelFit fit;
+    fit.frame = frame;
+    double squaredMm2 = 0;
+    for (const core::HandModel& hand : dataset.hands) {
+        std::vector<core::JointTarget> targets;
+        for (const auto& [joint, point] : points) {
+            const int bone = joint.hand == hand.side ? hand.skeleton.boneIndex(joint.joint) : -1;
+            if (bone >= 0)
+                targets.push_back({bone, point.pointInWorld, point.covariance});
+        }
+        const auto found = core::fitPoseToJoints(hand.skeleton, targets, neutralPose(hand.skeleton));
+        fit.poses.push_back(found ? found->pose : core::Pose());
+        if (!found)
+            continue;
+        fit.joints += static_cast<int>(targets.size());
+        squaredMm2 += found->rmsMm * found->rmsMm * static_cast<double>(targets.size());
+        addProposals(fit, hand, found->pose, points);
+    }
+    if (fit.joints == 0)
+        return std::nullopt;
+    fit.rmsMm = std::sqrt(squaredMm2 / fit.joints);
+    return fit;
+}
+
+ModelOfMarks::ModelOfMarks(const Selection& selection, const Reconstructions& reconstructions, JobPool& pool, QObject* parent)
+    : QObject(parent), m_selection(selection), m_reconstructions(reconstructions), m_job(pool), m_onceJob(pool) {
+    connect(&reconstructions, &Reconstructions::changed, this, &ModelOfMarks::refresh);
+    connect(&m_onceJob, &Job::failed, this, &ModelOfMarks::impossible);
+}
+
+void ModelOfMarks::setDataset(std::shared_ptr<const core::Dataset> dataset) {
+    m_onceJob.stop();
+    m_dataset = std::move(dataset);
+    refresh();
+}
+
+void ModelOfMarks::setOn(bool on) {
+    m_on = on;
+    refresh();
+}
+
+void ModelOfMarks::fitOnce() {
+    if (!m_dataset || m_dataset->hands.empty()) {
+        emit impossible(tr("This dataset has no hand models."));
+        return;
+    }
+    m_onceJob.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext&) -> Job::Delivery {
+        const auto fit = fitModelToPoints(*dataset, frame, points);
+        return [this, fit] {
+            if (fit)
+                emit fitted(*fit);
+            else
+                emit impossible(tr("The hand model needs three joints of a hand that have a 3D point and are not on a line."));
+        };
+    });
+}
+
+void ModelOfMarks::refresh() {
+    if (!m_on || !m_dataset) {
+        m_job.stop();
+        if (m_fit) {
+            m_fit.reset();
+            emit changed();
+        }
+        return;
+    }
+    m_job.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext&) -> Job::Delivery {
+        return [this, fit = fitModelToPoints(*dataset, frame, points)] {
+            m_fit = fit;
+            emit changed();
+        };
+    });
+}
+
+core::JointPoints ModelOfMarks::points() const {
+    core::JointPoints points;
+    for (const auto& [joint, found] : m_reconstructions.joints()) {
+        if (found.hasPoint())
+            points.emplace(joint, *found.result.point);
+    }
+    return points;
+}
+
+} // namespace widgets

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <QObject>
+#include <QTimer>
+
+#include "core/annotation/click_noise.h"
+#include "core/annotation/quality.h"
+#include "core/io/dataset.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/jobs/job.h"
+
+namespace widgets {
+
+/// The doubts about the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the background:
+/// all frames when a sequence or rater is opened, then those that an edit touched, a moment after the edit.
+class QualityChecks : public QObject {
+    Q_OBJECT
+
+public:
+    QualityChecks(const AnnotationDocument& document, JobPool& pool, QObject* parent = nullptr);
+    ~QualityChecks() override;
+
+    void setDataset(std::shared_ptr<const core::Dataset> dataset);
+
+    /// By frame.
+    const std::vector<core::QualityFinding>& findings() const { return m_findings; }
+    /// Nothing with too few joints that three views agree on.
+    const std::optional<core::ClickNoise>& clickNoise() const { return m_noise; }
+    /// True when everything that was done has been looked at.
+    bool isUpToDate() const { return !m_job.isRunning() && !m_wait.isActive(); }
+
+signals:
+    void changed();
+
+private:
+    struct State;
+    void restart();
+    void queue(const core::Edit& edit);
+    void look();
+
+    const AnnotationDocument& m_document;
+    Job m_job;
+    QTimer m_wait;
+    std::shared_ptr<const core::Dataset> m_dataset;
+    std::shared_ptr<State> m_state; ///< the worker's while it runs
+    std::vector<core::Edit> m_edits; ///< that the state does not know yet
+    std::vector<core::QualityFinding> m_findings;
+    std::optional<core::ClickNoise> m_noise;
+};
+
+} // namespace widgets

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/jobs/rater_study.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "core/annotation/click_noise.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr int kViewsOfATask = 2; ///< marked by hand in so many views, a joint has a point
+
+/// The tasks of a round are kept with the annotations, one a line: the round goes on after a restart.
+std::string settingOf(const std::string& rater) {
+    return "repeat/" + rater;
+}
+
+std::string textOf(const std::vector<core::RepeatTask>& tasks) {
+    std::ostringstream text;
+    for (const core::RepeatTask& task : tasks)
+        text << task.frame << ' ' << core::sideName(task.joint.hand) << ' ' << task.joint.joint << '\n';
+    return text.str();
+}
+
+std::vector<core::RepeatTask> tasksFrom(const std::string& text) {
+    std::vector<core::RepeatTask> tasks;
+    std::istringstream stream(text);
+    core::RepeatTask task;
+    for (std::string side; stream >> task.frame >> side >> task.joint.joint;) {
+        if (const auto hand = core::sideFromName(side)) {
+            task.joint.hand = *hand;
+            tasks.push_back(task);
+        }
+    }
+    return tasks;
+}
+
+/// The name without the mark of a second round.
+std::string ownName(const std::string& rater) {
+    if (!core::isRepeatRater(rater))
+        return rater;
+    return rater.substr(0, rater.size() - (core::repeatRaterName("").size()));
+}
+
+} // namespace
+
+RaterStudy::RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent)
+    : QObject(parent), m_document(document), m_selection(selection), m_job(pool) {
+    connect(&document, &AnnotationDocument::opened, this, &RaterStudy::takeDocument);
+    connect(&document, &AnnotationDocument::raterChanged, this, &RaterStudy::takeDocument);
+    connect(&document, &AnnotationDocument::changed, this, [this] {
+        if (isRepeating())
+            emit roundChanged();
+    });
+    connect(&m_job, &Job::failed, this, &RaterStudy::failed);
+}
+
+void RaterStudy::setDataset(std::shared_ptr<const core::Dataset> dataset) {
+    m_job.stop();
+    m_dataset = std::move(dataset);
+    m_comparisons.clear();
+    m_sigmaPx.clear();
+    emit compared();
+}
+
+void RaterStudy::takeDocument() {
+    m_tasks = tasksFrom(m_document.setting(settingOf(ownName(m_document.rater()))).value_or(std::string()));
+    emit roundChanged();
+}
+
+void RaterStudy::compare() {
+    if (!m_dataset)
+        return;
+    m_job.start([this, dataset = m_dataset, set = m_document.annotations()](const JobContext& context) -> Job::Delivery {
+        auto comparisons = core::compareAllRaters(set, dataset->cameras);
+        std::map<std::string, double> sigmaPx;
+        for (const std::string& rater : core::ratersOf(set)) {
+            if (context.stop.stop_requested())
+                return {};
+            if (const auto noise = core::estimateClickNoise(set, dataset->cameras, rater))
+                sigmaPx[rater] = noise->sigmaPx;
+        }
+        return [this, comparisons = std::move(comparisons), sigmaPx = std::move(sigmaPx)] {
+            m_comparisons = comparisons;
+            m_sigmaPx = sigmaPx;
+            emit compared();
+        };
+    });
+}
+
+core::Consensus RaterStudy::consensus() const {
+    if (!m_dataset)
+        return {};
+    return core::consensus(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_selection.joint(), m_sigmaPx);
+}
+
+bool RaterStudy::isRepeating() const {
+    return core::isRepeatRater(m_document.rater());
+}
+
+bool RaterStudy::beginRepeating(double share, unsigned seed) {
+    const std::string rater = ownName(m_document.rater());
+    if (!m_dataset || !m_document.isOpen())
+        return false;
+    if (openTasks() == 0) {
+        m_tasks = core::drawRepeatTasks(m_document.annotations(), m_dataset->cameras, rater, share, seed);
+        m_document.setSetting(settingOf(rater), textOf(m_tasks));
+    }
+    if (m_tasks.empty())
+        return false;
+    m_document.setRater(core::repeatRaterName(rater));
+    goToNextTask();
+    return true;
+}
+
+bool RaterStudy::isOpen(const core::RepeatTask& task) const {
+    const std::string rater = core::repeatRaterName(ownName(m_document.rater()));
+    const auto marks = core::marksOfJoint(m_document.annotations(), task.frame, rater, task.joint);
+    return std::count_if(marks.begin(), marks.end(), [](const auto& mark) { return mark.second.isEvidence(); }) < kViewsOfATask;
+}
+
+int RaterStudy::openTasks() const {
+    return static_cast<int>(std::count_if(m_tasks.begin(), m_tasks.end(), [this](const auto& task) { return isOpen(task); }));
+}
+
+bool RaterStudy::goToNextTask() {
+    if (!isRepeating())
+        return false;
+    const core::RepeatTask here{m_selection.frame(), m_selection.joint()};
+    const auto current = std::find(m_tasks.begin(), m_tasks.end(), here);
+    std::vector<core::RepeatTask> order = m_tasks;
+    if (current != m_tasks.end())
+        std::rotate(order.begin(), order.begin() + (current - m_tasks.begin()) + 1, order.end());
+    const auto next = std::find_if(order.begin(), order.end(), [this](const auto& task) { return isOpen(task); });
+    if (next == order.end())
+        return false;
+    m_selection.setFrame(next->frame);
+    m_selection.setJoint(next->joint);
+    return true;
+}
+
+void RaterStudy::endRepeating() {
+    m_document.setRater(ownName(m_document.rater()));
+    compare();
+}
+
+} // namespace widgets

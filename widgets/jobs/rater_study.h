@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "core/annotation/raters.h"
+#include "core/io/dataset.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/job.h"
+
+namespace widgets {
+
+/// How far the raters of the open sequence agree, and the second rounds in which a rater marks a random part of the own work again
+/// without seeing the first marks.
+class RaterStudy : public QObject {
+    Q_OBJECT
+
+public:
+    RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent = nullptr);
+
+    void setDataset(std::shared_ptr<const core::Dataset> dataset);
+
+    /// Compares all raters as they stand now; compared() follows.
+    void compare();
+    const std::vector<core::RaterComparison>& comparisons() const { return m_comparisons; }
+    /// Standard deviation of each rater's clicks per axis, px, where it can be estimated.
+    const std::map<std::string, double>& sigmaPx() const { return m_sigmaPx; }
+    /// All raters' clicks of the selected joint in the current frame together, each weighed by its rater's scatter.
+    core::Consensus consensus() const;
+
+    /// True while the rater is in a second round.
+    bool isRepeating() const;
+    /// Goes on with an unfinished round or draws a new one, `share` of what the rater has finished: from here on, marks are kept
+    /// under repeatRaterName. False if nothing is finished.
+    bool beginRepeating(double share, unsigned seed);
+    /// Goes to the next joint of the round that is not marked in two views yet; false if all are.
+    bool goToNextTask();
+    /// Back to the rater's own name.
+    void endRepeating();
+    int tasks() const { return static_cast<int>(m_tasks.size()); }
+    int openTasks() const;
+
+signals:
+    void compared();
+    /// A round began, went on or ended.
+    void roundChanged();
+    /// The comparison was not possible, and why.
+    void failed(const QString& message);
+
+private:
+    void takeDocument();
+    bool isOpen(const core::RepeatTask& task) const;
+
+    AnnotationDocument& m_document;
+    Selection& m_selection;
+    Job m_job;
+    std::shared_ptr<const core::Dataset> m_dataset;
+    std::vector<core::RaterComparison> m_comparisons;
+    std::map<std::string, double> m_sigmaPx;
+    std::vector<core::RepeatTask> m_tasks;
+};
+
+} // namespace widgets

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QWidget>
+
+#include "widgets/jobs/workbench.h"
+#include "widgets/models/agreement_model.h"
+#include "widgets/views/message_bar.h"
+
+namespace widgets {
+
+/// How far raters agree with each other and with themselves, what all say of the selected joint together, and the second round.
+class RatersPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RatersPanel(Workbench& workbench, QWidget* parent = nullptr);
+
+signals:
+    /// The buttons of the second round.
+    void roundRequested();
+    void nextTaskRequested();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void showComparisons();
+    void showPair();
+    void showConsensus();
+    void showRound();
+
+    Workbench& m_workbench;
+    MessageBar* m_message;
+    QComboBox* m_pairs;
+    QLabel* m_clicks;
+    QTableView* m_table;
+    AgreementModel* m_model;
+    QLabel* m_nothing;
+    QLabel* m_consensus;
+    QLabel* m_round;
+    QPushButton* m_next;
+    QPushButton* m_begin;
+};
+
+} // namespace widgets
