@@ -500,10 +500,6 @@
         <translation>Pose an aktuelles Bild &amp;anpassen</translation>
     </message>
     <message>
-        <source>With the chosen methods, from a recorded pose some frames before</source>
-        <translation>Mit den gewählten Methoden, ab einer aufgezeichneten Pose einige Bilder davor</translation>
-    </message>
-    <message>
         <source>&amp;Stop</source>
         <translation>&amp;Stopp</translation>
     </message>
@@ -541,114 +537,118 @@
     </message>
     <message>
         <source>&amp;Export annotations...</source>
-        <translation type="unfinished"></translation>
+        <translation>Annotationen &amp;exportieren...</translation>
     </message>
     <message>
         <source>&amp;Report on the annotations...</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;richt über die Annotationen...</translation>
     </message>
     <message>
         <source>A page with progress, raters, worst joints and figures</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Seite mit Fortschritt, Bewertern, schlechtesten Gelenken und Diagrammen</translation>
     </message>
     <message>
         <source>Hand &amp;model of the marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Handmodell der Marken</translation>
     </message>
     <message>
         <source>The hand model, bent onto the 3D joints of this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handmodell, an die 3D-Gelenke dieses Bildes gebeugt</translation>
     </message>
     <message>
         <source>Propose the &amp;rest from the hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rest aus dem Handmodell vorschlagen</translation>
     </message>
     <message>
         <source>Fits the hand model to the 3D joints of this frame and places the others, to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt das Handmodell an die 3D-Gelenke dieses Bildes an und platziert die übrigen zur Prüfung</translation>
     </message>
     <message>
         <source>Joints from a &amp;file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke aus &amp;Datei...</translation>
     </message>
     <message>
         <source>&amp;Mark a part again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A random tenth of your finished joints, without the first marks; once more to end the round</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Teil &amp;erneut markieren</translation>
     </message>
     <message>
         <source>Next joint of the second round</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Gelenk des zweiten Durchgangs</translation>
     </message>
     <message>
         <source>Compare ra&amp;ters</source>
-        <translation type="unfinished"></translation>
+        <translation>Be&amp;werter vergleichen</translation>
     </message>
     <message>
         <source>Next &amp;test frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes &amp;Testbild</translation>
     </message>
     <message>
         <source>The frames that the benchmark draws from this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder, die der Benchmark aus dieser Sequenz zieht</translation>
     </message>
     <message>
         <source>Previous test frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriges Testbild</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden; once more to end the round</source>
+        <translation>Ein zufälliges Zehntel Ihrer fertigen Gelenke, ohne Ihre ersten Marken zu sehen; noch einmal beendet den Durchgang</translation>
+    </message>
+    <message>
+        <source>With the chosen methods, from the pose of some frames before</source>
+        <translation>Mit den gewählten Methoden, ausgehend von der Pose einige Bilder vorher</translation>
     </message>
 </context>
 <context>
     <name>app::FileActions</name>
     <message>
         <source>Handlens ground truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Handlens-Ground-Truth</translation>
     </message>
     <message>
         <source>Files of the method&apos;s authors</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien der Autoren der Methode</translation>
     </message>
     <message>
         <source>COCO keypoints</source>
-        <translation type="unfinished"></translation>
+        <translation>COCO-Keypoints</translation>
     </message>
     <message>
         <source>Anipose, 2D</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose, 2D</translation>
     </message>
     <message>
         <source>Anipose, 3D</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose, 3D</translation>
     </message>
     <message>
         <source>DeepLabCut, Lightning Pose</source>
-        <translation type="unfinished"></translation>
+        <translation>DeepLabCut, Lightning Pose</translation>
     </message>
     <message>
         <source>TRC, marker motion</source>
-        <translation type="unfinished"></translation>
+        <translation>TRC, Markerbewegung</translation>
     </message>
     <message>
         <source>InterHand2.6M</source>
-        <translation type="unfinished"></translation>
+        <translation>InterHand2.6M</translation>
     </message>
     <message>
         <source>FreiHAND, HanCo</source>
-        <translation type="unfinished"></translation>
+        <translation>FreiHAND, HanCo</translation>
     </message>
     <message>
         <source>Table of 3D joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle der 3D-Gelenke</translation>
     </message>
     <message>
         <source>Table of marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle der Marken</translation>
     </message>
     <message>
         <source>%1 – a new folder (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – ein neuer Ordner (*)</translation>
     </message>
 </context>
 <context>
@@ -806,47 +806,47 @@
     </message>
     <message>
         <source>The hand model has nothing to add: every joint of the list that it knows has a mark.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handmodell hat nichts beizutragen: Jedes Gelenk der Liste, das es kennt, hat eine Marke.</translation>
     </message>
     <message>
         <source>Finish some joints first: there is nothing to mark again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einige Gelenke fertigstellen: Es gibt nichts erneut zu markieren.</translation>
     </message>
     <message>
         <source>Every joint of the round is marked: end it to see how you did.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Gelenke des Durchgangs sind markiert: Durchgang beenden, um das Ergebnis zu sehen.</translation>
     </message>
     <message>
         <source>No second round is under way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es läuft kein zweiter Durchgang.</translation>
     </message>
     <message>
         <source>Export annotations</source>
-        <translation type="unfinished"></translation>
+        <translation>Annotationen exportieren</translation>
     </message>
     <message>
         <source>Report on the annotations</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht über die Annotationen</translation>
     </message>
     <message>
         <source>Pages (*.html)</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten (*.html)</translation>
     </message>
     <message>
         <source>Joints from a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke aus Datei</translation>
     </message>
     <message>
         <source>Lists of joints (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenklisten (*.json)</translation>
     </message>
     <message>
         <source>Report written to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht geschrieben nach %1</translation>
     </message>
     <message>
         <source>No test frame in that direction, as the benchmark is set.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Testbild in dieser Richtung, so wie der Benchmark eingestellt ist.</translation>
     </message>
 </context>
 <context>
@@ -961,58 +961,58 @@
     </message>
     <message>
         <source>fewer than two views</source>
-        <translation type="unfinished"></translation>
+        <translation>weniger als zwei Ansichten</translation>
     </message>
     <message>
         <source>a click lies where the lens model cannot be inverted</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick liegt, wo das Linsenmodell nicht umkehrbar ist</translation>
     </message>
     <message>
         <source>rays are nearly parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen sind nahezu parallel</translation>
     </message>
     <message>
         <source>the rays meet behind a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>die Strahlen treffen sich hinter einer Kamera</translation>
     </message>
     <message>
         <source>views disagree</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten widersprechen sich</translation>
     </message>
     <message>
         <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Nächstes in %1 klicken (→ %2 mm) oder mit Leertaste übernehmen.</translation>
     </message>
 </context>
 <context>
     <name>widgets::AgreementModel</name>
     <message>
         <source>All joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Gelenke</translation>
     </message>
     <message>
         <source>Bias %1 mm, 95 % of the differences between %2 and %3 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Bias %1 mm, 95 % der Differenzen zwischen %2 und %3 mm</translation>
     </message>
     <message>
         <source>Mean difference along this axis of the world, mm (Bland and Altman)</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Differenz entlang dieser Weltachse, mm (Bland und Altman)</translation>
     </message>
     <message>
         <source>Joint</source>
-        <translation type="unfinished">Gelenk</translation>
+        <translation>Gelenk</translation>
     </message>
     <message>
         <source>n</source>
-        <translation type="unfinished"></translation>
+        <translation>n</translation>
     </message>
     <message>
         <source>mm</source>
-        <translation type="unfinished">mm</translation>
+        <translation>mm</translation>
     </message>
     <message>
         <source>max</source>
-        <translation type="unfinished"></translation>
+        <translation>max</translation>
     </message>
 </context>
 <context>
@@ -1112,7 +1112,23 @@
     </message>
     <message>
         <source>“%1” is not a number of frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Anzahl von Bildern.</translation>
+    </message>
+    <message>
+        <source>Synthetic</source>
+        <translation>Synthetisch</translation>
+    </message>
+    <message>
+        <source>Realistic</source>
+        <translation>Realistisch</translation>
+    </message>
+    <message>
+        <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints.</source>
+        <translation>Synthetisch: Silhouetten der aufgezeichneten Posen, Fehler über alle Gelenke. Realistisch: Maskendateien, Fehler über die markierten Gelenke.</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Aufbau</translation>
     </message>
 </context>
 <context>
@@ -1233,11 +1249,11 @@
     </message>
     <message>
         <source>L %1</source>
-        <translation type="unfinished"></translation>
+        <translation>L %1</translation>
     </message>
     <message>
         <source>R %1</source>
-        <translation type="unfinished"></translation>
+        <translation>R %1</translation>
     </message>
 </context>
 <context>
@@ -1275,11 +1291,18 @@
     </message>
 </context>
 <context>
-    <name>widgets::FitRunner</name>
+    <name>widgets::FitPair</name>
     <message>
-        <source>This sequence has no recorded motion to start a fit from.</source>
-        <translation>Diese Sequenz hat keine aufgezeichnete Bewegung als Start einer Anpassung.</translation>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <translation>Diese Sequenz hat keine aufgezeichnete Bewegung: im Startbild einige Gelenke jeder Hand markieren, dann geht die Anpassung vom daran gebeugten Handmodell aus.</translation>
     </message>
+    <message>
+        <source>There is no mask file of the test frame.</source>
+        <translation>Zum Testbild gibt es keine Maskendatei.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitRunner</name>
     <message>
         <source>The start and the test frame must be between 0 and %1.</source>
         <translation>Start- und Testbild müssen zwischen 0 und %1 liegen.</translation>
@@ -1287,6 +1310,18 @@
     <message>
         <source>Choose at least one method.</source>
         <translation>Mindestens eine Methode wählen.</translation>
+    </message>
+    <message>
+        <source>This dataset has no hand models to fit.</source>
+        <translation>Dieser Datensatz hat keine Handmodelle zum Anpassen.</translation>
+    </message>
+    <message>
+        <source>This sequence has no mask files.</source>
+        <translation>Diese Sequenz hat keine Maskendateien.</translation>
+    </message>
+    <message>
+        <source>This sequence has no recorded motion to draw silhouettes from.</source>
+        <translation>Diese Sequenz hat keine aufgezeichnete Bewegung, aus der Silhouetten zu zeichnen wären.</translation>
     </message>
 </context>
 <context>
@@ -1306,10 +1341,6 @@
     <message>
         <source>Start</source>
         <translation>Start</translation>
-    </message>
-    <message>
-        <source>Frame whose recorded pose the fit starts from</source>
-        <translation>Bild, von dessen aufgezeichneter Pose die Anpassung ausgeht</translation>
     </message>
     <message>
         <source>Test</source>
@@ -1334,6 +1365,22 @@
     <message>
         <source>Fit</source>
         <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>Silhouettes of the recorded pose</source>
+        <translation>Silhouetten der aufgezeichneten Pose</translation>
+    </message>
+    <message>
+        <source>Silhouettes of the mask files</source>
+        <translation>Silhouetten der Maskendateien</translation>
+    </message>
+    <message>
+        <source>What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame.</source>
+        <translation>Was die Anpassung treffen soll. Gegen Maskendateien werden Fehler über die im Testbild markierten Gelenke gemessen.</translation>
+    </message>
+    <message>
+        <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
+        <translation>Bild, von dessen Pose die Anpassung ausgeht: die aufgezeichnete oder, wenn es keine gibt, das Handmodell seiner Marken</translation>
     </message>
 </context>
 <context>
@@ -1525,11 +1572,11 @@
     <name>widgets::ModelOfMarks</name>
     <message>
         <source>This dataset has no hand models.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Datensatz hat keine Handmodelle.</translation>
     </message>
     <message>
         <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handmodell braucht drei Gelenke einer Hand, die einen 3D-Punkt haben und nicht auf einer Linie liegen.</translation>
     </message>
 </context>
 <context>
@@ -1613,35 +1660,35 @@
     </message>
     <message>
         <source>click in %1 is %2 px off</source>
-        <translation type="unfinished"></translation>
+        <translation>Klick in %1 liegt %2 px daneben</translation>
     </message>
     <message>
         <source>no 3D point from its clicks</source>
-        <translation type="unfinished"></translation>
+        <translation>kein 3D-Punkt aus den Klicks</translation>
     </message>
     <message>
         <source>bone %1 % longer than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen %1 % länger als üblich</translation>
     </message>
     <message>
         <source>bone %1 % shorter than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen %1 % kürzer als üblich</translation>
     </message>
     <message>
         <source>bent %1° beyond its limit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1° über die Grenze gebeugt</translation>
     </message>
     <message>
         <source>fingers exchanged? %1 mm out of order</source>
-        <translation type="unfinished"></translation>
+        <translation>Finger vertauscht? %1 mm falsch gereiht</translation>
     </message>
     <message>
         <source>left and right exchanged?</source>
-        <translation type="unfinished"></translation>
+        <translation>links und rechts vertauscht?</translation>
     </message>
     <message>
         <source>on the same pixel as another joint in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>in %1 auf demselben Pixel wie ein anderes Gelenk</translation>
     </message>
 </context>
 <context>
@@ -1675,80 +1722,80 @@
     </message>
     <message>
         <source>This frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Bild</translation>
     </message>
     <message>
         <source>Whole sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Sequenz</translation>
     </message>
     <message>
         <source>Nothing stands out in this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>In dieser Sequenz fällt nichts auf.</translation>
     </message>
     <message>
         <source>Your clicks scatter by %1 px per axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Klicks streuen um %1 px je Achse.</translation>
     </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
     <message>
         <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine zwei Bewerter haben dasselbe Gelenk markiert. Einen Teil der eigenen Arbeit erneut markieren, um zu sehen, wie gut Sie mit sich selbst übereinstimmen.</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compares all raters as they stand now</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleicht alle Bewerter nach jetzigem Stand</translation>
     </message>
     <message numerus="yes">
         <source>%n shared click(s), %1 px apart (RMS)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n gemeinsamer Klick, Abstand %1 px (RMS)</numerusform>
+            <numerusform>%n gemeinsame Klicks, Abstand %1 px (RMS)</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 scatters by %2 px per axis</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>All raters together: %1 within %2 mm, from %n click(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>; yours lies %1 mm from it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 streut um %2 px je Achse</translation>
     </message>
     <message>
         <source>End the round</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchgang beenden</translation>
     </message>
     <message>
         <source>Mark a part again</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Teil erneut markieren</translation>
     </message>
     <message>
         <source>Back to your own marks; both rounds are compared</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A random tenth of your finished joints, without the first marks: how well do you repeat yourself?</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu Ihren eigenen Marken; beide Durchgänge werden verglichen</translation>
     </message>
     <message>
         <source>Second round: %1 of %2 joints are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter Durchgang: noch %1 von %2 Gelenken offen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All raters together: %1 ± %2 mm, from %n click(s).</source>
+        <translation>
+            <numerusform>Alle Bewerter zusammen: %1 ± %2 mm aus %n Klick.</numerusform>
+            <numerusform>Alle Bewerter zusammen: %1 ± %2 mm aus %n Klicks.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your 3D joint lies %1 mm from it.</source>
+        <translation>Ihr 3D-Gelenk liegt %1 mm davon entfernt.</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
+        <translation>Ein zufälliges Zehntel Ihrer fertigen Gelenke, ohne Ihre ersten Marken zu sehen: Wie gut wiederholen Sie sich?</translation>
     </message>
 </context>
 <context>
@@ -1981,7 +2028,7 @@
     </message>
     <message>
         <source>Raters</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewerter</translation>
     </message>
 </context>
 </TS>

@@ -5,9 +5,9 @@
     <name>app::MainWindow</name>
     <message numerus="yes">
         <source>%n mark(s) imported from %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n mark imported from %1</numerusform>
+            <numerusform>%n marks imported from %1</numerusform>
         </translation>
     </message>
 </context>
@@ -15,9 +15,9 @@
     <name>widgets::Advice</name>
     <message numerus="yes">
         <source>%n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n view</numerusform>
+            <numerusform>%n views</numerusform>
         </translation>
     </message>
 </context>
@@ -25,58 +25,58 @@
     <name>widgets::EditText</name>
     <message numerus="yes">
         <source>accept %n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>accept %n mark</numerusform>
+            <numerusform>accept %n marks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>copy a pose (%n mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>copy a pose (%n mark)</numerusform>
+            <numerusform>copy a pose (%n marks)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>interpolate (%n mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>interpolate (%n mark)</numerusform>
+            <numerusform>interpolate (%n marks)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>swap left and right (%n mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>swap left and right (%n mark)</numerusform>
+            <numerusform>swap left and right (%n marks)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>delete %n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>delete %n mark</numerusform>
+            <numerusform>delete %n marks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>import %n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>import %n mark</numerusform>
+            <numerusform>import %n marks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>propose %n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>propose %n mark</numerusform>
+            <numerusform>propose %n marks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>change %n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>change %n mark</numerusform>
+            <numerusform>change %n marks</numerusform>
         </translation>
     </message>
 </context>
@@ -84,9 +84,9 @@
     <name>widgets::QualityPanel</name>
     <message numerus="yes">
         <source>%n frame(s) with marks.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame with marks.</numerusform>
+            <numerusform>%n frames with marks.</numerusform>
         </translation>
     </message>
 </context>
@@ -94,16 +94,16 @@
     <name>widgets::RatersPanel</name>
     <message numerus="yes">
         <source>%n shared click(s), %1 px apart (RMS)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n shared click, %1 px apart (RMS)</numerusform>
+            <numerusform>%n shared clicks, %1 px apart (RMS)</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>All raters together: %1 within %2 mm, from %n click(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <source>All raters together: %1 ± %2 mm, from %n click(s).</source>
+        <translation>
+            <numerusform>All raters together: %1 ± %2 mm, from %n click.</numerusform>
+            <numerusform>All raters together: %1 ± %2 mm, from %n clicks.</numerusform>
         </translation>
     </message>
 </context>
@@ -111,30 +111,30 @@
     <name>widgets::StatusLine</name>
     <message numerus="yes">
         <source>saved %n s ago</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>saved %n s ago</numerusform>
+            <numerusform>saved %n s ago</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>saved %n min ago</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>saved %n min ago</numerusform>
+            <numerusform>saved %n min ago</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>saved %n h ago</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>saved %n h ago</numerusform>
+            <numerusform>saved %n h ago</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n s left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n s left</numerusform>
+            <numerusform>, %n s left</numerusform>
         </translation>
     </message>
 </context>

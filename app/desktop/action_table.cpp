@@ -110,7 +110,7 @@ const std::vector<ActionRow> kRows = {
     {"annotation.jointsFile", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Joints from a &file..."), "Ctrl+7", "", ""},
     {"annotation.jointUp", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint up in the list"), "Ctrl+Up", "", ""},
     {"annotation.jointDown", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint down in the list"), "Ctrl+Down", "", ""},
-    {"annotation.repeat", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Mark a part again"), "Ctrl+Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "A random tenth of your finished joints, without the first marks; once more to end the round"), kPlain, true},
+    {"annotation.repeat", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Mark a part again"), "Ctrl+Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "A random tenth of your finished joints, your first marks hidden; once more to end the round"), kPlain, true},
     {"annotation.repeatNext", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint of the second round"), "Ctrl+Shift+N", "", ""},
     {"annotation.raters", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Compare ra&ters"), "Ctrl+Shift+B", "", ""},
 
@@ -133,7 +133,7 @@ const std::vector<ActionRow> kRows = {
     {"go.lastEdited", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Last e&dited frame"), "Ctrl+G", "", ""},
     {"go.threshold", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Error &threshold..."), "Ctrl+T", "", QT_TRANSLATE_NOOP("app::ActionTable", "Joints with a larger error count as bad"), kPlain, true},
 
-    {"fit.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Fit the current frame"), "F", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "With the chosen methods, from a recorded pose some frames before")},
+    {"fit.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Fit the current frame"), "F", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "With the chosen methods, from the pose of some frames before")},
     {"fit.stop", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Stop"), "Shift+F", "process-stop", ""},
     {"fit.show", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Show the fit &panel"), "Ctrl+F", "", ""},
 

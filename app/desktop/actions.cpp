@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QIcon>
 #include <QKeyEvent>
+#include <QRegularExpression>
 #include <QSettings>
 
 namespace app {
@@ -25,7 +26,10 @@ QKeySequence defaultShortcut(const ActionRow& row) {
     return QKeySequence::fromString(QString::fromLatin1(row.shortcut), QKeySequence::PortableText);
 }
 
+/// Also without "(&X)", as languages write it whose letters are not on the keyboard.
 QString withoutMnemonic(QString text) {
+    static const QRegularExpression kInBrackets(QStringLiteral("\\(&.\\)"));
+    text.remove(kInBrackets);
     text.replace(QLatin1String("&&"), QLatin1String("\x01"));
     text.remove(QLatin1Char('&'));
     text.replace(QLatin1Char('\x01'), QLatin1Char('&'));
@@ -33,6 +37,10 @@ QString withoutMnemonic(QString text) {
 }
 
 } // namespace
+
+QString plainActionText(const char* source) {
+    return withoutMnemonic(translated(source));
+}
 
 Actions::Actions(QWidget* window, QSettings& settings) : QObject(window), m_settings(settings) {
     for (const ActionRow& row : actionTable()) {
@@ -132,7 +140,7 @@ void Actions::resetShortcuts() {
 }
 
 QString Actions::plainText(const QString& id) const {
-    return withoutMnemonic(translated(m_rows.at(id)->text));
+    return plainActionText(m_rows.at(id)->text);
 }
 
 void Actions::refreshToolTip(const QString& id) {

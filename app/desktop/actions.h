@@ -17,6 +17,9 @@ class QSettings;
 
 namespace app {
 
+/// A text of the action table in the person's language, without its mnemonic.
+QString plainActionText(const char* source);
+
 /// The window's actions, made from the action table. Shortcuts can be changed; two actions never share one.
 class Actions : public QObject {
     Q_OBJECT

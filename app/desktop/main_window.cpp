@@ -293,6 +293,7 @@ void MainWindow::refreshTestFrames() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_playback.stop();
+    m_workbench.document.close();
     m_settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     m_settings.setValue(QStringLiteral("window/workspaces"), m_workspaces->saveState());
     QMainWindow::closeEvent(event);

@@ -102,12 +102,26 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
     menu->popup(position);
 }
 
+/// The menu of the joint table's header: which joints, and in which order.
+void showListMenu(MainWindow& window, const QPoint& position) {
+    auto* menu = new QMenu(&window);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const char* name : {"annotation.jointsFourteen", "annotation.jointsTwentyOne", "annotation.jointsAll", "annotation.jointsFile"})
+        menu->addAction(window.actions().action(id(name)));
+    menu->addSeparator();
+    for (const char* name : {"annotation.jointUp", "annotation.jointDown"})
+        menu->addAction(window.actions().action(id(name)));
+    menu->popup(position);
+}
+
 } // namespace
 
 void bindPanelActions(MainWindow& window) {
     bindNames(window);
     bindPanels(window);
     bindIterations(window);
+    QObject::connect(window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,
+                     [&window](const QPoint& position) { showListMenu(window, position); });
     QObject::connect(&window.workspaces(), &widgets::Workspaces::viewMenuRequested, &window,
                      [&window](int camera, QPointF, const core::JointId& joint, const QPoint& position) {
                          showViewMenu(window, camera, joint, position);

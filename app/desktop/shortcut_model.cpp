@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/shortcut_model.h"
 
-#include <QCoreApplication>
 
 namespace app {
 
@@ -9,10 +8,6 @@ namespace {
 
 const ActionRow& rowAt(int row) {
     return actionTable()[static_cast<std::size_t>(row)];
-}
-
-QString translated(const char* source) {
-    return *source ? QCoreApplication::translate("app::ActionTable", source).remove(QLatin1Char('&')) : QString();
 }
 
 } // namespace
@@ -44,13 +39,13 @@ QVariant ShortcutModel::data(const QModelIndex& index, int role) const {
         return {};
     switch (index.column()) {
     case Menu:
-        return translated(row.menu);
+        return plainActionText(row.menu);
     case Action:
         return m_actions.plainText(id(index.row()));
     case Shortcut:
         return m_actions.action(id(index.row()))->shortcut().toString(QKeySequence::NativeText);
     default:
-        return translated(row.tip);
+        return plainActionText(row.tip);
     }
 }
 

@@ -19,6 +19,10 @@ using SequencePoints = std::map<int, JointPoints>;
 SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
                               const TriangulationOptions& options = {});
 
+/// Where the joints of a frame are, mm: the mean over the points that its raters' marks give.
+std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                                                   const TriangulationOptions& options = {});
+
 /// The median; of an even number of values, the mean of the two in the middle. At least one value.
 double medianOf(std::vector<double> values);
 

@@ -164,4 +164,14 @@ cv::Mat FrameSource::read(int camera, int frame) const {
     return image;
 }
 
+std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& folder, const std::string& pattern, const std::vector<Camera>& cameras,
+                                    int frame) {
+    std::vector<cv::Mat> masks;
+    for (const Camera& camera : cameras) {
+        const std::filesystem::path file = folder / fillPattern(pattern, camera.name, frame);
+        masks.push_back(std::filesystem::exists(file) ? readMask(file) : cv::Mat());
+    }
+    return masks;
+}
+
 } // namespace core

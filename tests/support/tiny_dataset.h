@@ -9,11 +9,11 @@
 
 namespace test {
 
-/// A small dataset with rendered views: the tiny hands, 8 cameras of 270 x 480, sequences "a" (30 frames) and "b" (10 frames).
-inline core::Dataset tinyDataset() {
+/// A small dataset with rendered views: the tiny hands, cameras of 270 x 480, sequences "a" (30 frames) and "b" (10 frames).
+inline core::Dataset tinyDataset(int cameras = 8) {
     core::Dataset dataset;
     dataset.name = "tiny";
-    dataset.cameras = cameraRing(8);
+    dataset.cameras = cameraRing(cameras);
     for (core::Camera& camera : dataset.cameras) {
         camera.size = {270, 480};
         camera.intrinsics.topRows<2>() *= 0.25;
@@ -35,8 +35,8 @@ inline core::Dataset tinyDataset() {
 }
 
 /// Writes it into a folder that does not exist yet.
-inline void writeTinyDataset(const std::filesystem::path& folder) {
-    core::writeDataset(tinyDataset(), {tinyMotion(30), tinyMotion(10)}, folder);
+inline void writeTinyDataset(const std::filesystem::path& folder, int cameras = 8) {
+    core::writeDataset(tinyDataset(cameras), {tinyMotion(30), tinyMotion(10)}, folder);
 }
 
 } // namespace test

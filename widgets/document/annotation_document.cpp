@@ -31,6 +31,8 @@ AnnotationDocument::Content AnnotationDocument::read(const std::filesystem::path
 }
 
 void AnnotationDocument::open(Content content) {
+    if (m_isOpen)
+        emit aboutToClose();
     writePending();
     m_pending.clear();
     m_retry.stop();

@@ -73,6 +73,8 @@ public:
     void setSetting(const std::string& key, const std::string& value);
 
 signals:
+    /// The content is about to go: what was typed and not kept yet can still be pushed.
+    void aboutToClose();
     /// Another file, or none: everything is different.
     void opened();
     /// The set changed as this edit says (also by undo, redo and previews).

@@ -4,11 +4,6 @@
 #include <mutex>
 #include <thread>
 
-#include <QCoreApplication>
-
-#include <opencv2/imgproc.hpp>
-
-#include "core/contour/rasteriser.h"
 #include "core/error.h"
 
 namespace widgets {
@@ -28,7 +23,7 @@ namespace {
 
 using Progress = std::function<void(double fractionOfMethod)>;
 
-MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitOutcome& pair,
+MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
                         const std::string& method, const std::stop_token& stop, const Progress& progress) {
     MethodOutcome outcome;
     outcome.method = method;
@@ -36,44 +31,19 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
     try {
         outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads);
-        outcome.errorMm = core::meanJointDistanceMm(dataset.hands, outcome.result.poses, pair.truePoses);
+        outcome.errorMm = errorAgainst(pair, dataset, outcome.result.poses);
         for (const core::FitIteration& step : outcome.result.history)
-            outcome.iterationErrorMm.push_back(core::meanJointDistanceMm(dataset.hands, step.poses, pair.truePoses));
+            outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));
     } catch (const core::Error& error) {
         outcome.failure = QString::fromUtf8(error.what());
     }
     return outcome;
 }
 
-/// Where a mask's silhouette lies, with some room around it.
-QRectF roomyBounds(const cv::Mat& mask) {
-    constexpr double kRoom = 0.25; // of the longer side
-    const cv::Rect box = mask.empty() ? cv::Rect() : cv::boundingRect(mask);
-    if (box.empty())
-        return {};
-    const double room = kRoom * std::max(box.width, box.height);
-    return QRectF(box.x, box.y, box.width, box.height).adjusted(-room, -room, room, room);
-}
-
-/// The pair's poses and target silhouettes, drawn from the recorded pose of the test frame.
-FitOutcome preparePair(const core::Dataset& dataset, const core::Motion& motion, const std::string& sequence,
-                       const FitRequest& request) {
-    FitOutcome pair;
-    pair.sequence = sequence;
-    pair.request = request;
-    pair.startPoses = motion[static_cast<std::size_t>(request.start)];
-    pair.truePoses = motion[static_cast<std::size_t>(request.test)];
-    pair.initialErrorMm = core::meanJointDistanceMm(dataset.hands, pair.startPoses, pair.truePoses);
-    for (const core::Camera& camera : dataset.cameras)
-        pair.masks.push_back(core::renderHandsMask(camera, dataset.hands, pair.truePoses));
-    for (const cv::Mat& mask : pair.masks)
-        pair.handsPx.push_back(roomyBounds(mask));
-    return pair;
-}
-
 } // namespace
 
-FitRunner::FitRunner(JobPool& pool, QObject* parent) : QObject(parent), m_job(pool) {
+FitRunner::FitRunner(const AnnotationDocument& document, JobPool& pool, QObject* parent)
+    : QObject(parent), m_document(document), m_job(pool) {
     connect(&m_job, &Job::started, this, &FitRunner::started);
     connect(&m_job, &Job::progressed, this, &FitRunner::progressed);
     connect(&m_job, &Job::failed, this, &FitRunner::failed);
@@ -89,28 +59,39 @@ void FitRunner::setSequence(std::shared_ptr<const core::Dataset> dataset, const 
         m_estimator = std::make_shared<Estimator>();
     m_dataset = std::move(dataset);
     m_motion = std::move(motion);
-    m_sequence = sequence ? sequence->name : std::string();
+    m_sequence = sequence ? *sequence : core::Sequence();
     m_outcome.reset();
     emit cleared();
 }
 
+/// Why the request makes no sense; empty if it does.
+QString FitRunner::objection(const FitRequest& request) const {
+    const int frames = hasMotion() ? static_cast<int>(m_motion->size()) : m_sequence.frameCount;
+    if (!m_dataset || m_dataset->hands.empty())
+        return tr("This dataset has no hand models to fit.");
+    if (request.target == FitTarget::Masks && !hasMasks())
+        return tr("This sequence has no mask files.");
+    if (request.target == FitTarget::Recorded && !hasMotion())
+        return tr("This sequence has no recorded motion to draw silhouettes from.");
+    if (request.start < 0 || request.start >= frames || request.test < 0 || request.test >= frames)
+        return tr("The start and the test frame must be between 0 and %1.").arg(frames - 1);
+    if (request.methods.empty())
+        return tr("Choose at least one method.");
+    return {};
+}
+
 void FitRunner::run(const FitRequest& request) {
-    const int frames = m_motion ? static_cast<int>(m_motion->size()) : 0;
-    if (frames == 0) {
-        emit failed(tr("This sequence has no recorded motion to start a fit from."));
+    if (const QString why = objection(request); !why.isEmpty()) {
+        emit failed(why);
         return;
     }
-    if (request.start < 0 || request.start >= frames || request.test < 0 || request.test >= frames) {
-        emit failed(tr("The start and the test frame must be between 0 and %1.").arg(frames - 1));
-        return;
-    }
-    if (request.methods.empty()) {
-        emit failed(tr("Choose at least one method."));
-        return;
-    }
-    m_job.start([this, request, dataset = m_dataset, motion = m_motion, estimator = m_estimator,
-                 sequence = m_sequence](const JobContext& context) -> Job::Delivery {
-        auto outcome = std::make_shared<FitOutcome>(preparePair(*dataset, *motion, sequence, request));
+    const bool readsMarks = request.target == FitTarget::Masks || !hasMotion();
+    const FitSource source{m_dataset, m_sequence, m_motion, readsMarks ? m_document.annotations() : core::AnnotationSet(), m_document.rater()};
+    m_job.start([this, request, source, dataset = m_dataset, estimator = m_estimator](const JobContext& context) -> Job::Delivery {
+        auto outcome = std::make_shared<FitOutcome>();
+        static_cast<FitPair&>(*outcome) = prepareFitPair(source, request);
+        outcome->sequence = source.sequence.name;
+        outcome->request = request;
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);
         const double count = static_cast<double>(request.methods.size());
         for (std::size_t i = 0; i < request.methods.size() && !context.stop.stop_requested(); ++i) {

@@ -7,42 +7,29 @@
 #include <vector>
 
 #include <QObject>
-#include <QRectF>
 #include <QString>
-
-#include <opencv2/core/mat.hpp>
 
 #include "core/fitting/pose_estimator.h"
 #include "core/io/dataset.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/jobs/fit_pair.h"
 #include "widgets/jobs/job.h"
 
 namespace widgets {
-
-/// Which frame pair to fit with which methods.
-struct FitRequest {
-    int start = 0; ///< frame whose recorded pose the fit starts from
-    int test = 0;  ///< frame whose silhouettes are to be met
-    std::vector<std::string> methods; ///< as core::parseMethod reads them
-};
 
 /// What one method made of the pair.
 struct MethodOutcome {
     std::string method;
     core::FitResult result;
-    double errorMm = 0;                ///< mean joint distance to the recorded pose of the test frame
+    double errorMm = 0;                ///< mean joint distance to the pair's reference; NaN if it has none
     std::vector<double> iterationErrorMm; ///< the same after every iteration of result.history
     QString failure;                   ///< why there is no result; empty if there is one
 };
 
 /// All methods on one pair.
-struct FitOutcome {
+struct FitOutcome : FitPair {
     std::string sequence;
     FitRequest request;
-    core::HandPoses startPoses;
-    core::HandPoses truePoses;
-    double initialErrorMm = 0; ///< mean joint distance of the start pose
-    std::vector<cv::Mat> masks; ///< target silhouettes, one per camera
-    std::vector<QRectF> handsPx; ///< where they lie in each camera's image, with some room around; empty where there are none
     std::vector<MethodOutcome> methods;
 };
 
@@ -51,7 +38,7 @@ class FitRunner : public QObject {
     Q_OBJECT
 
 public:
-    explicit FitRunner(JobPool& pool, QObject* parent = nullptr);
+    FitRunner(const AnnotationDocument& document, JobPool& pool, QObject* parent = nullptr);
     ~FitRunner() override;
 
     void setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence,
@@ -61,6 +48,9 @@ public:
     /// Ends early; finished() comes with what there is.
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
+    /// What the open sequence has to take silhouettes from.
+    bool hasMotion() const { return m_motion && !m_motion->empty(); }
+    bool hasMasks() const { return !m_sequence.masks.empty(); }
 
     /// The last finished run of this sequence, or null.
     const std::shared_ptr<const FitOutcome>& outcome() const { return m_outcome; }
@@ -75,12 +65,15 @@ signals:
 
 private:
     struct Estimator;
+    QString objection(const FitRequest& request) const;
+
+    const AnnotationDocument& m_document;
     Job m_job;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::shared_ptr<const core::Motion> m_motion;
     std::shared_ptr<Estimator> m_estimator;
     std::shared_ptr<const FitOutcome> m_outcome;
-    std::string m_sequence;
+    core::Sequence m_sequence;
 };
 
 } // namespace widgets

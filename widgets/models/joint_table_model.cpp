@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QLocale>
 
+#include "widgets/document/advice.h"
 #include "widgets/document/edit_text.h"
 
 namespace widgets {
@@ -114,7 +115,7 @@ QVariant JointTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
         return isBad(found) ? QVariant(kBadColour) : QVariant();
     case Qt::ToolTipRole:
-        return found && !found->hasPoint() ? QVariant(QString::fromStdString(found->result.reason)) : QVariant();
+        return found && !found->hasPoint() ? QVariant(reasonText(found->result.reason)) : QVariant();
     case ValueRole:
         return value(found, index.column());
     case BadRole:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/models/result_table_model.h"
 
+#include <cmath>
+
 #include <QColor>
 #include <QLocale>
 
@@ -73,7 +75,8 @@ QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
         return index.column() == ErrorMm ? tr("failed") : QString();
     if (index.column() == Iterations)
         return QLocale().toString(value(method, Iterations).toInt());
-    return QLocale().toString(value(method, index.column()).toDouble(), 'f', index.column() == Seconds ? 3 : 2);
+    const double number = value(method, index.column()).toDouble();
+    return std::isnan(number) ? QString() : QLocale().toString(number, 'f', index.column() == Seconds ? 3 : 2);
 }
 
 QVariant ResultTableModel::headerData(int section, Qt::Orientation orientation, int role) const {

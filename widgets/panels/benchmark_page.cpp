@@ -37,7 +37,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
 
 BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_sequences(new QListWidget(this)),
-      m_percent(new QDoubleSpinBox(this)), m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this)), m_seed(new QSpinBox(this)),
+      m_setup(new QComboBox(this)), m_percent(new QDoubleSpinBox(this)), m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this)), m_seed(new QSpinBox(this)),
       m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_summary(new SummaryModel(this)),
       m_summaryTable(new QTableView(this)), m_pairs(new PairTableModel(this)), m_sortedPairs(new QSortFilterProxyModel(this)),
       m_pairTable(new QTableView(this)), m_curves(new CurvePlot(this)), m_jointMethod(new QComboBox(this)),
@@ -80,6 +80,10 @@ QWidget* BenchmarkPage::makeSettings() {
     m_percent->setSuffix(tr(" % of frames"));
     m_seed->setRange(0, 1000000);
     m_seed->setValue(7);
+    m_setup->addItems({tr("Synthetic"), tr("Realistic")});
+    m_setup->setToolTip(tr("Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints."));
+    m_setup->setFocusPolicy(Qt::NoFocus);
+    form->addRow(tr("Setup"), m_setup);
     form->addRow(tr("Test"), m_percent);
     form->addRow(tr("Frames apart"), m_differences);
     form->addRow(tr("Seed"), m_seed);
@@ -133,7 +137,8 @@ QWidget* BenchmarkPage::makeResults() {
         splitter->setChildrenCollapsible(false);
     connect(m_pairTable, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
         const core::PairResult& pair = m_pairs->pair(m_sortedPairs->mapToSource(index).row());
-        emit pairOpened(QString::fromStdString(pair.pair.sequence), pair.pair.start, pair.pair.test, QString::fromStdString(pair.method));
+        const FitTarget target = m_shownSetup == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
+        emit pairOpened(QString::fromStdString(pair.pair.sequence), {pair.pair.start, pair.pair.test, {pair.method}, target});
     });
     return rows;
 }
@@ -200,6 +205,7 @@ BenchmarkRequest BenchmarkPage::request() const {
             request.methods.push_back(box->text().toStdString());
     }
     request.pairs = pairOptions();
+    request.setup = m_setup->currentIndex() == 1 ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
     if (request.methods.empty() || request.sequences.empty())
         throw core::Error(core::ErrorCode::Usage, {}, {}, tr("Choose at least one method and one sequence.").toStdString());
     return request;
@@ -211,7 +217,9 @@ void BenchmarkPage::runOrStop() {
         return;
     }
     try {
-        m_workbench.benchmarks.run(request());
+        const BenchmarkRequest wanted = request();
+        m_shownSetup = wanted.setup;
+        m_workbench.benchmarks.run(wanted);
     } catch (const core::Error& error) {
         m_message->setMessage(QString::fromUtf8(error.what()));
     }

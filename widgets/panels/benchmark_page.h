@@ -45,7 +45,7 @@ signals:
     /// The settings draw other test frames.
     void drawChanged();
     /// A pair shall be looked at with this method.
-    void pairOpened(const QString& sequence, int start, int test, const QString& method);
+    void pairOpened(const QString& sequence, const widgets::FitRequest& request);
 
 private:
     QWidget* makeSettings();
@@ -61,6 +61,7 @@ private:
     MessageBar* m_message;
     QListWidget* m_sequences;
     std::vector<QCheckBox*> m_methods;
+    QComboBox* m_setup;
     QDoubleSpinBox* m_percent;
     QLineEdit* m_differences;
     QSpinBox* m_seed;
@@ -74,6 +75,7 @@ private:
     CurvePlot* m_curves;
     QComboBox* m_jointMethod;
     JointErrorDiagram* m_jointErrors;
+    core::BenchmarkSetup m_shownSetup = core::BenchmarkSetup::Synthetic; ///< of the newest run
 };
 
 } // namespace widgets

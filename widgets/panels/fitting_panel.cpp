@@ -53,17 +53,22 @@ protected:
 
 FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent)
     : QWidget(parent), m_selection(selection), m_fits(fits), m_message(new MessageBar(this)), m_start(new QSpinBox(this)),
-      m_test(new QSpinBox(this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
+      m_test(new QSpinBox(this)), m_target(new QComboBox(this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
       m_model(new ResultTableModel(this)), m_plot(new CurvePlot(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
     column->setSpacing(kSpacing);
     column->addWidget(m_message);
     column->addLayout(makeFrameRow());
+    column->addWidget(m_target);
     column->addLayout(makeMethodRows());
     column->addLayout(makeRunRow());
     column->addWidget(m_table);
     column->addWidget(m_plot, 1);
+    m_target->addItem(tr("Silhouettes of the recorded pose"), static_cast<int>(FitTarget::Recorded));
+    m_target->addItem(tr("Silhouettes of the mask files"), static_cast<int>(FitTarget::Masks));
+    m_target->setToolTip(tr("What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame."));
+    m_target->setFocusPolicy(Qt::NoFocus);
     m_table->setModel(m_model);
     styleTable(*m_table);
     m_table->setItemDelegateForColumn(ResultTableModel::Method, new MethodDelegate(m_table));
@@ -72,6 +77,14 @@ FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* paren
     connectFits();
     showRunning(false);
     showOutcome();
+    showTargets();
+}
+
+/// A choice only where there is one.
+void FittingPanel::showTargets() {
+    m_target->setVisible(m_fits.hasMasks());
+    m_target->setEnabled(m_fits.hasMotion());
+    m_target->setCurrentIndex(m_fits.hasMotion() || !m_fits.hasMasks() ? 0 : 1);
 }
 
 QLayout* FittingPanel::makeFrameRow() {
@@ -85,7 +98,7 @@ QLayout* FittingPanel::makeFrameRow() {
         row->addWidget(label);
         row->addWidget(box, 1);
     };
-    add(tr("Start"), m_start, tr("Frame whose recorded pose the fit starts from"));
+    add(tr("Start"), m_start, tr("Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks"));
     add(tr("Test"), m_test, tr("Frame whose silhouettes are to be met"));
     auto* here = new QToolButton(this);
     here->setText(tr("Here"));
@@ -159,6 +172,7 @@ void FittingPanel::connectFits() {
         showRunning(false);
         m_message->setMessage({});
         showOutcome();
+        showTargets();
     });
 }
 
@@ -180,13 +194,13 @@ std::vector<std::string> FittingPanel::chosenMethods() const {
 }
 
 FitRequest FittingPanel::request() const {
-    return {m_start->value(), m_test->value(), chosenMethods()};
+    return {m_start->value(), m_test->value(), chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())};
 }
 
 void FittingPanel::fitCurrentFrame() {
     const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
     const int last = std::max(0, m_selection.frameCount() - 1);
-    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods()});
+    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())});
 }
 
 void FittingPanel::fit(const FitRequest& request) {
@@ -194,6 +208,7 @@ void FittingPanel::fit(const FitRequest& request) {
     m_test->setValue(request.test);
     for (QCheckBox* box : m_methods)
         box->setChecked(std::find(request.methods.begin(), request.methods.end(), box->text().toStdString()) != request.methods.end());
+    m_target->setCurrentIndex(m_target->findData(static_cast<int>(request.target)));
     m_fits.run(request);
 }
 

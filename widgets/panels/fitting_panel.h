@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
@@ -41,6 +42,7 @@ private:
     QLayout* makeRunRow();
     void connectFits();
     void showOutcome();
+    void showTargets();
     void showRunning(bool running);
     std::vector<Curve> curves() const;
 
@@ -49,6 +51,7 @@ private:
     MessageBar* m_message;
     QSpinBox* m_start;
     QSpinBox* m_test;
+    QComboBox* m_target;
     std::vector<QCheckBox*> m_methods;
     QPushButton* m_run;
     QProgressBar* m_progress;

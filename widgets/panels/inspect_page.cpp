@@ -162,8 +162,15 @@ void InspectPage::layOutGrid() {
         cameras.insert(cameras.end(), methodCount(), m_workbench.session.dataset()->cameras[static_cast<std::size_t>(camera)]);
     m_grid->setFixedColumns(static_cast<int>(methodCount()));
     m_grid->setCameras(cameras);
-    for (std::size_t view = 0; view < cameras.size(); ++view)
-        m_grid->view(static_cast<int>(view))->setHome(m_workbench.fits.outcome()->handsPx[static_cast<std::size_t>(m_shownCameras[view / methodCount()])]);
+    for (std::size_t index = 0; index < cameras.size(); ++index) {
+        const auto camera = static_cast<std::size_t>(m_shownCameras[index / methodCount()]);
+        CameraView* view = m_grid->view(static_cast<int>(index));
+        view->setHome(m_workbench.fits.outcome()->handsPx[camera]);
+        std::vector<SkeletonLine> outline;
+        for (const QLineF& line : m_workbench.fits.outcome()->outlinesPx[camera])
+            outline.push_back({line.p1(), line.p2(), Qt::white});
+        view->setSkeleton(outline);
+    }
     for (const int camera : m_shownCameras)
         showPicture(camera, m_workbench.frames.picture(camera));
     showPoses();
@@ -185,7 +192,8 @@ void InspectPage::showTitles() {
         const core::Camera& camera = m_workbench.session.dataset()->cameras[static_cast<std::size_t>(m_shownCameras[row])];
         for (std::size_t column = 0; column < methodCount(); ++column) {
             const MethodOutcome& method = outcome->methods[column];
-            const QString error = tr("%1 mm").arg(QLocale().toString(errorAt(*outcome, method, iteration()), 'f', 2));
+            const double errorMm = errorAt(*outcome, method, iteration());
+            const QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
             m_grid->view(static_cast<int>(row * methodCount() + column))
                 ->setTitle({QString::fromStdString(method.method), QString::fromStdString(camera.name),
                             method.failure.isEmpty() ? error : tr("failed"), false});
@@ -206,13 +214,14 @@ void InspectPage::showPoses() {
     m_job.start([this, outcome, dataset = m_workbench.session.dataset(), iteration = iteration()](const JobContext& context) -> Job::Delivery {
         MeshLayer truth = layerOf(*dataset, outcome->truePoses, tr("recorded"), Qt::white);
         truth.opacity = 0;
+        const bool showsTruth = outcome->request.target == FitTarget::Recorded; // else the observed outline is drawn
         std::vector<std::vector<MeshLayer>> columns;
         for (const MethodOutcome& method : outcome->methods) {
             if (context.stop.stop_requested())
                 return {};
             MeshLayer layer = layerOf(*dataset, posesAt(*outcome, method, iteration), QString::fromStdString(method.method), methodColour(method.method));
             layer.opacity = 0.5;
-            columns.push_back({layer, truth});
+            columns.push_back(showsTruth ? std::vector{layer, truth} : std::vector{layer});
         }
         return [this, columns] {
             for (int index = 0; index < m_grid->count(); ++index)

@@ -122,12 +122,12 @@ void RatersPanel::showConsensus() {
     m_consensus->setVisible(all.result.point.has_value());
     if (!all.result.point)
         return;
-    QString text = tr("All raters together: %1 within %2 mm, from %n click(s)", nullptr, static_cast<int>(all.clicks.size()))
+    QString text = tr("All raters together: %1 \u00b1 %2 mm, from %n click(s).", nullptr, static_cast<int>(all.clicks.size()))
                        .arg(jointText(m_workbench.selection.joint()), number(core::sigmaMm(all.result.point->covariance), 2));
     const auto& own = m_workbench.reconstructions.selected().result.point;
     if (own)
-        text += tr("; yours lies %1 mm from it").arg(number((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
-    m_consensus->setText(text + QLatin1Char('.'));
+        text += QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.").arg(number((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
+    m_consensus->setText(text);
 }
 
 void RatersPanel::showRound() {
@@ -135,7 +135,7 @@ void RatersPanel::showRound() {
     const bool repeating = study.isRepeating();
     m_begin->setText(repeating ? tr("End the round") : tr("Mark a part again"));
     m_begin->setToolTip(repeating ? tr("Back to your own marks; both rounds are compared")
-                                  : tr("A random tenth of your finished joints, without the first marks: how well do you repeat yourself?"));
+                                  : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
     m_next->setVisible(repeating);
     m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(study.openTasks()).arg(study.tasks()) : QString());
 }

@@ -169,8 +169,7 @@ void Workspaces::setCurrent(Kind kind) {
     emit currentChanged(kind);
 }
 
-void Workspaces::openPair(const QString& sequence, int start, int test, const QString& method) {
-    const FitRequest request{start, test, {method.toStdString()}};
+void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
     const auto fit = [this, request] {
         m_workbench.selection.setFrame(request.test);
         m_fitting->fit(request);
@@ -186,7 +185,7 @@ void Workspaces::openPair(const QString& sequence, int start, int test, const QS
         fit();
     });
     connect(&m_workbench.session, &DatasetSession::openFailed, once, &QObject::deleteLater);
-    m_workbench.session.openSequence(sequence, test);
+    m_workbench.session.openSequence(sequence, request.test);
 }
 
 void Workspaces::raisePanel(QWidget* panel) {

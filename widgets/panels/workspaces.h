@@ -71,7 +71,7 @@ private:
     void showOrder();
     void showPicture(int camera, const ImagePyramid& picture);
     void showCurrentCamera();
-    void openPair(const QString& sequence, int start, int test, const QString& method);
+    void openPair(const QString& sequence, const FitRequest& request);
 
     Workbench& m_workbench;
     Kind m_kind = Kind::Annotate;

@@ -104,6 +104,8 @@ void SceneStage::putInto(vtkRenderWindow& window) {
     window.AddRenderer(m_world);
     window.AddRenderer(m_front);
     window.AddRenderer(m_triad);
+    m_world->UseFXAAOn();
+    m_front->UseFXAAOn();
 }
 
 void SceneStage::setBackground(const QColor& colour) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
@@ -26,6 +27,9 @@ namespace {
 constexpr double kClickScreenPx = 3;
 constexpr double kReachScreenPx = 10;
 constexpr double kZoomPerStep = 1.2;
+constexpr double kFastMs = 8; ///< a picture that takes less is drawn at once
+constexpr int kPauseMs = 80;
+constexpr int kLongestWaitMs = 500;
 
 bool hasOpenGl() {
     const QString platform = QGuiApplication::platformName();
@@ -38,6 +42,8 @@ struct SceneView::Impl {
     SceneStage stage;
     QVTKOpenGLNativeWidget* gl = nullptr; ///< nullptr without OpenGL
     QTimer renderTimer;
+    QElapsedTimer waiting;   ///< since the first change that is not drawn yet
+    double lastRenderMs = 0;
     bool viewChosen = false; ///< by the user, or by the first content
     Qt::MouseButton button = Qt::NoButton;
     QPointF pressedAt, lastAt;
@@ -78,7 +84,7 @@ SceneView::SceneView(QWidget* parent)
     m_impl->gl->setMinimumSize(80, 60);
     inner->addWidget(m_impl->gl);
     const auto window = vtkSmartPointer<vtkGenericOpenGLRenderWindow>::New();
-    window->SetMultiSamples(4);
+    window->SetMultiSamples(0); // the stage smooths edges in another way, which is far cheaper without a graphics card
     m_impl->gl->setRenderWindow(window);
     window->GetInteractor()->SetInteractorStyle(nullptr);
     m_impl->stage.putInto(*window);
@@ -88,11 +94,24 @@ SceneView::SceneView(QWidget* parent)
 
 SceneView::~SceneView() = default;
 
+/// Many changes in a row, such as a drag, are one picture: where drawing is slow, it waits until they pause, but not for ever.
 void SceneView::contentChanged() {
     if (!m_impl->viewChosen && !m_impl->stage.isEmpty()) {
         m_impl->stage.resetOrbit(m_impl->deviceSize());
     }
-    requestRender();
+    if (!m_impl->gl || !isVisible()) {
+        return;
+    }
+    if (m_impl->lastRenderMs < kFastMs) {
+        requestRender();
+        return;
+    }
+    if (!m_impl->renderTimer.isActive()) {
+        m_impl->waiting.start();
+    }
+    if (!m_impl->renderTimer.isActive() || m_impl->waiting.elapsed() < kLongestWaitMs) {
+        m_impl->renderTimer.start(kPauseMs);
+    }
 }
 
 void SceneView::setCameras(const std::vector<core::Camera>& cameras) {
@@ -112,17 +131,17 @@ void SceneView::setJoints(const std::vector<SceneJoint>& joints) {
 
 void SceneView::setBones(const std::vector<SceneBone>& bones) {
     m_impl->stage.setBones(bones);
-    requestRender();
+    contentChanged();
 }
 
 void SceneView::setCurrentCamera(int index) {
     m_impl->stage.setCurrentCamera(index);
-    requestRender();
+    contentChanged();
 }
 
 void SceneView::setCameraImage(const QImage& image) {
     m_impl->stage.setCameraImage(image);
-    requestRender();
+    contentChanged();
 }
 
 void SceneView::lookThrough(int camera) {
@@ -156,15 +175,25 @@ void SceneView::resetView() {
 }
 
 void SceneView::requestRender() {
-    if (m_impl->gl && isVisible() && !m_impl->renderTimer.isActive()) {
+    if (m_impl->gl && isVisible()) {
         m_impl->renderTimer.start(0); // several changes at once are one picture
+    }
+}
+
+void SceneView::finishDrawing() {
+    if (m_impl->renderTimer.isActive()) {
+        m_impl->renderTimer.stop();
+        renderNow();
     }
 }
 
 void SceneView::renderNow() const {
     if (m_impl->gl && m_impl->gl->isValid()) {
+        QElapsedTimer clock;
+        clock.start();
         m_impl->stage.prepare(m_impl->deviceSize());
         m_impl->gl->renderWindow()->Render();
+        m_impl->lastRenderMs = static_cast<double>(clock.nsecsElapsed()) / 1e6;
     }
 }
 

@@ -49,6 +49,8 @@ public:
     void resetView();
     /// The scene as it is now, in device pixels. Renders at once.
     QImage grabPicture() const;
+    /// Draws now what waits to be drawn.
+    void finishDrawing();
     /// Appends "Copy picture", "Save picture...", "Reset view" and "Look through" to a menu.
     void addActions(QMenu& menu);
 

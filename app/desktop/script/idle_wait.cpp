@@ -11,6 +11,8 @@ namespace app {
 
 namespace {
 
+constexpr int kLookAgainMs = 20;
+
 /// One turn of the event loop: what is posted now is done when it returns.
 void turnOnce() {
     QEventLoop loop;
@@ -34,6 +36,9 @@ bool waitFor(MainWindow& window, const std::function<bool()>& condition, int tim
     limit.start(timeoutMs);
     QObject::connect(&window.workbench().pool, &widgets::JobPool::becameIdle, &loop, look, Qt::QueuedConnection);
     QObject::connect(&window.workbench().frames, &widgets::FrameLoader::frameCompleted, &loop, look, Qt::QueuedConnection);
+    QTimer again; // not everything that can be waited for says so
+    QObject::connect(&again, &QTimer::timeout, &loop, look);
+    again.start(kLookAgainMs);
     QTimer::singleShot(0, &loop, look);
     return loop.exec() == 0;
 }

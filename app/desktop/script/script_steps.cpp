@@ -150,9 +150,15 @@ QJsonObject ScriptSteps::action(const QJsonObject& step) {
 }
 
 QJsonObject ScriptSteps::fit(const QJsonObject& step) {
-    widgets::FitRequest request{intField(step, "start"), intField(step, "test"), {}};
+    widgets::FitRequest request{intField(step, "start"), intField(step, "test"), {}, widgets::FitTarget::Recorded};
     for (const QString& method : textsField(step, "methods"))
         request.methods.push_back(method.toStdString());
+    if (step.contains(QLatin1String("target"))) {
+        const QString target = textField(step, "target");
+        if (target != QLatin1String("recorded") && target != QLatin1String("masks"))
+            throw refused("target", QStringLiteral("expected \"recorded\" or \"masks\""));
+        request.target = target == QLatin1String("masks") ? widgets::FitTarget::Masks : widgets::FitTarget::Recorded;
+    }
     widgets::FitRunner& fits = m_window.workbench().fits;
     const QString error = outcomeOf(m_window, &fits, &widgets::FitRunner::finished, &widgets::FitRunner::failed,
                                     [&] { m_window.workspaces().fittingPanel()->fit(request); });
@@ -222,6 +228,10 @@ QJsonObject ScriptSteps::shot(const QJsonObject& step) {
     if (!part->isVisible())
         throw refused("of", QStringLiteral("\"%1\" is not shown now").arg(name));
     settle();
+    if (!waitFor(m_window, [this] { return m_window.workbench().checks.isUpToDate(); }))
+        throw refused("do", QStringLiteral("no answer in time"));
+    m_window.workspaces().scene()->finishDrawing();
+    drawNow(m_window);
     QImage picture;
     if (const auto* scene = qobject_cast<widgets::SceneView*>(part)) {
         picture = scene->grabPicture();

@@ -39,7 +39,7 @@ TEST_F(Batch, ExplainsItself) {
     EXPECT_EQ(runBatch({"--version"}).status, 0);
     const Ended help = runBatch({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* verb : {"demo", "import", "check", "info", "joints", "render", "fit", "benchmark", "merge", "triangulate", "calibration", "annotations", "export", "new"}) {
+    for (const char* verb : {"demo", "import", "check", "info", "joints", "render", "fit", "benchmark", "merge", "triangulate", "calibration", "annotations", "export", "new", "report"}) {
         EXPECT_NE(help.out.find(std::string("\n  ") + verb), std::string::npos) << verb;
         EXPECT_EQ(runBatch({verb, "--help"}).status, 0) << verb;
     }
@@ -53,6 +53,18 @@ TEST_F(Batch, AnswersBadUsageWithStatusTwo) {
     expectRefused(runBatch({"fit", m_set, "--sequence", "first", "--start", "0", "--test", "1", "--method", "chh", "--out", m_out}), 2, "", "chh");
     expectRefused(runBatch({"import", "tzionas", "--models", m_set, "--ring", "8", "--cameras", "c", "--out", m_out}), 2, "", "");
     EXPECT_FALSE(fs::exists(m_out));
+}
+
+TEST_F(Batch, ReportsOnAnnotations) {
+    const Ended usual = runBatch({"report", m_set});
+    EXPECT_EQ(usual.status, 0) << usual.err;
+    EXPECT_TRUE(fs::exists(fs::path(m_set) / "report.html"));
+    EXPECT_EQ(usual.out, (fs::path(m_set) / "report.html").string() + "\n");
+    const std::string page = m_folder / "page.html";
+    EXPECT_EQ(runBatch({"report", m_set, "--out", page}).status, 0);
+    EXPECT_TRUE(fs::exists(page));
+    expectRefused(runBatch({"report", m_folder / "none"}), 1, m_folder / "none", "no such dataset");
+    expectRefused(runBatch({"report", m_set, "--bad-px", "-1"}), 2, "", "--bad-px");
 }
 
 TEST_F(Batch, AnswersBadInputWithStatusOneAndOneLine) {

@@ -42,7 +42,7 @@ protected:
 };
 
 TEST_F(JointTableModelTest, ShowsViewsErrorAndUncertainty) {
-    EXPECT_EQ(at(1, JointTableModel::Joint), "left index_mcp");
+    EXPECT_EQ(at(1, JointTableModel::Joint), "L index_mcp");
     EXPECT_EQ(at(1, JointTableModel::Views), "");
     clickAt(0, truth(0));
     EXPECT_EQ(at(1, JointTableModel::Views), "1");

@@ -40,14 +40,17 @@ protected:
         }
         return found;
     }
+    /// Of what has that colour; the axes in the lower left corner do not count.
     static QPointF middleOf(const QImage& image, const QColor& colour) {
+        constexpr int kAxes = 60;
         QPointF sum;
         int found = 0;
         for (int y = 0; y < image.height(); ++y) {
             for (int x = 0; x < image.width(); ++x) {
                 const QColor c = image.pixelColor(x, y);
                 const int turn = std::abs(c.hsvHue() - colour.hsvHue());
-                if (c.saturation() > 90 && c.value() > 50 && std::min(turn, 360 - turn) < 12) {
+                const bool isAxis = x < kAxes && y >= image.height() - kAxes;
+                if (!isAxis && c.saturation() > 90 && c.value() > 50 && std::min(turn, 360 - turn) < 12) {
                     sum += QPointF(x, y);
                     ++found;
                 }

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/annotation_report.h"
+
+#include <gtest/gtest.h>
+
+#include "core/annotation/edits.h"
+#include "core/io/annotation_store.h"
+#include "core/io/dataset_annotations.h"
+#include "core/io/gnuplot.h"
+#include "core/io/text_file.h"
+#include "tests/support/clicks.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+using core::JointId;
+using core::Side;
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+class AnnotationReportTest : public testing::Test {
+protected:
+    AnnotationReportTest() {
+        test::writeSmallDataset(m_folder / "set");
+        m_dataset = core::readDataset(m_folder / "set");
+    }
+    void annotate() {
+        auto store = core::AnnotationStore::open(core::annotationFile(m_dataset, m_dataset.sequences[0]));
+        core::AnnotationSet set;
+        for (const std::string rater : {"ann <first>", "bob"}) {
+            test::clickEverywhere(set, m_dataset.cameras, 1, rater, {Side::Left, "index_mcp"}, {0, 0, 0}, 1, &m_random);
+        }
+        store.commit(core::importEdit({}, set, "import"), "ann");
+    }
+    std::string report() {
+        core::writeAnnotationReport(m_dataset, m_folder / "report.html");
+        return core::readTextFile(m_folder / "report.html");
+    }
+
+    test::TemporaryFolder m_folder;
+    core::Dataset m_dataset;
+    std::mt19937_64 m_random = test::randomFor("annotation report");
+};
+
+TEST_F(AnnotationReportTest, SaysThatNobodyHasBegun) {
+    EXPECT_TRUE(core::readAnnotations(m_dataset, m_dataset.sequences[0]).marks.empty());
+    const std::string html = report();
+    EXPECT_TRUE(contains(html, "nobody yet"));
+    EXPECT_FALSE(contains(html, "<svg"));
+    EXPECT_FALSE(contains(html, "Worst joints"));
+}
+
+TEST_F(AnnotationReportTest, ShowsRatersJointsAndFigures) {
+    annotate();
+    const std::string html = report();
+    EXPECT_TRUE(contains(html, "ann &lt;first&gt;"));
+    EXPECT_FALSE(contains(html, "ann <first>"));
+    EXPECT_TRUE(contains(html, "left index_mcp"));
+    EXPECT_TRUE(contains(html, "<h2>Agreement</h2>\n<table>"));
+    EXPECT_FALSE(contains(html, "http://") && contains(html, "src="));
+    const bool drawn = core::drawWithGnuplot({}).has_value();
+    EXPECT_EQ(contains(html, "<svg"), drawn);
+    if (!drawn) {
+        GTEST_SKIP() << "gnuplot is not installed: figures not looked at";
+    }
+    std::size_t figures = 0;
+    for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1)) {
+        ++figures;
+    }
+    EXPECT_EQ(figures, 3u);
+}
+
+TEST_F(AnnotationReportTest, SequencesWithoutANamedFileHaveTheUsualOne) {
+    core::Sequence sequence = m_dataset.sequences[0];
+    sequence.annotations.clear();
+    EXPECT_EQ(core::annotationFile(m_dataset, sequence), m_dataset.folder / "annotations" / (sequence.name + ".sqlite"));
+}
+
+} // namespace

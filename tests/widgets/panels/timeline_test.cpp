@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/timeline.h"
+
+#include <QSignalSpy>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/pointer.h"
+#include "widgets/panels/state_colours.h"
+
+namespace {
+
+class TimelineTest : public testing::Test {
+protected:
+    TimelineTest() {
+        timeline.setFrameCount(100);
+        timeline.resize(812, 40);
+        timeline.show();
+    }
+    /// The lane of a hand at a frame: the colour a pixel above its lower edge.
+    QColor laneAt(int frame, core::Side hand) {
+        const QImage picture = timeline.grab().toImage();
+        const int x = 6 + frame * 8 + 3;
+        const int top = (timeline.height() - 19) / 2;
+        return picture.pixelColor(x, top + (hand == core::Side::Left ? 5 : 16));
+    }
+    widgets::Timeline timeline;
+};
+
+TEST_F(TimelineTest, ShowsEachHandInItsLane) {
+    timeline.setFrame(99);
+    widgets::FrameCoverage frames;
+    frames[20][core::Side::Left].done = 14;
+    frames[30][core::Side::Left].partial = 14;
+    frames[40][core::Side::Right].partial = 14;
+    frames[40][core::Side::Right].bad = 1;
+    timeline.setCoverage(frames, 14, 14);
+    EXPECT_EQ(laneAt(20, core::Side::Left), widgets::kDoneColour);
+    EXPECT_EQ(laneAt(30, core::Side::Left), widgets::kPartialColour);
+    EXPECT_EQ(laneAt(40, core::Side::Right), widgets::kBadColour);
+    EXPECT_NE(laneAt(40, core::Side::Left), widgets::kBadColour);
+    EXPECT_EQ(laneAt(60, core::Side::Left), laneAt(70, core::Side::Right)) << "nothing there";
+}
+
+TEST_F(TimelineTest, MarksTestFramesBelow) {
+    const QImage before = timeline.grab().toImage();
+    timeline.setTestFrames({50});
+    const QImage after = timeline.grab().toImage();
+    EXPECT_NE(before, after);
+    const int x = 6 + 50 * 8 + 4, y = (timeline.height() + 19) / 2 + 1;
+    EXPECT_EQ(after.pixelColor(x, y), timeline.palette().color(QPalette::Highlight));
+}
+
+TEST_F(TimelineTest, APressGoesToItsFrame) {
+    QSignalSpy asked(&timeline, &widgets::Timeline::frameRequested);
+    test::press(&timeline, {6 + 42.5 * 8, 20});
+    test::moveTo(&timeline, {5000, 20}, Qt::LeftButton);
+    test::release(&timeline, {5000, 20});
+    ASSERT_EQ(asked.count(), 2);
+    EXPECT_EQ(asked[0][0].toInt(), 42);
+    EXPECT_EQ(asked[1][0].toInt(), 99);
+}
+
+} // namespace

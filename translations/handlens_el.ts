@@ -1,0 +1,2034 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="el">
+<context>
+    <name>app::ActionTable</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Αρχείο</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Επεξεργασία</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Προβολή</translation>
+    </message>
+    <message>
+        <source>&amp;Annotate</source>
+        <translation>Επι&amp;σημείωση</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Μετάβαση</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>Π&amp;ροσαρμογή</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>Σύ&amp;γκριση</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Βοήθεια</translation>
+    </message>
+    <message>
+        <source>&amp;Open a dataset...</source>
+        <translation>Ά&amp;νοιγμα συνόλου δεδομένων...</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>Άνοιγμα επί&amp;δειξης</translation>
+    </message>
+    <message>
+        <source>&amp;Import annotations...</source>
+        <translation>&amp;Εισαγωγή επισημειώσεων...</translation>
+    </message>
+    <message>
+        <source>&amp;Export annotations...</source>
+        <translation>Ε&amp;ξαγωγή επισημειώσεων...</translation>
+    </message>
+    <message>
+        <source>Writes all annotations and their 3D joints of this sequence</source>
+        <translation>Γράφει όλες τις επισημειώσεις αυτής της ακολουθίας και τις αρθρώσεις 3D τους</translation>
+    </message>
+    <message>
+        <source>&amp;Report on the annotations...</source>
+        <translation>&amp;Αναφορά για τις επισημειώσεις...</translation>
+    </message>
+    <message>
+        <source>A page with progress, raters, worst joints and figures</source>
+        <translation>Σελίδα με πρόοδο, αξιολογητές, χειρότερες αρθρώσεις και διαγράμματα</translation>
+    </message>
+    <message>
+        <source>&amp;Save the views as a picture...</source>
+        <translation>Απο&amp;θήκευση προβολών ως εικόνα...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Έξ&amp;οδος</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Αναίρεση</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Α&amp;κύρωση αναίρεσης</translation>
+    </message>
+    <message>
+        <source>&amp;Note on this frame...</source>
+        <translation>&amp;Σημείωση για αυτό το καρέ...</translation>
+    </message>
+    <message>
+        <source>Your n&amp;ame...</source>
+        <translation>Το ό&amp;νομά σας...</translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under</source>
+        <translation>Το όνομα με το οποίο φυλάσσονται τα σημάδια σας</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts...</source>
+        <translation>Σ&amp;υντομεύσεις...</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>Ε&amp;ξέταση</translation>
+    </message>
+    <message>
+        <source>&amp;Benchmark</source>
+        <translation>Συγκριτική &amp;δοκιμή</translation>
+    </message>
+    <message>
+        <source>&amp;Hide all overlays</source>
+        <translation>&amp;Απόκρυψη όλων των επικαλύψεων</translation>
+    </message>
+    <message>
+        <source>While the key is held</source>
+        <translation>Όσο κρατάτε πατημένο το πλήκτρο</translation>
+    </message>
+    <message>
+        <source>Error lines three times as &amp;long</source>
+        <translation>Γραμμές σφάλματος με &amp;τριπλό μήκος</translation>
+    </message>
+    <message>
+        <source>Lou&amp;pe</source>
+        <translation>&amp;Φακός</translation>
+    </message>
+    <message>
+        <source>Magnifies the pixels around the pointer</source>
+        <translation>Μεγεθύνει τα πίξελ γύρω από τον δείκτη του ποντικιού</translation>
+    </message>
+    <message>
+        <source>S&amp;keleton</source>
+        <translation>Σ&amp;κελετός</translation>
+    </message>
+    <message>
+        <source>&amp;Epipolar guides</source>
+        <translation>&amp;Επιπολικές γραμμές</translation>
+    </message>
+    <message>
+        <source>Lines on which the selected joint must lie, as the other views say</source>
+        <translation>Γραμμές πάνω στις οποίες πρέπει να βρίσκεται η επιλεγμένη άρθρωση σύμφωνα με τις άλλες προβολές</translation>
+    </message>
+    <message>
+        <source>P&amp;re-placed marks</source>
+        <translation>&amp;Προτεινόμενα σημάδια</translation>
+    </message>
+    <message>
+        <source>Marks that wait to be accepted</source>
+        <translation>Σημάδια που περιμένουν αποδοχή</translation>
+    </message>
+    <message>
+        <source>Joint &amp;names</source>
+        <translation>&amp;Ονόματα αρθρώσεων</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the selected joint</source>
+        <translation>Παρακολούθ&amp;ηση επιλεγμένης άρθρωσης</translation>
+    </message>
+    <message>
+        <source>Keeps the selected joint in the middle of every zoomed view</source>
+        <translation>Κρατά την επιλεγμένη άρθρωση στο κέντρο κάθε μεγεθυμένης προβολής</translation>
+    </message>
+    <message>
+        <source>Mesh: sha&amp;ded</source>
+        <translation>Πλέγμα: σκ&amp;ιασμένο</translation>
+    </message>
+    <message>
+        <source>Mesh: &amp;wireframe</source>
+        <translation>Πλέγμα: συ&amp;ρμάτινο</translation>
+    </message>
+    <message>
+        <source>Mesh: o&amp;ff</source>
+        <translation>Π&amp;λέγμα: ανενεργό</translation>
+    </message>
+    <message>
+        <source>Next mesh st&amp;yle</source>
+        <translation>Επόμενο στ&amp;υλ πλέγματος</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;opaque</source>
+        <translation>Πλέγμα πιο αδιαφα&amp;νές</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;transparent</source>
+        <translation>Πλέ&amp;γμα πιο διαφανές</translation>
+    </message>
+    <message>
+        <source>Mesh of the left hand</source>
+        <translation>Πλέγμα αριστερού χεριού</translation>
+    </message>
+    <message>
+        <source>Mesh of the right hand</source>
+        <translation>Πλέγμα δεξιού χεριού</translation>
+    </message>
+    <message>
+        <source>Mesh of the recorded pose</source>
+        <translation>Πλέγμα καταγεγραμμένης πόζας</translation>
+    </message>
+    <message>
+        <source>Mesh of the fit&apos;s start pose</source>
+        <translation>Πλέγμα αρχικής πόζας της προσαρμογής</translation>
+    </message>
+    <message>
+        <source>Hand &amp;model of the marks</source>
+        <translation>&amp;Μοντέλο χεριού από τα σημάδια</translation>
+    </message>
+    <message>
+        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <translation>Το μοντέλο χεριού, προσαρμοσμένο στις αρθρώσεις 3D αυτού του καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness, contrast, gamma...</source>
+        <translation>Φωτεινότητα, αντί&amp;θεση, γάμα...</translation>
+    </message>
+    <message>
+        <source>Of the current view or of all</source>
+        <translation>Της τρέχουσας προβολής ή όλων</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras: hide, reorder...</source>
+        <translation>Κάμερες: απόκρυ&amp;ψη, σειρά...</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w whole images</source>
+        <translation>Προ&amp;βολή ολόκληρων εικόνων</translation>
+    </message>
+    <message>
+        <source>Ends zoom and pan in all views</source>
+        <translation>Αναιρεί ζουμ και μετατόπιση σε όλες τις προβολές</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom all views to the joint</source>
+        <translation>&amp;Ζουμ όλων των προβολών στην άρθρωση</translation>
+    </message>
+    <message>
+        <source>Maximise view 1</source>
+        <translation>Μεγιστοποίηση προβολής 1</translation>
+    </message>
+    <message>
+        <source>Maximise view 2</source>
+        <translation>Μεγιστοποίηση προβολής 2</translation>
+    </message>
+    <message>
+        <source>Maximise view 3</source>
+        <translation>Μεγιστοποίηση προβολής 3</translation>
+    </message>
+    <message>
+        <source>Maximise view 4</source>
+        <translation>Μεγιστοποίηση προβολής 4</translation>
+    </message>
+    <message>
+        <source>Maximise view 5</source>
+        <translation>Μεγιστοποίηση προβολής 5</translation>
+    </message>
+    <message>
+        <source>Maximise view 6</source>
+        <translation>Μεγιστοποίηση προβολής 6</translation>
+    </message>
+    <message>
+        <source>Maximise view 7</source>
+        <translation>Μεγιστοποίηση προβολής 7</translation>
+    </message>
+    <message>
+        <source>Maximise view 8</source>
+        <translation>Μεγιστοποίηση προβολής 8</translation>
+    </message>
+    <message>
+        <source>All views again</source>
+        <translation>Ξανά όλες οι προβολές</translation>
+    </message>
+    <message>
+        <source>Reset the 3D sc&amp;ene</source>
+        <translation>Επαναφορά σκηνής &amp;3D</translation>
+    </message>
+    <message>
+        <source>Look thro&amp;ugh the current camera</source>
+        <translation>Θέαση από την τρέ&amp;χουσα κάμερα</translation>
+    </message>
+    <message>
+        <source>The 3D scene from the current camera</source>
+        <translation>Η σκηνή 3D από την τρέχουσα κάμερα</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght colours</source>
+        <translation>Ανοιχτόχρ&amp;ωμο θέμα</translation>
+    </message>
+    <message>
+        <source>Full scree&amp;n</source>
+        <translation>Π&amp;λήρης οθόνη</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the pre-placed mark</source>
+        <translation>&amp;Αποδοχή προτεινόμενου σημαδιού</translation>
+    </message>
+    <message>
+        <source>In the current view or, if that has a mark, in the next one without</source>
+        <translation>Στην τρέχουσα προβολή ή, αν αυτή έχει σημάδι, στην επόμενη χωρίς</translation>
+    </message>
+    <message>
+        <source>Accept in all &amp;views</source>
+        <translation>Αποδοχή σε όλες τις προ&amp;βολές</translation>
+    </message>
+    <message>
+        <source>Accept all joints of the &amp;frame</source>
+        <translation>Αποδοχή όλων των αρθρώσεων του &amp;καρέ</translation>
+    </message>
+    <message>
+        <source>Propose the &amp;rest from the hand model</source>
+        <translation>Πρόταση των &amp;υπολοίπων από το μοντέλο χεριού</translation>
+    </message>
+    <message>
+        <source>Fits the hand model to the 3D joints of this frame and places the others, to be checked</source>
+        <translation>Προσαρμόζει το μοντέλο χεριού στις αρθρώσεις 3D αυτού του καρέ και τοποθετεί τις υπόλοιπες, για έλεγχο</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the mark</source>
+        <translation>&amp;Διαγραφή σημαδιού</translation>
+    </message>
+    <message>
+        <source>Of the selected joint in the current view</source>
+        <translation>Της επιλεγμένης άρθρωσης στην τρέχουσα προβολή</translation>
+    </message>
+    <message>
+        <source>Delete in all vie&amp;ws</source>
+        <translation>Δια&amp;γραφή σε όλες τις προβολές</translation>
+    </message>
+    <message>
+        <source>&amp;Occluded, estimated</source>
+        <translation>Κρυ&amp;μμένο, κατ’ εκτίμηση</translation>
+    </message>
+    <message>
+        <source>The joint is hidden here; its place is a guess</source>
+        <translation>Η άρθρωση δεν φαίνεται εδώ· η θέση της είναι εκτίμηση</translation>
+    </message>
+    <message>
+        <source>&amp;Cannot be placed here</source>
+        <translation>Δεν &amp;τοποθετείται εδώ</translation>
+    </message>
+    <message>
+        <source>&amp;Previous joint</source>
+        <translation>&amp;Προηγούμενη άρθρωση</translation>
+    </message>
+    <message>
+        <source>&amp;Next joint</source>
+        <translation>&amp;Επόμενη άρθρωση</translation>
+    </message>
+    <message>
+        <source>Previous view</source>
+        <translation>Προηγούμενη προβολή</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>Επόμενη προβολή</translation>
+    </message>
+    <message>
+        <source>Nudge left</source>
+        <translation>Μετακίνηση αριστερά</translation>
+    </message>
+    <message>
+        <source>By a quarter of an image pixel</source>
+        <translation>Κατά ένα τέταρτο του πίξελ της εικόνας</translation>
+    </message>
+    <message>
+        <source>Nudge right</source>
+        <translation>Μετακίνηση δεξιά</translation>
+    </message>
+    <message>
+        <source>Nudge up</source>
+        <translation>Μετακίνηση πάνω</translation>
+    </message>
+    <message>
+        <source>Nudge down</source>
+        <translation>Μετακίνηση κάτω</translation>
+    </message>
+    <message>
+        <source>Nudge left by a pixel</source>
+        <translation>Μετακίνηση αριστερά κατά ένα πίξελ</translation>
+    </message>
+    <message>
+        <source>Nudge right by a pixel</source>
+        <translation>Μετακίνηση δεξιά κατά ένα πίξελ</translation>
+    </message>
+    <message>
+        <source>Nudge up by a pixel</source>
+        <translation>Μετακίνηση πάνω κατά ένα πίξελ</translation>
+    </message>
+    <message>
+        <source>Nudge down by a pixel</source>
+        <translation>Μετακίνηση κάτω κατά ένα πίξελ</translation>
+    </message>
+    <message>
+        <source>Copy the pose of the previous annotated frame</source>
+        <translation>Αντιγραφή πόζας του προηγούμενου επισημειωμένου καρέ</translation>
+    </message>
+    <message>
+        <source>As marks that wait to be checked</source>
+        <translation>Ως σημάδια που περιμένουν έλεγχο</translation>
+    </message>
+    <message>
+        <source>&amp;Interpolate between annotated frames</source>
+        <translation>Παρεμβο&amp;λή μεταξύ επισημειωμένων καρέ</translation>
+    </message>
+    <message>
+        <source>In 3D, along straight lines, over the gap around this frame</source>
+        <translation>Σε 3D, σε ευθείες γραμμές, στο κενό γύρω από αυτό το καρέ</translation>
+    </message>
+    <message>
+        <source>Interpolate along a curve</source>
+        <translation>Παρεμβολή κατά μήκος καμπύλης</translation>
+    </message>
+    <message>
+        <source>In 3D, cubic, over the gap around this frame</source>
+        <translation>Σε 3D, κυβική, στο κενό γύρω από αυτό το καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Swap left and right from here on</source>
+        <translation>Ε&amp;ναλλαγή αριστερού και δεξιού από εδώ και πέρα</translation>
+    </message>
+    <message>
+        <source>Delete all marks of this frame</source>
+        <translation>Διαγραφή όλων των σημαδιών του καρέ</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames...</source>
+        <translation>Διαγραφή σε εύρος καρέ...</translation>
+    </message>
+    <message>
+        <source>Next joint when all views are done</source>
+        <translation>Επόμενη άρθρωση όταν όλες οι προβολές είναι έτοιμες</translation>
+    </message>
+    <message>
+        <source>14 joints per hand</source>
+        <translation>14 αρθρώσεις ανά χέρι</translation>
+    </message>
+    <message>
+        <source>21 joints per hand</source>
+        <translation>21 αρθρώσεις ανά χέρι</translation>
+    </message>
+    <message>
+        <source>With wrist and finger tips</source>
+        <translation>Με καρπό και ακροδάχτυλα</translation>
+    </message>
+    <message>
+        <source>All joints of the model</source>
+        <translation>Όλες οι αρθρώσεις του μοντέλου</translation>
+    </message>
+    <message>
+        <source>Joints from a &amp;file...</source>
+        <translation>Αρθρώσεις από αρ&amp;χείο...</translation>
+    </message>
+    <message>
+        <source>Move the joint up in the list</source>
+        <translation>Άρθρωση προς τα πάνω στη λίστα</translation>
+    </message>
+    <message>
+        <source>Move the joint down in the list</source>
+        <translation>Άρθρωση προς τα κάτω στη λίστα</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a part again</source>
+        <translation>Νέα &amp;σήμανση ενός μέρους</translation>
+    </message>
+    <message>
+        <source>Next joint of the second round</source>
+        <translation>Επόμενη άρθρωση του δεύτερου γύρου</translation>
+    </message>
+    <message>
+        <source>Compare ra&amp;ters</source>
+        <translation>Σύγκριση α&amp;ξιολογητών</translation>
+    </message>
+    <message>
+        <source>&amp;Previous frame</source>
+        <translation>&amp;Προηγούμενο καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>&amp;Επόμενο καρέ</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>Δέκα καρέ πίσω</translation>
+    </message>
+    <message>
+        <source>Ten frames forward</source>
+        <translation>Δέκα καρέ μπροστά</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>Π&amp;ρώτο καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Τελευταίο καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Go to frame...</source>
+        <translation>&amp;Μετάβαση σε καρέ...</translation>
+    </message>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>&amp;Αναπαραγωγή</translation>
+    </message>
+    <message>
+        <source>Next &amp;bad joint</source>
+        <translation>Επόμενη προ&amp;βληματική άρθρωση</translation>
+    </message>
+    <message>
+        <source>Error above the threshold, an outlier, or no 3D point</source>
+        <translation>Σφάλμα πάνω από το όριο, ακραία τιμή ή χωρίς σημείο 3D</translation>
+    </message>
+    <message>
+        <source>Previous b&amp;ad joint</source>
+        <translation>Προηγούμενη προβ&amp;ληματική άρθρωση</translation>
+    </message>
+    <message>
+        <source>Next &amp;unlabelled frame</source>
+        <translation>Επόμενο &amp;ημιτελές καρέ</translation>
+    </message>
+    <message>
+        <source>The next frame in which a joint is not done</source>
+        <translation>Το επόμενο καρέ στο οποίο κάποια άρθρωση δεν είναι έτοιμη</translation>
+    </message>
+    <message>
+        <source>Previous unlab&amp;elled frame</source>
+        <translation>Προηγούμενο ημ&amp;ιτελές καρέ</translation>
+    </message>
+    <message>
+        <source>Next annotated frame</source>
+        <translation>Επόμενο επισημειωμένο καρέ</translation>
+    </message>
+    <message>
+        <source>Previous annotated frame</source>
+        <translation>Προηγούμενο επισημειωμένο καρέ</translation>
+    </message>
+    <message>
+        <source>Next &amp;test frame</source>
+        <translation>Επόμενο καρέ &amp;δοκιμής</translation>
+    </message>
+    <message>
+        <source>The frames that the benchmark draws from this sequence</source>
+        <translation>Τα καρέ που επιλέγει η συγκριτική δοκιμή από αυτή την ακολουθία</translation>
+    </message>
+    <message>
+        <source>Previous test frame</source>
+        <translation>Προηγούμενο καρέ δοκιμής</translation>
+    </message>
+    <message>
+        <source>Last e&amp;dited frame</source>
+        <translation>Τελευταίο επε&amp;ξεργασμένο καρέ</translation>
+    </message>
+    <message>
+        <source>Error &amp;threshold...</source>
+        <translation>Όριο &amp;σφάλματος...</translation>
+    </message>
+    <message>
+        <source>Joints with a larger error count as bad</source>
+        <translation>Αρθρώσεις με μεγαλύτερο σφάλμα θεωρούνται προβληματικές</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the current frame</source>
+        <translation>&amp;Προσαρμογή στο τρέχον καρέ</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Διακοπή</translation>
+    </message>
+    <message>
+        <source>Show the fit &amp;panel</source>
+        <translation>&amp;Εμφάνιση πίνακα προσαρμογής</translation>
+    </message>
+    <message>
+        <source>&amp;Previous iteration</source>
+        <translation>&amp;Προηγούμενη επανάληψη</translation>
+    </message>
+    <message>
+        <source>Shows the poses as they were before</source>
+        <translation>Δείχνει τις πόζες όπως ήταν πριν</translation>
+    </message>
+    <message>
+        <source>&amp;Next iteration</source>
+        <translation>&amp;Επόμενη επανάληψη</translation>
+    </message>
+    <message>
+        <source>&amp;Result of the fit</source>
+        <translation>&amp;Αποτέλεσμα της προσαρμογής</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>&amp;Συντομεύσεις</translation>
+    </message>
+    <message>
+        <source>&amp;Four hints</source>
+        <translation>&amp;Τέσσερις συμβουλές</translation>
+    </message>
+    <message>
+        <source>&amp;About Handlens</source>
+        <translation>Σ&amp;χετικά με το Handlens</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden; once more to end the round</source>
+        <translation>Ένα τυχαίο δέκατο των έτοιμων αρθρώσεών σας, με τα πρώτα σημάδια κρυμμένα· ξανά για να τελειώσει ο γύρος</translation>
+    </message>
+    <message>
+        <source>With the chosen methods, from the pose of some frames before</source>
+        <translation>Με τις επιλεγμένες μεθόδους, από την πόζα μερικών καρέ πριν</translation>
+    </message>
+</context>
+<context>
+    <name>app::FileActions</name>
+    <message>
+        <source>Handlens ground truth</source>
+        <translation>Δεδομένα αναφοράς Handlens</translation>
+    </message>
+    <message>
+        <source>Files of the method&apos;s authors</source>
+        <translation>Αρχεία των δημιουργών της μεθόδου</translation>
+    </message>
+    <message>
+        <source>COCO keypoints</source>
+        <translation>Σημεία-κλειδιά COCO</translation>
+    </message>
+    <message>
+        <source>Anipose, 2D</source>
+        <translation>Anipose, 2D</translation>
+    </message>
+    <message>
+        <source>Anipose, 3D</source>
+        <translation>Anipose, 3D</translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose</source>
+        <translation>DeepLabCut, Lightning Pose</translation>
+    </message>
+    <message>
+        <source>TRC, marker motion</source>
+        <translation>TRC, κίνηση δεικτών</translation>
+    </message>
+    <message>
+        <source>InterHand2.6M</source>
+        <translation>InterHand2.6M</translation>
+    </message>
+    <message>
+        <source>FreiHAND, HanCo</source>
+        <translation>FreiHAND, HanCo</translation>
+    </message>
+    <message>
+        <source>Table of 3D joints</source>
+        <translation>Πίνακας αρθρώσεων 3D</translation>
+    </message>
+    <message>
+        <source>Table of marks</source>
+        <translation>Πίνακας σημαδιών</translation>
+    </message>
+    <message>
+        <source>%1 – a new folder (*)</source>
+        <translation>%1 – νέος φάκελος (*)</translation>
+    </message>
+</context>
+<context>
+    <name>app::MainWindow</name>
+    <message>
+        <source>No annotated frame before this one.</source>
+        <translation>Κανένα επισημειωμένο καρέ πριν από αυτό.</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no 3D joint that is missing here.</source>
+        <translation>Το καρέ %1 δεν έχει άρθρωση 3D που να λείπει εδώ.</translation>
+    </message>
+    <message>
+        <source>Annotate a frame before and a frame after this one first.</source>
+        <translation>Επισημειώστε πρώτα ένα καρέ πριν και ένα μετά από αυτό.</translation>
+    </message>
+    <message>
+        <source>No joint has a 3D point in both frame %1 and frame %2.</source>
+        <translation>Καμία άρθρωση δεν έχει σημείο 3D και στο καρέ %1 και στο καρέ %2.</translation>
+    </message>
+    <message>
+        <source>There are no marks of yours there.</source>
+        <translation>Δεν υπάρχουν δικά σας σημάδια εκεί.</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames</source>
+        <translation>Διαγραφή σε εύρος καρέ</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Διαγραφή</translation>
+    </message>
+    <message>
+        <source>The hand model has nothing to add: every joint of the list that it knows has a mark.</source>
+        <translation>Το μοντέλο χεριού δεν έχει κάτι να προσθέσει: κάθε άρθρωση της λίστας που γνωρίζει έχει ήδη σημάδι.</translation>
+    </message>
+    <message>
+        <source>Finish some joints first: there is nothing to mark again.</source>
+        <translation>Ολοκληρώστε πρώτα μερικές αρθρώσεις: δεν υπάρχει κάτι για νέα σήμανση.</translation>
+    </message>
+    <message>
+        <source>Every joint of the round is marked: end it to see how you did.</source>
+        <translation>Όλες οι αρθρώσεις του γύρου σημάνθηκαν: τερματίστε τον για να δείτε το αποτέλεσμα.</translation>
+    </message>
+    <message>
+        <source>No second round is under way.</source>
+        <translation>Δεν βρίσκεται σε εξέλιξη δεύτερος γύρος.</translation>
+    </message>
+    <message>
+        <source>Export annotations</source>
+        <translation>Εξαγωγή επισημειώσεων</translation>
+    </message>
+    <message>
+        <source>Import annotations</source>
+        <translation>Εισαγωγή επισημειώσεων</translation>
+    </message>
+    <message>
+        <source>Report on the annotations</source>
+        <translation>Αναφορά για τις επισημειώσεις</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Σελίδες (*.html)</translation>
+    </message>
+    <message>
+        <source>Save the views as a picture</source>
+        <translation>Αποθήκευση προβολών ως εικόνα</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Εικόνες (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>Δεν ήταν δυνατή η εγγραφή του %1.</translation>
+    </message>
+    <message>
+        <source>Joints from a file</source>
+        <translation>Αρθρώσεις από αρχείο</translation>
+    </message>
+    <message>
+        <source>Lists of joints (*.json)</source>
+        <translation>Λίστες αρθρώσεων (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a dataset to begin.</source>
+        <translation>Ανοίξτε ένα σύνολο δεδομένων για να ξεκινήσετε.</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Άνοιγμα: %1</translation>
+    </message>
+    <message>
+        <source>This could not be opened. %1</source>
+        <translation>Δεν ήταν δυνατό το άνοιγμα. %1</translation>
+    </message>
+    <message>
+        <source>Not saved yet, but nothing is lost: it is tried again every few seconds. %1</source>
+        <translation>Δεν έχει αποθηκευτεί ακόμα, αλλά τίποτα δεν χάθηκε: γίνεται νέα προσπάθεια κάθε λίγα δευτερόλεπτα. %1</translation>
+    </message>
+    <message>
+        <source>Read-only: %1. You can look and export; edits are not possible.</source>
+        <translation>Μόνο για ανάγνωση: %1. Μπορείτε να βλέπετε και να εξάγετε, όχι να επεξεργάζεστε.</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Έγινε εξαγωγή στο %1</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>Η αναφορά γράφτηκε στο %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) imported from %1</source>
+        <translation>
+            <numerusform>Έγινε εισαγωγή %n σημαδιού από το %1</numerusform>
+            <numerusform>Έγινε εισαγωγή %n σημαδιών από το %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fitting</source>
+        <translation>Προσαρμογή</translation>
+    </message>
+    <message>
+        <source>Fitting: %1</source>
+        <translation>Προσαρμογή: %1</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>Συγκριτική δοκιμή</translation>
+    </message>
+    <message>
+        <source>Benchmark: %1</source>
+        <translation>Συγκριτική δοκιμή: %1</translation>
+    </message>
+    <message>
+        <source>Open a dataset</source>
+        <translation>Άνοιγμα συνόλου δεδομένων</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Πρόσ&amp;φατα</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Κανένα ακόμα</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Το όνομά σας</translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name:</source>
+        <translation>Τα σημάδια σας φυλάσσονται με αυτό το όνομα:</translation>
+    </message>
+    <message>
+        <source>About Handlens</source>
+        <translation>Σχετικά με το Handlens</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;3D hand ground truth in calibrated multi-camera footage.&lt;/p&gt;&lt;p&gt;MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;Δεδομένα αναφοράς 3D για χέρια σε βαθμονομημένα βίντεο πολλών καμερών.&lt;/p&gt;&lt;p&gt;Άδεια MIT. Βασίζεται σε Qt, VTK, Eigen, OpenCV, SQLite και άλλα.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Αναίρεση: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Αναίρεση</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>Α&amp;κύρωση αναίρεσης: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Α&amp;κύρωση αναίρεσης</translation>
+    </message>
+    <message>
+        <source>No bad joint in that direction.</source>
+        <translation>Καμία προβληματική άρθρωση προς αυτή την κατεύθυνση.</translation>
+    </message>
+    <message>
+        <source>Every frame in that direction is done.</source>
+        <translation>Όλα τα καρέ προς αυτή την κατεύθυνση είναι έτοιμα.</translation>
+    </message>
+    <message>
+        <source>No frame with marks in that direction.</source>
+        <translation>Κανένα καρέ με σημάδια προς αυτή την κατεύθυνση.</translation>
+    </message>
+    <message>
+        <source>No test frame in that direction, as the benchmark is set.</source>
+        <translation>Κανένα καρέ δοκιμής προς αυτή την κατεύθυνση, με τις τρέχουσες ρυθμίσεις της συγκριτικής δοκιμής.</translation>
+    </message>
+    <message>
+        <source>Nothing was edited yet.</source>
+        <translation>Δεν έχει γίνει ακόμα καμία επεξεργασία.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RangeWindow</name>
+    <message>
+        <source>From frame</source>
+        <translation>Από το καρέ</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>Έως το καρέ</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutModel</name>
+    <message>
+        <source>Menu</source>
+        <translation>Μενού</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Ενέργεια</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Συντόμευση</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>Τι κάνει</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2” already: change that one first.</source>
+        <translation>Το %1 ανήκει ήδη στο «%2»: αλλάξτε πρώτα εκείνο.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutWindow</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Συντομεύσεις</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Αναζήτηση</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Επαναφορά όλων</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Κλείσιμο</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation>Διπλό κλικ σε μια συντόμευση για να την αλλάξετε.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Advice</name>
+    <message>
+        <source>fewer than two views</source>
+        <translation>λιγότερες από δύο προβολές</translation>
+    </message>
+    <message>
+        <source>a click lies where the lens model cannot be inverted</source>
+        <translation>ένα κλικ βρίσκεται εκεί όπου το μοντέλο του φακού δεν αντιστρέφεται</translation>
+    </message>
+    <message>
+        <source>rays are nearly parallel</source>
+        <translation>οι ακτίνες είναι σχεδόν παράλληλες</translation>
+    </message>
+    <message>
+        <source>the rays meet behind a camera</source>
+        <translation>οι ακτίνες τέμνονται πίσω από μια κάμερα</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>οι προβολές δεν συμφωνούν</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s)</source>
+        <translation>
+            <numerusform>%n προβολή</numerusform>
+            <numerusform>%n προβολές</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Choose a joint on the left.</source>
+        <translation>Επιλέξτε μια άρθρωση στα αριστερά.</translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras.</source>
+        <translation>Μια άρθρωση χρειάζεται τουλάχιστον δύο κάμερες.</translation>
+    </message>
+    <message>
+        <source>Click %1 in any view.</source>
+        <translation>Κάντε κλικ στο %1 σε οποιαδήποτε προβολή.</translation>
+    </message>
+    <message>
+        <source>The click in %1 disagrees with the others: check it.</source>
+        <translation>Το κλικ στην κάμερα %1 δεν συμφωνεί με τα άλλα: ελέγξτε το.</translation>
+    </message>
+    <message>
+        <source>No 3D point: %1.</source>
+        <translation>Χωρίς σημείο 3D: %1.</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view.</source>
+        <translation>Κάντε κλικ στο %1 σε δεύτερη προβολή.</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view, best in %2.</source>
+        <translation>Κάντε κλικ στο %1 σε δεύτερη προβολή, κατά προτίμηση στην %2.</translation>
+    </message>
+    <message>
+        <source>Done in every view: go on with the next joint.</source>
+        <translation>Έτοιμη σε κάθε προβολή: συνεχίστε με την επόμενη άρθρωση.</translation>
+    </message>
+    <message>
+        <source>Accept the remaining views with Space, or mark them as not placeable.</source>
+        <translation>Αποδεχτείτε τις υπόλοιπες προβολές με το Space ή δηλώστε ότι δεν τοποθετείται εκεί.</translation>
+    </message>
+    <message>
+        <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
+        <translation>Επόμενο κλικ στην %1 (→ %2 mm) ή αποδοχή με το Space.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AgreementModel</name>
+    <message>
+        <source>All joints</source>
+        <translation>Όλες οι αρθρώσεις</translation>
+    </message>
+    <message>
+        <source>Bias %1 mm, 95 % of the differences between %2 and %3 mm</source>
+        <translation>Μεροληψία %1 mm, 95 % των διαφορών μεταξύ %2 και %3 mm</translation>
+    </message>
+    <message>
+        <source>Mean difference along this axis of the world, mm (Bland and Altman)</source>
+        <translation>Μέση διαφορά κατά μήκος αυτού του άξονα του κόσμου, mm (Bland και Altman)</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Άρθρωση</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>μέγ.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationDocument</name>
+    <message>
+        <source>Nothing was changed: the annotations are open for reading only (%1).</source>
+        <translation>Δεν άλλαξε τίποτα: οι επισημειώσεις είναι ανοιχτές μόνο για ανάγνωση (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationFiles</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Annotator</name>
+    <message>
+        <source>Nothing to accept: click %1 in two views first.</source>
+        <translation>Τίποτα προς αποδοχή: κάντε πρώτα κλικ στο %1 σε δύο προβολές.</translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this view.</source>
+        <translation>Δεν υπάρχει σημάδι για το %1 σε αυτή την προβολή.</translation>
+    </message>
+    <message>
+        <source>Click the place where the joint is hidden, then mark it as occluded.</source>
+        <translation>Κάντε κλικ εκεί όπου κρύβεται η άρθρωση και μετά δηλώστε την ως κρυμμένη.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPage</name>
+    <message>
+        <source>Methods</source>
+        <translation>Μέθοδοι</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Ακολουθίες</translation>
+    </message>
+    <message>
+        <source> % of frames</source>
+        <translation> % των καρέ</translation>
+    </message>
+    <message>
+        <source>Synthetic</source>
+        <translation>Συνθετική</translation>
+    </message>
+    <message>
+        <source>Realistic</source>
+        <translation>Ρεαλιστική</translation>
+    </message>
+    <message>
+        <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints.</source>
+        <translation>Συνθετική: σιλουέτες των καταγεγραμμένων ποζών, σφάλματα σε όλες τις αρθρώσεις. Ρεαλιστική: αρχεία μάσκας, σφάλματα στις αρθρώσεις με σημάδια.</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Διάταξη</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Frames apart</source>
+        <translation>Απόσταση καρέ</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Σπόρος</translation>
+    </message>
+    <message>
+        <source>Double-click a pair to inspect it</source>
+        <translation>Διπλό κλικ σε ένα ζεύγος για εξέταση</translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation>Ποσοστό ζευγών κάτω από κάθε σφάλμα</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Σφάλμα, mm</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation>Ζεύγη, %</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation>Εκτελέστε τη συγκριτική δοκιμή για να συγκρίνετε τις μεθόδους.</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation>Σφάλμα ανά άρθρωση</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of frames.</source>
+        <translation>Το «%1» δεν είναι πλήθος καρέ.</translation>
+    </message>
+    <message>
+        <source>Choose at least one method and one sequence.</source>
+        <translation>Επιλέξτε τουλάχιστον μία μέθοδο και μία ακολουθία.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Εκτέλεση</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>αρχή</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkRunner</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>%1 από %2 προσαρμογές</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurvePlot</name>
+    <message>
+        <source>curves</source>
+        <translation>καμπύλες</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EditText</name>
+    <message>
+        <source>delete %1 in %2</source>
+        <translation>διαγραφή (%1, %2)</translation>
+    </message>
+    <message>
+        <source>mark %1 as not placeable in %2</source>
+        <translation>δεν τοποθετείται (%1, %2)</translation>
+    </message>
+    <message>
+        <source>accept %1 in %2</source>
+        <translation>αποδοχή (%1, %2)</translation>
+    </message>
+    <message>
+        <source>place %1 in %2</source>
+        <translation>τοποθέτηση (%1, %2)</translation>
+    </message>
+    <message>
+        <source>move %1 in %2</source>
+        <translation>μετακίνηση (%1, %2)</translation>
+    </message>
+    <message>
+        <source>mark %1 as occluded in %2</source>
+        <translation>σήμανση ως κρυμμένο (%1, %2)</translation>
+    </message>
+    <message>
+        <source>mark %1 as visible in %2</source>
+        <translation>σήμανση ως ορατό (%1, %2)</translation>
+    </message>
+    <message numerus="yes">
+        <source>accept %n mark(s)</source>
+        <translation>
+            <numerusform>αποδοχή %n σημαδιού</numerusform>
+            <numerusform>αποδοχή %n σημαδιών</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>copy a pose (%n mark(s))</source>
+        <translation>
+            <numerusform>αντιγραφή πόζας (%n σημάδι)</numerusform>
+            <numerusform>αντιγραφή πόζας (%n σημάδια)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>interpolate (%n mark(s))</source>
+        <translation>
+            <numerusform>παρεμβολή (%n σημάδι)</numerusform>
+            <numerusform>παρεμβολή (%n σημάδια)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>swap left and right (%n mark(s))</source>
+        <translation>
+            <numerusform>εναλλαγή αριστερού και δεξιού (%n σημάδι)</numerusform>
+            <numerusform>εναλλαγή αριστερού και δεξιού (%n σημάδια)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n mark(s)</source>
+        <translation>
+            <numerusform>διαγραφή %n σημαδιού</numerusform>
+            <numerusform>διαγραφή %n σημαδιών</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>import %n mark(s)</source>
+        <translation>
+            <numerusform>εισαγωγή %n σημαδιού</numerusform>
+            <numerusform>εισαγωγή %n σημαδιών</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>propose %n mark(s)</source>
+        <translation>
+            <numerusform>πρόταση %n σημαδιού</numerusform>
+            <numerusform>πρόταση %n σημαδιών</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>αριστερό</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξί</translation>
+    </message>
+    <message>
+        <source>L %1</source>
+        <translation>Α %1</translation>
+    </message>
+    <message>
+        <source>R %1</source>
+        <translation>Δ %1</translation>
+    </message>
+    <message>
+        <source>note on frame %1</source>
+        <translation>σημείωση για το καρέ %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>change %n mark(s)</source>
+        <translation>
+            <numerusform>αλλαγή %n σημαδιού</numerusform>
+            <numerusform>αλλαγή %n σημαδιών</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EmptyState</name>
+    <message>
+        <source>Recent datasets</source>
+        <translation>Πρόσφατα σύνολα δεδομένων</translation>
+    </message>
+    <message>
+        <source>Open a dataset, drop its folder here, or try the demo.</source>
+        <translation>Ανοίξτε ένα σύνολο δεδομένων, σύρετε τον φάκελό του εδώ ή δοκιμάστε την επίδειξη.</translation>
+    </message>
+    <message>
+        <source>Open a dataset...</source>
+        <translation>Άνοιγμα συνόλου δεδομένων...</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>Δοκιμή της επίδειξης</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FindingModel</name>
+    <message>
+        <source>Finding</source>
+        <translation>Εύρημα</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Άρθρωση</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Καρέ</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitPair</name>
+    <message>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <translation>Αυτή η ακολουθία δεν έχει καταγεγραμμένη κίνηση: σημειώστε μερικές αρθρώσεις κάθε χεριού στο αρχικό καρέ και η προσαρμογή θα ξεκινήσει από το μοντέλο χεριού προσαρμοσμένο σε αυτές.</translation>
+    </message>
+    <message>
+        <source>There is no mask file of the test frame.</source>
+        <translation>Δεν υπάρχει αρχείο μάσκας για το καρέ δοκιμής.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitRunner</name>
+    <message>
+        <source>This dataset has no hand models to fit.</source>
+        <translation>Αυτό το σύνολο δεδομένων δεν έχει μοντέλα χεριών για προσαρμογή.</translation>
+    </message>
+    <message>
+        <source>This sequence has no mask files.</source>
+        <translation>Αυτή η ακολουθία δεν έχει αρχεία μάσκας.</translation>
+    </message>
+    <message>
+        <source>This sequence has no recorded motion to draw silhouettes from.</source>
+        <translation>Αυτή η ακολουθία δεν έχει καταγεγραμμένη κίνηση από την οποία να σχεδιαστούν σιλουέτες.</translation>
+    </message>
+    <message>
+        <source>The start and the test frame must be between 0 and %1.</source>
+        <translation>Το αρχικό καρέ και το καρέ δοκιμής πρέπει να είναι μεταξύ 0 και %1.</translation>
+    </message>
+    <message>
+        <source>Choose at least one method.</source>
+        <translation>Επιλέξτε τουλάχιστον μία μέθοδο.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FittingPanel</name>
+    <message>
+        <source>Silhouettes of the recorded pose</source>
+        <translation>Σιλουέτες καταγεγραμμένης πόζας</translation>
+    </message>
+    <message>
+        <source>Silhouettes of the mask files</source>
+        <translation>Σιλουέτες αρχείων μάσκας</translation>
+    </message>
+    <message>
+        <source>What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame.</source>
+        <translation>Τι πρέπει να πετύχει η προσαρμογή. Με αρχεία μάσκας, τα σφάλματα μετρώνται στις αρθρώσεις που έχουν σημάδια στο καρέ δοκιμής.</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Σφάλμα, mm</translation>
+    </message>
+    <message>
+        <source>The error of every iteration appears here.</source>
+        <translation>Εδώ εμφανίζεται το σφάλμα κάθε επανάληψης.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Αρχή</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Frame whose silhouettes are to be met</source>
+        <translation>Καρέ του οποίου οι σιλουέτες είναι ο στόχος</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Εδώ</translation>
+    </message>
+    <message>
+        <source>Test the current frame</source>
+        <translation>Δοκιμή στο τρέχον καρέ</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Προσαρμογή</translation>
+    </message>
+    <message>
+        <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
+        <translation>Καρέ από του οποίου την πόζα ξεκινά η προσαρμογή: η καταγεγραμμένη ή, χωρίς αυτήν, το μοντέλο χεριού των σημαδιών του</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FramesBar</name>
+    <message>
+        <source>Sequence</source>
+        <translation>Ακολουθία</translation>
+    </message>
+    <message>
+        <source>Frame: type a number and press Enter</source>
+        <translation>Καρέ: πληκτρολογήστε έναν αριθμό και πατήστε Enter</translation>
+    </message>
+    <message>
+        <source>Frame </source>
+        <translation>Καρέ </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandDiagram</name>
+    <message>
+        <source>Joints of both hands</source>
+        <translation>Αρθρώσεις και των δύο χεριών</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Hints</name>
+    <message>
+        <source>Choose a joint on the left, then click it in two views: its 3D place appears at once.</source>
+        <translation>Επιλέξτε μια άρθρωση στα αριστερά και κάντε κλικ πάνω της σε δύο προβολές: η θέση της σε 3D εμφανίζεται αμέσως.</translation>
+    </message>
+    <message>
+        <source>Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything.</source>
+        <translation>Το Space αποδέχεται ένα προτεινόμενο σημάδι, το X διαγράφει ένα σημάδι, το Ctrl+Z αναιρεί οτιδήποτε.</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
+        <translation>Ο τροχός κάνει ζουμ, το μεσαίο κουμπί μετακινεί, το διπλό κλικ γεμίζει το παράθυρο με μία προβολή.</translation>
+    </message>
+    <message>
+        <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
+        <translation>Τα A και D αλλάζουν καρέ, τα W και S άρθρωση· το F1 δείχνει όλα τα πλήκτρα.</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>Το κατάλαβα</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectPage</name>
+    <message>
+        <source>Cameras: </source>
+        <translation>Κάμερες: </translation>
+    </message>
+    <message>
+        <source>Rows of cameras, from the current one on</source>
+        <translation>Σειρές καμερών, από την τρέχουσα και μετά</translation>
+    </message>
+    <message>
+        <source>Fit a pair of frames: F</source>
+        <translation>Προσαρμογή σε ζεύγος καρέ: F</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>Επανάληψη</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>Σφάλμα, mm</translation>
+    </message>
+    <message>
+        <source>Cost, mm²</source>
+        <translation>Κόστος, mm²</translation>
+    </message>
+    <message>
+        <source>Fit the current frame (F) to see the methods side by side.</source>
+        <translation>Κάντε προσαρμογή στο τρέχον καρέ (F) για να δείτε τις μεθόδους δίπλα δίπλα.</translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation>Καρέ %1 από το καρέ %2</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>απέτυχε</translation>
+    </message>
+    <message>
+        <source>Iteration %1 of %2</source>
+        <translation>Επανάληψη %1 από %2</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>καταγεγραμμένη</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointErrorDiagram</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mean error per joint</source>
+        <translation>Μέσο σφάλμα ανά άρθρωση</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointTableModel</name>
+    <message>
+        <source>done</source>
+        <translation>έτοιμη</translation>
+    </message>
+    <message>
+        <source>partial</source>
+        <translation>μερική</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>state of a joint without marks</comment>
+        <translation>κενή</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>Άρθρωση</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Πρβ.</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Στάδιο</translation>
+    </message>
+    <message>
+        <source>Joint, in the order in which you work</source>
+        <translation>Άρθρωση, με τη σειρά που εργάζεστε</translation>
+    </message>
+    <message>
+        <source>Views with a click of yours</source>
+        <translation>Προβολές με δικό σας κλικ</translation>
+    </message>
+    <message>
+        <source>Root mean square distance from click to reprojection, over the views used</source>
+        <translation>Μέση τετραγωνική απόσταση (RMS) του κλικ από την επαναπροβολή, στις προβολές που χρησιμοποιούνται</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the 3D joint (standard deviation)</source>
+        <translation>Αβεβαιότητα της άρθρωσης 3D (τυπική απόκλιση)</translation>
+    </message>
+    <message>
+        <source>Done: every view is placed or cannot be placed</source>
+        <translation>Έτοιμη: σε κάθε προβολή έχει τοποθετηθεί ή δεν τοποθετείται</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkPresenter</name>
+    <message>
+        <source>%1%2 frames</source>
+        <translation>%1%2 καρέ</translation>
+    </message>
+    <message>
+        <source>cannot be placed</source>
+        <translation>δεν τοποθετείται</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>Απόρριψη</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ModelOfMarks</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation>Αυτό το σύνολο δεδομένων δεν έχει μοντέλα χεριών.</translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation>Το μοντέλο χεριού χρειάζεται τρεις αρθρώσεις ενός χεριού που έχουν σημείο 3D και δεν είναι στην ίδια ευθεία.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NoteEdit</name>
+    <message>
+        <source>Note on this frame</source>
+        <translation>Σημείωση για αυτό το καρέ</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PairTableModel</name>
+    <message>
+        <source>Method</source>
+        <translation>Μέθοδος</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>Ακολουθία</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Αρχή</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Δοκιμή</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>Αρχή mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>Σφάλμα mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Επαναλ.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PictureExport</name>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>Εικόνα PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>Σχέδιο SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Αποθήκευση εικόνας</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose a folder that you may write to.</source>
+        <translation>Δεν ήταν δυνατή η εγγραφή του %1. Επιλέξτε έναν φάκελο με δικαίωμα εγγραφής.</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Αντιγραφή εικόνας</translation>
+    </message>
+    <message>
+        <source>Save picture...</source>
+        <translation>Αποθήκευση εικόνας...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityFinding</name>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation>το κλικ στην %1 αποκλίνει %2 px</translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation>χωρίς σημείο 3D από τα κλικ της</translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation>οστό %1 % μακρύτερο από το σύνηθες</translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation>οστό %1 % κοντύτερο από το σύνηθες</translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation>κάμψη %1° πέρα από το όριο</translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation>μπερδεμένα δάχτυλα; %1 mm εκτός σειράς</translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation>μπερδεμένα αριστερό και δεξί;</translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation>στο ίδιο πίξελ με άλλη άρθρωση στην %1</translation>
+    </message>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>χωρίς σημείο 3D: %1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>σφάλμα %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityPanel</name>
+    <message>
+        <source>Bad above</source>
+        <translation>Όριο σφάλματος</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>This frame</source>
+        <translation>Αυτό το καρέ</translation>
+    </message>
+    <message>
+        <source>Whole sequence</source>
+        <translation>Όλη η ακολουθία</translation>
+    </message>
+    <message>
+        <source>Nothing stands out in this sequence.</source>
+        <translation>Τίποτα δεν ξεχωρίζει σε αυτή την ακολουθία.</translation>
+    </message>
+    <message>
+        <source>Nothing stands out in this frame.</source>
+        <translation>Τίποτα δεν ξεχωρίζει σε αυτό το καρέ.</translation>
+    </message>
+    <message>
+        <source>No frame of this sequence has marks yet.</source>
+        <translation>Κανένα καρέ αυτής της ακολουθίας δεν έχει ακόμα σημάδια.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks.</source>
+        <translation>
+            <numerusform>%n καρέ με σημάδια.</numerusform>
+            <numerusform>%n καρέ με σημάδια.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Joints: %1 done, %2 partial, %3 bad.</source>
+        <translation>Αρθρώσεις: %1 έτοιμες, %2 μερικές, %3 προβληματικές.</translation>
+    </message>
+    <message>
+        <source>Your clicks scatter by %1 px per axis.</source>
+        <translation>Διασπορά των κλικ σας: %1 px ανά άξονα.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RatersPanel</name>
+    <message>
+        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <translation>Δεν υπάρχουν δύο αξιολογητές με σημάδια στην ίδια άρθρωση. Σημειώστε ξανά ένα μέρος της δουλειάς σας για να δείτε πόσο συμφωνείτε με τον εαυτό σας.</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Επόμενη</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Σύγκριση</translation>
+    </message>
+    <message>
+        <source>Compares all raters as they stand now</source>
+        <translation>Συγκρίνει όλους τους αξιολογητές με τα τωρινά δεδομένα</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shared click(s), %1 px apart (RMS)</source>
+        <translation>
+            <numerusform>%n κοινό κλικ, απόσταση %1 px (RMS)</numerusform>
+            <numerusform>%n κοινά κλικ, απόσταση %1 px (RMS)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 scatters by %2 px per axis</source>
+        <translation>%1: διασπορά %2 px ανά άξονα</translation>
+    </message>
+    <message>
+        <source>End the round</source>
+        <translation>Τέλος του γύρου</translation>
+    </message>
+    <message>
+        <source>Mark a part again</source>
+        <translation>Νέα σήμανση μέρους</translation>
+    </message>
+    <message>
+        <source>Back to your own marks; both rounds are compared</source>
+        <translation>Επιστροφή στα δικά σας σημάδια· συγκρίνονται και οι δύο γύροι</translation>
+    </message>
+    <message>
+        <source>Second round: %1 of %2 joints are left.</source>
+        <translation>Δεύτερος γύρος: απομένουν %1 από %2 αρθρώσεις.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All raters together: %1 ± %2 mm, from %n click(s).</source>
+        <translation>
+            <numerusform>Όλοι οι αξιολογητές μαζί: %1 ± %2 mm, από %n κλικ.</numerusform>
+            <numerusform>Όλοι οι αξιολογητές μαζί: %1 ± %2 mm, από %n κλικ.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your 3D joint lies %1 mm from it.</source>
+        <translation>Η δική σας 3D άρθρωση απέχει %1 mm.</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
+        <translation>Ένα τυχαίο δέκατο των έτοιμων αρθρώσεών σας, με τα πρώτα σημάδια κρυμμένα: πόσο καλά επαναλαμβάνετε τον εαυτό σας;</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ResultTableModel</name>
+    <message>
+        <source>Converged</source>
+        <translation>Συνέκλινε</translation>
+    </message>
+    <message>
+        <source>Ended at the most iterations</source>
+        <translation>Σταμάτησε στο μέγιστο πλήθος επαναλήψεων</translation>
+    </message>
+    <message>
+        <source>No matches were left</source>
+        <translation>Δεν έμειναν αντιστοιχίες</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Διακόπηκε</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>απέτυχε</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Μέθοδος</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>Αρχή mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>Σφάλμα mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Επαναλ.</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneView</name>
+    <message>
+        <source>The 3D scene needs OpenGL, which this display does not have.</source>
+        <translation>Η σκηνή 3D χρειάζεται OpenGL, που δεν διαθέτει αυτή η οθόνη.</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>Επαναφορά προβολής</translation>
+    </message>
+    <message>
+        <source>Look through</source>
+        <translation>Θέαση από</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>σκηνή</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StatusLine</name>
+    <message numerus="yes">
+        <source>saved %n s ago</source>
+        <translation>
+            <numerusform>αποθηκεύτηκε πριν από %n δευτ.</numerusform>
+            <numerusform>αποθηκεύτηκε πριν από %n δευτ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n min ago</source>
+        <translation>
+            <numerusform>αποθηκεύτηκε πριν από %n λεπτό</numerusform>
+            <numerusform>αποθηκεύτηκε πριν από %n λεπτά</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n h ago</source>
+        <translation>
+            <numerusform>αποθηκεύτηκε πριν από %n ώρα</numerusform>
+            <numerusform>αποθηκεύτηκε πριν από %n ώρες</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>NOT SAVED</source>
+        <translation>ΔΕΝ ΑΠΟΘΗΚΕΥΤΗΚΕ</translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation>μόνο ανάγνωση</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>αποθηκεύτηκε</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n s left</source>
+        <translation>
+            <numerusform>, απομένει %n δευτ.</numerusform>
+            <numerusform>, απομένουν %n δευτ.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SummaryModel</name>
+    <message>
+        <source>start</source>
+        <translation>αρχή</translation>
+    </message>
+    <message>
+        <source>Seconds per pair</source>
+        <translation>Δευτερόλεπτα ανά ζεύγος</translation>
+    </message>
+    <message>
+        <source>Mean and standard deviation of the error, mm, by frames apart</source>
+        <translation>Μέση τιμή και τυπική απόκλιση του σφάλματος, mm, ανά απόσταση καρέ</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Μέθοδος</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>All, mm</source>
+        <translation>Όλα, mm</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Γραμμή χρόνου</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Καρέ %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
+        <translation>%1: %2 έτοιμες, %3 μερικές, %4 προβληματικές, %5 κρυμμένες</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ViewPanel</name>
+    <message>
+        <source>Mesh</source>
+        <translation>Πλέγμα</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Ανενεργό</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>Σκιασμένο</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>Συρμάτινο</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>Στυλ</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Αδιαφάνεια</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Εικόνα</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Φωτεινότητα</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>Αντίθεση</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>Γάμα</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>Όλες οι προβολές</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Επαναφορά</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Κάμερες</translation>
+    </message>
+    <message>
+        <source>Untick to hide a view; drag to change the order</source>
+        <translation>Αποεπιλέξτε για απόκρυψη μιας προβολής· σύρετε για αλλαγή σειράς</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Workspaces</name>
+    <message>
+        <source>Quality</source>
+        <translation>Ποιότητα</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Προσαρμογή</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Όψη</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>Αξιολογητές</translation>
+    </message>
+    <message>
+        <source>All views are hidden: tick one under View, Cameras.</source>
+        <translation>Όλες οι προβολές είναι κρυμμένες: επιλέξτε μία στην καρτέλα «Όψη», «Κάμερες».</translation>
+    </message>
+</context>
+</TS>

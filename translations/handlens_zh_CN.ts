@@ -1,0 +1,2017 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+<context>
+    <name>app::ActionTable</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Annotate</source>
+        <translation>标注(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>转到(&amp;G)</translation>
+    </message>
+    <message>
+        <source>F&amp;it</source>
+        <translation>拟合(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>比较(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Open a dataset...</source>
+        <translation>打开数据集(&amp;O)...</translation>
+    </message>
+    <message>
+        <source>Open the &amp;demo</source>
+        <translation>打开演示(&amp;D)</translation>
+    </message>
+    <message>
+        <source>&amp;Import annotations...</source>
+        <translation>导入标注(&amp;I)...</translation>
+    </message>
+    <message>
+        <source>&amp;Export annotations...</source>
+        <translation>导出标注(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>Writes all annotations and their 3D joints of this sequence</source>
+        <translation>写出此序列的全部标注及其 3D 关节</translation>
+    </message>
+    <message>
+        <source>&amp;Report on the annotations...</source>
+        <translation>标注报告(&amp;R)...</translation>
+    </message>
+    <message>
+        <source>A page with progress, raters, worst joints and figures</source>
+        <translation>包含进度、标注者、最差关节和图表的页面</translation>
+    </message>
+    <message>
+        <source>&amp;Save the views as a picture...</source>
+        <translation>将视图另存为图片(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Note on this frame...</source>
+        <translation>本帧备注(&amp;N)...</translation>
+    </message>
+    <message>
+        <source>Your n&amp;ame...</source>
+        <translation>您的名字(&amp;A)...</translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under</source>
+        <translation>您的标记以此名字保存</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts...</source>
+        <translation>快捷键(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>检视(&amp;I)</translation>
+    </message>
+    <message>
+        <source>&amp;Benchmark</source>
+        <translation>基准测试(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Hide all overlays</source>
+        <translation>隐藏所有叠加层(&amp;H)</translation>
+    </message>
+    <message>
+        <source>While the key is held</source>
+        <translation>按住按键期间有效</translation>
+    </message>
+    <message>
+        <source>Error lines three times as &amp;long</source>
+        <translation>误差线放大到三倍(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Lou&amp;pe</source>
+        <translation>放大镜(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Magnifies the pixels around the pointer</source>
+        <translation>放大指针周围的像素</translation>
+    </message>
+    <message>
+        <source>S&amp;keleton</source>
+        <translation>骨架(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Epipolar guides</source>
+        <translation>极线(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Lines on which the selected joint must lie, as the other views say</source>
+        <translation>根据其他视图，所选关节必定位于这些线上</translation>
+    </message>
+    <message>
+        <source>P&amp;re-placed marks</source>
+        <translation>预置标记(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Marks that wait to be accepted</source>
+        <translation>等待接受的标记</translation>
+    </message>
+    <message>
+        <source>Joint &amp;names</source>
+        <translation>关节名称(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Follow the selected joint</source>
+        <translation>跟随所选关节(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Keeps the selected joint in the middle of every zoomed view</source>
+        <translation>在每个放大的视图中使所选关节保持居中</translation>
+    </message>
+    <message>
+        <source>Mesh: sha&amp;ded</source>
+        <translation>网格：着色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Mesh: &amp;wireframe</source>
+        <translation>网格：线框(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Mesh: o&amp;ff</source>
+        <translation>网格：关闭(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Next mesh st&amp;yle</source>
+        <translation>下一种网格样式(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;opaque</source>
+        <translation>提高网格不透明度(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Mesh more &amp;transparent</source>
+        <translation>提高网格透明度(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Mesh of the left hand</source>
+        <translation>左手网格</translation>
+    </message>
+    <message>
+        <source>Mesh of the right hand</source>
+        <translation>右手网格</translation>
+    </message>
+    <message>
+        <source>Mesh of the recorded pose</source>
+        <translation>记录姿态的网格</translation>
+    </message>
+    <message>
+        <source>Mesh of the fit&apos;s start pose</source>
+        <translation>拟合起始姿态的网格</translation>
+    </message>
+    <message>
+        <source>Hand &amp;model of the marks</source>
+        <translation>标记对应的手部模型(&amp;M)</translation>
+    </message>
+    <message>
+        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <translation>弯曲贴合到本帧 3D 关节的手部模型</translation>
+    </message>
+    <message>
+        <source>&amp;Brightness, contrast, gamma...</source>
+        <translation>亮度、对比度、伽马(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>Of the current view or of all</source>
+        <translation>针对当前视图或所有视图</translation>
+    </message>
+    <message>
+        <source>&amp;Cameras: hide, reorder...</source>
+        <translation>相机：隐藏、排序(&amp;C)...</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w whole images</source>
+        <translation>显示完整图像(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Ends zoom and pan in all views</source>
+        <translation>取消所有视图的缩放和平移</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom all views to the joint</source>
+        <translation>将所有视图缩放到关节(&amp;Z)</translation>
+    </message>
+    <message>
+        <source>Maximise view 1</source>
+        <translation>最大化视图 1</translation>
+    </message>
+    <message>
+        <source>Maximise view 2</source>
+        <translation>最大化视图 2</translation>
+    </message>
+    <message>
+        <source>Maximise view 3</source>
+        <translation>最大化视图 3</translation>
+    </message>
+    <message>
+        <source>Maximise view 4</source>
+        <translation>最大化视图 4</translation>
+    </message>
+    <message>
+        <source>Maximise view 5</source>
+        <translation>最大化视图 5</translation>
+    </message>
+    <message>
+        <source>Maximise view 6</source>
+        <translation>最大化视图 6</translation>
+    </message>
+    <message>
+        <source>Maximise view 7</source>
+        <translation>最大化视图 7</translation>
+    </message>
+    <message>
+        <source>Maximise view 8</source>
+        <translation>最大化视图 8</translation>
+    </message>
+    <message>
+        <source>All views again</source>
+        <translation>恢复显示所有视图</translation>
+    </message>
+    <message>
+        <source>Reset the 3D sc&amp;ene</source>
+        <translation>重置 3D 场景(&amp;J)</translation>
+    </message>
+    <message>
+        <source>Look thro&amp;ugh the current camera</source>
+        <translation>从当前相机观察(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The 3D scene from the current camera</source>
+        <translation>从当前相机视角显示 3D 场景</translation>
+    </message>
+    <message>
+        <source>Li&amp;ght colours</source>
+        <translation>浅色主题(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Full scree&amp;n</source>
+        <translation>全屏(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Accept the pre-placed mark</source>
+        <translation>接受预置标记(&amp;A)</translation>
+    </message>
+    <message>
+        <source>In the current view or, if that has a mark, in the next one without</source>
+        <translation>在当前视图中；若其已有标记，则在下一个没有标记的视图中</translation>
+    </message>
+    <message>
+        <source>Accept in all &amp;views</source>
+        <translation>在所有视图中接受(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Accept all joints of the &amp;frame</source>
+        <translation>接受本帧的所有关节(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Propose the &amp;rest from the hand model</source>
+        <translation>用手部模型建议其余关节(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Fits the hand model to the 3D joints of this frame and places the others, to be checked</source>
+        <translation>将手部模型拟合到本帧的 3D 关节并放置其余关节，待检查</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the mark</source>
+        <translation>删除标记(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Of the selected joint in the current view</source>
+        <translation>当前视图中所选关节的标记</translation>
+    </message>
+    <message>
+        <source>Delete in all vie&amp;ws</source>
+        <translation>在所有视图中删除(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Occluded, estimated</source>
+        <translation>遮挡，位置为估计(&amp;O)</translation>
+    </message>
+    <message>
+        <source>The joint is hidden here; its place is a guess</source>
+        <translation>关节在此处不可见，其位置为推测</translation>
+    </message>
+    <message>
+        <source>&amp;Cannot be placed here</source>
+        <translation>此处无法放置(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous joint</source>
+        <translation>上一个关节(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next joint</source>
+        <translation>下一个关节(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Previous view</source>
+        <translation>上一个视图</translation>
+    </message>
+    <message>
+        <source>Next view</source>
+        <translation>下一个视图</translation>
+    </message>
+    <message>
+        <source>Nudge left</source>
+        <translation>向左微移</translation>
+    </message>
+    <message>
+        <source>By a quarter of an image pixel</source>
+        <translation>移动四分之一个图像像素</translation>
+    </message>
+    <message>
+        <source>Nudge right</source>
+        <translation>向右微移</translation>
+    </message>
+    <message>
+        <source>Nudge up</source>
+        <translation>向上微移</translation>
+    </message>
+    <message>
+        <source>Nudge down</source>
+        <translation>向下微移</translation>
+    </message>
+    <message>
+        <source>Nudge left by a pixel</source>
+        <translation>向左微移一个像素</translation>
+    </message>
+    <message>
+        <source>Nudge right by a pixel</source>
+        <translation>向右微移一个像素</translation>
+    </message>
+    <message>
+        <source>Nudge up by a pixel</source>
+        <translation>向上微移一个像素</translation>
+    </message>
+    <message>
+        <source>Nudge down by a pixel</source>
+        <translation>向下微移一个像素</translation>
+    </message>
+    <message>
+        <source>Copy the pose of the previous annotated frame</source>
+        <translation>复制上一个已标注帧的姿态</translation>
+    </message>
+    <message>
+        <source>As marks that wait to be checked</source>
+        <translation>作为待检查的标记</translation>
+    </message>
+    <message>
+        <source>&amp;Interpolate between annotated frames</source>
+        <translation>在已标注帧之间插值(&amp;I)</translation>
+    </message>
+    <message>
+        <source>In 3D, along straight lines, over the gap around this frame</source>
+        <translation>在 3D 中沿直线插值，填补本帧前后的空缺</translation>
+    </message>
+    <message>
+        <source>Interpolate along a curve</source>
+        <translation>沿曲线插值</translation>
+    </message>
+    <message>
+        <source>In 3D, cubic, over the gap around this frame</source>
+        <translation>在 3D 中进行三次插值，填补本帧前后的空缺</translation>
+    </message>
+    <message>
+        <source>&amp;Swap left and right from here on</source>
+        <translation>从此处起交换左右手(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Delete all marks of this frame</source>
+        <translation>删除本帧的所有标记</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames...</source>
+        <translation>删除一段帧的标记...</translation>
+    </message>
+    <message>
+        <source>Next joint when all views are done</source>
+        <translation>所有视图完成后转到下一个关节</translation>
+    </message>
+    <message>
+        <source>14 joints per hand</source>
+        <translation>每只手 14 个关节</translation>
+    </message>
+    <message>
+        <source>21 joints per hand</source>
+        <translation>每只手 21 个关节</translation>
+    </message>
+    <message>
+        <source>With wrist and finger tips</source>
+        <translation>包括手腕和指尖</translation>
+    </message>
+    <message>
+        <source>All joints of the model</source>
+        <translation>模型的所有关节</translation>
+    </message>
+    <message>
+        <source>Joints from a &amp;file...</source>
+        <translation>从文件读取关节(&amp;J)...</translation>
+    </message>
+    <message>
+        <source>Move the joint up in the list</source>
+        <translation>在列表中上移关节</translation>
+    </message>
+    <message>
+        <source>Move the joint down in the list</source>
+        <translation>在列表中下移关节</translation>
+    </message>
+    <message>
+        <source>&amp;Mark a part again</source>
+        <translation>重新标记一部分(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Next joint of the second round</source>
+        <translation>第二轮的下一个关节</translation>
+    </message>
+    <message>
+        <source>Compare ra&amp;ters</source>
+        <translation>比较标注者(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous frame</source>
+        <translation>上一帧(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>下一帧(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Ten frames back</source>
+        <translation>后退十帧</translation>
+    </message>
+    <message>
+        <source>Ten frames forward</source>
+        <translation>前进十帧</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>第一帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>最后一帧(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Go to frame...</source>
+        <translation>转到帧(&amp;G)...</translation>
+    </message>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>播放(&amp;Y)</translation>
+    </message>
+    <message>
+        <source>Next &amp;bad joint</source>
+        <translation>下一个问题关节(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Error above the threshold, an outlier, or no 3D point</source>
+        <translation>误差超过阈值、存在离群点或没有 3D 点</translation>
+    </message>
+    <message>
+        <source>Previous b&amp;ad joint</source>
+        <translation>上一个问题关节(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Next &amp;unlabelled frame</source>
+        <translation>下一个未标注帧(&amp;U)</translation>
+    </message>
+    <message>
+        <source>The next frame in which a joint is not done</source>
+        <translation>下一个有关节尚未完成的帧</translation>
+    </message>
+    <message>
+        <source>Previous unlab&amp;elled frame</source>
+        <translation>上一个未标注帧(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Next annotated frame</source>
+        <translation>下一个已标注帧</translation>
+    </message>
+    <message>
+        <source>Previous annotated frame</source>
+        <translation>上一个已标注帧</translation>
+    </message>
+    <message>
+        <source>Next &amp;test frame</source>
+        <translation>下一个测试帧(&amp;T)</translation>
+    </message>
+    <message>
+        <source>The frames that the benchmark draws from this sequence</source>
+        <translation>基准测试从此序列中抽取的帧</translation>
+    </message>
+    <message>
+        <source>Previous test frame</source>
+        <translation>上一个测试帧</translation>
+    </message>
+    <message>
+        <source>Last e&amp;dited frame</source>
+        <translation>上次编辑的帧(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Error &amp;threshold...</source>
+        <translation>误差阈值(&amp;H)...</translation>
+    </message>
+    <message>
+        <source>Joints with a larger error count as bad</source>
+        <translation>误差大于此值的关节视为问题关节</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the current frame</source>
+        <translation>拟合当前帧(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>停止(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show the fit &amp;panel</source>
+        <translation>显示拟合面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous iteration</source>
+        <translation>上一次迭代(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Shows the poses as they were before</source>
+        <translation>显示此前的姿态</translation>
+    </message>
+    <message>
+        <source>&amp;Next iteration</source>
+        <translation>下一次迭代(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Result of the fit</source>
+        <translation>拟合结果(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts</source>
+        <translation>快捷键(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Four hints</source>
+        <translation>四条提示(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;About Handlens</source>
+        <translation>关于 Handlens(&amp;A)</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden; once more to end the round</source>
+        <translation>随机抽取您已完成关节的十分之一，隐藏第一次的标记；再按一次结束本轮</translation>
+    </message>
+    <message>
+        <source>With the chosen methods, from the pose of some frames before</source>
+        <translation>使用所选方法，从前若干帧的姿态开始</translation>
+    </message>
+</context>
+<context>
+    <name>app::FileActions</name>
+    <message>
+        <source>Handlens ground truth</source>
+        <translation>Handlens 真值</translation>
+    </message>
+    <message>
+        <source>Files of the method&apos;s authors</source>
+        <translation>方法原作者的文件</translation>
+    </message>
+    <message>
+        <source>COCO keypoints</source>
+        <translation>COCO 关键点</translation>
+    </message>
+    <message>
+        <source>Anipose, 2D</source>
+        <translation>Anipose 2D</translation>
+    </message>
+    <message>
+        <source>Anipose, 3D</source>
+        <translation>Anipose 3D</translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose</source>
+        <translation>DeepLabCut、Lightning Pose</translation>
+    </message>
+    <message>
+        <source>TRC, marker motion</source>
+        <translation>TRC 标记点运动</translation>
+    </message>
+    <message>
+        <source>InterHand2.6M</source>
+        <translation>InterHand2.6M</translation>
+    </message>
+    <message>
+        <source>FreiHAND, HanCo</source>
+        <translation>FreiHAND、HanCo</translation>
+    </message>
+    <message>
+        <source>Table of 3D joints</source>
+        <translation>3D 关节表</translation>
+    </message>
+    <message>
+        <source>Table of marks</source>
+        <translation>标记表</translation>
+    </message>
+    <message>
+        <source>%1 – a new folder (*)</source>
+        <translation>%1 – 新文件夹 (*)</translation>
+    </message>
+</context>
+<context>
+    <name>app::MainWindow</name>
+    <message>
+        <source>No annotated frame before this one.</source>
+        <translation>此帧之前没有已标注的帧。</translation>
+    </message>
+    <message>
+        <source>Frame %1 has no 3D joint that is missing here.</source>
+        <translation>第 %1 帧中没有本帧所缺的 3D 关节。</translation>
+    </message>
+    <message>
+        <source>Annotate a frame before and a frame after this one first.</source>
+        <translation>请先在此帧之前和之后各标注一帧。</translation>
+    </message>
+    <message>
+        <source>No joint has a 3D point in both frame %1 and frame %2.</source>
+        <translation>没有任何关节在第 %1 帧和第 %2 帧中都有 3D 点。</translation>
+    </message>
+    <message>
+        <source>There are no marks of yours there.</source>
+        <translation>那里没有您的标记。</translation>
+    </message>
+    <message>
+        <source>Delete a range of frames</source>
+        <translation>删除一段帧的标记</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>The hand model has nothing to add: every joint of the list that it knows has a mark.</source>
+        <translation>手部模型没有可补充的内容：列表中模型包含的每个关节都已有标记。</translation>
+    </message>
+    <message>
+        <source>Finish some joints first: there is nothing to mark again.</source>
+        <translation>请先完成一些关节：目前没有可重新标记的内容。</translation>
+    </message>
+    <message>
+        <source>Every joint of the round is marked: end it to see how you did.</source>
+        <translation>本轮的每个关节都已标记：结束本轮即可查看结果。</translation>
+    </message>
+    <message>
+        <source>No second round is under way.</source>
+        <translation>当前没有进行中的第二轮。</translation>
+    </message>
+    <message>
+        <source>Export annotations</source>
+        <translation>导出标注</translation>
+    </message>
+    <message>
+        <source>Import annotations</source>
+        <translation>导入标注</translation>
+    </message>
+    <message>
+        <source>Report on the annotations</source>
+        <translation>标注报告</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>网页 (*.html)</translation>
+    </message>
+    <message>
+        <source>Save the views as a picture</source>
+        <translation>将视图另存为图片</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>%1 could not be written.</source>
+        <translation>无法写入 %1。</translation>
+    </message>
+    <message>
+        <source>Joints from a file</source>
+        <translation>从文件读取关节</translation>
+    </message>
+    <message>
+        <source>Lists of joints (*.json)</source>
+        <translation>关节列表 (*.json)</translation>
+    </message>
+    <message>
+        <source>Open a dataset to begin.</source>
+        <translation>打开一个数据集以开始。</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+    <message>
+        <source>This could not be opened. %1</source>
+        <translation>无法打开。%1</translation>
+    </message>
+    <message>
+        <source>Not saved yet, but nothing is lost: it is tried again every few seconds. %1</source>
+        <translation>尚未保存，但数据不会丢失：每隔几秒会自动重试。%1</translation>
+    </message>
+    <message>
+        <source>Read-only: %1. You can look and export; edits are not possible.</source>
+        <translation>只读：%1。可以查看和导出，但无法编辑。</translation>
+    </message>
+    <message>
+        <source>Exported to %1</source>
+        <translation>已导出到 %1</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>报告已写入 %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) imported from %1</source>
+        <translation>
+            <numerusform>已从 %1 导入 %n 个标记</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fitting</source>
+        <translation>正在拟合</translation>
+    </message>
+    <message>
+        <source>Fitting: %1</source>
+        <translation>正在拟合：%1</translation>
+    </message>
+    <message>
+        <source>Benchmark</source>
+        <translation>基准测试</translation>
+    </message>
+    <message>
+        <source>Benchmark: %1</source>
+        <translation>基准测试：%1</translation>
+    </message>
+    <message>
+        <source>Open a dataset</source>
+        <translation>打开数据集</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的数据集(&amp;T)</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>您的名字</translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name:</source>
+        <translation>您的标记以此名字保存：</translation>
+    </message>
+    <message>
+        <source>About Handlens</source>
+        <translation>关于 Handlens</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;3D hand ground truth in calibrated multi-camera footage.&lt;/p&gt;&lt;p&gt;MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Handlens %1&lt;/h3&gt;&lt;p&gt;在经过标定的多相机影像中获取手部 3D 真值。&lt;/p&gt;&lt;p&gt;MIT 许可证。基于 Qt、VTK、Eigen、OpenCV、SQLite 等构建。&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>撤销：%1(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>重做：%1(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+    <message>
+        <source>No bad joint in that direction.</source>
+        <translation>该方向上没有问题关节。</translation>
+    </message>
+    <message>
+        <source>Every frame in that direction is done.</source>
+        <translation>该方向上的每一帧都已完成。</translation>
+    </message>
+    <message>
+        <source>No frame with marks in that direction.</source>
+        <translation>该方向上没有带标记的帧。</translation>
+    </message>
+    <message>
+        <source>No test frame in that direction, as the benchmark is set.</source>
+        <translation>按当前基准测试设置，该方向上没有测试帧。</translation>
+    </message>
+    <message>
+        <source>Nothing was edited yet.</source>
+        <translation>尚未编辑任何内容。</translation>
+    </message>
+</context>
+<context>
+    <name>app::RangeWindow</name>
+    <message>
+        <source>From frame</source>
+        <translation>起始帧</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>结束帧</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutModel</name>
+    <message>
+        <source>Menu</source>
+        <translation>菜单</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>操作</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>What it does</source>
+        <translation>说明</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2” already: change that one first.</source>
+        <translation>%1 已分配给“%2”：请先更改那一项。</translation>
+    </message>
+</context>
+<context>
+    <name>app::ShortcutWindow</name>
+    <message>
+        <source>Shortcuts</source>
+        <translation>快捷键</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>搜索</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>全部重置</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation>双击快捷键即可更改。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Advice</name>
+    <message>
+        <source>fewer than two views</source>
+        <translation>视图少于两个</translation>
+    </message>
+    <message>
+        <source>a click lies where the lens model cannot be inverted</source>
+        <translation>有点击位于镜头模型无法求逆之处</translation>
+    </message>
+    <message>
+        <source>rays are nearly parallel</source>
+        <translation>射线几乎平行</translation>
+    </message>
+    <message>
+        <source>the rays meet behind a camera</source>
+        <translation>射线相交于相机后方</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>视图之间不一致</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n view(s)</source>
+        <translation>
+            <numerusform>%n 个视图</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Choose a joint on the left.</source>
+        <translation>请在左侧选择一个关节。</translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras.</source>
+        <translation>一个关节至少需要两台相机。</translation>
+    </message>
+    <message>
+        <source>Click %1 in any view.</source>
+        <translation>请在任意视图中点击 %1。</translation>
+    </message>
+    <message>
+        <source>The click in %1 disagrees with the others: check it.</source>
+        <translation>%1 中的点击与其他点击不一致：请检查。</translation>
+    </message>
+    <message>
+        <source>No 3D point: %1.</source>
+        <translation>没有 3D 点：%1。</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view.</source>
+        <translation>请在第二个视图中点击 %1。</translation>
+    </message>
+    <message>
+        <source>Click %1 in a second view, best in %2.</source>
+        <translation>请在第二个视图中点击 %1，最好在 %2 中。</translation>
+    </message>
+    <message>
+        <source>Done in every view: go on with the next joint.</source>
+        <translation>所有视图均已完成：请继续下一个关节。</translation>
+    </message>
+    <message>
+        <source>Accept the remaining views with Space, or mark them as not placeable.</source>
+        <translation>按空格键接受其余视图，或将其标为无法放置。</translation>
+    </message>
+    <message>
+        <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
+        <translation>接下来在 %1 中点击（→ %2 mm），或按空格键接受。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AgreementModel</name>
+    <message>
+        <source>All joints</source>
+        <translation>所有关节</translation>
+    </message>
+    <message>
+        <source>Bias %1 mm, 95 % of the differences between %2 and %3 mm</source>
+        <translation>偏差 %1 mm，95 % 的差值介于 %2 与 %3 mm 之间</translation>
+    </message>
+    <message>
+        <source>Mean difference along this axis of the world, mm (Bland and Altman)</source>
+        <translation>沿世界坐标系该轴的平均差值，mm（Bland-Altman）</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>最大</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationDocument</name>
+    <message>
+        <source>Nothing was changed: the annotations are open for reading only (%1).</source>
+        <translation>未作任何更改：标注以只读方式打开（%1）。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::AnnotationFiles</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>请先打开一个数据集。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Annotator</name>
+    <message>
+        <source>Nothing to accept: click %1 in two views first.</source>
+        <translation>没有可接受的标记：请先在两个视图中点击 %1。</translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this view.</source>
+        <translation>此视图中没有 %1 的标记。</translation>
+    </message>
+    <message>
+        <source>Click the place where the joint is hidden, then mark it as occluded.</source>
+        <translation>请点击关节被遮挡的位置，然后将其标为遮挡。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPage</name>
+    <message>
+        <source>Methods</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source> % of frames</source>
+        <translation> % 的帧</translation>
+    </message>
+    <message>
+        <source>Synthetic</source>
+        <translation>合成</translation>
+    </message>
+    <message>
+        <source>Realistic</source>
+        <translation>真实</translation>
+    </message>
+    <message>
+        <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints.</source>
+        <translation>合成：使用记录姿态的轮廓，误差按所有关节计算。真实：使用掩膜文件，误差按已标记的关节计算。</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Frames apart</source>
+        <translation>相隔帧数</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Double-click a pair to inspect it</source>
+        <translation>双击帧对进行检视</translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation>误差低于各值的帧对占比</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation>帧对 (%)</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation>运行基准测试以比较各方法。</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation>各关节误差</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of frames.</source>
+        <translation>“%1”不是有效的帧数。</translation>
+    </message>
+    <message>
+        <source>Choose at least one method and one sequence.</source>
+        <translation>请至少选择一种方法和一个序列。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>起始</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkRunner</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation>请先打开一个数据集。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>已完成 %1/%2 次拟合</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurvePlot</name>
+    <message>
+        <source>curves</source>
+        <translation>曲线</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EditText</name>
+    <message>
+        <source>delete %1 in %2</source>
+        <translation>在 %2 中删除 %1</translation>
+    </message>
+    <message>
+        <source>mark %1 as not placeable in %2</source>
+        <translation>在 %2 中将 %1 标为无法放置</translation>
+    </message>
+    <message>
+        <source>accept %1 in %2</source>
+        <translation>在 %2 中接受 %1</translation>
+    </message>
+    <message>
+        <source>place %1 in %2</source>
+        <translation>在 %2 中放置 %1</translation>
+    </message>
+    <message>
+        <source>move %1 in %2</source>
+        <translation>在 %2 中移动 %1</translation>
+    </message>
+    <message>
+        <source>mark %1 as occluded in %2</source>
+        <translation>在 %2 中将 %1 标为遮挡</translation>
+    </message>
+    <message>
+        <source>mark %1 as visible in %2</source>
+        <translation>在 %2 中将 %1 标为可见</translation>
+    </message>
+    <message numerus="yes">
+        <source>accept %n mark(s)</source>
+        <translation>
+            <numerusform>接受 %n 个标记</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>copy a pose (%n mark(s))</source>
+        <translation>
+            <numerusform>复制姿态（%n 个标记）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>interpolate (%n mark(s))</source>
+        <translation>
+            <numerusform>插值（%n 个标记）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>swap left and right (%n mark(s))</source>
+        <translation>
+            <numerusform>交换左右手（%n 个标记）</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>delete %n mark(s)</source>
+        <translation>
+            <numerusform>删除 %n 个标记</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>import %n mark(s)</source>
+        <translation>
+            <numerusform>导入 %n 个标记</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>propose %n mark(s)</source>
+        <translation>
+            <numerusform>建议 %n 个标记</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>L %1</source>
+        <translation>左 %1</translation>
+    </message>
+    <message>
+        <source>R %1</source>
+        <translation>右 %1</translation>
+    </message>
+    <message>
+        <source>note on frame %1</source>
+        <translation>第 %1 帧的备注</translation>
+    </message>
+    <message numerus="yes">
+        <source>change %n mark(s)</source>
+        <translation>
+            <numerusform>更改 %n 个标记</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::EmptyState</name>
+    <message>
+        <source>Recent datasets</source>
+        <translation>最近的数据集</translation>
+    </message>
+    <message>
+        <source>Open a dataset, drop its folder here, or try the demo.</source>
+        <translation>打开数据集，将其文件夹拖放到此处，或试用演示。</translation>
+    </message>
+    <message>
+        <source>Open a dataset...</source>
+        <translation>打开数据集...</translation>
+    </message>
+    <message>
+        <source>Try the demo</source>
+        <translation>试用演示</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FindingModel</name>
+    <message>
+        <source>Finding</source>
+        <translation>发现的问题</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitPair</name>
+    <message>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <translation>此序列没有记录的运动：请在起始帧中标记每只手的若干关节，拟合将从贴合这些关节的手部模型开始。</translation>
+    </message>
+    <message>
+        <source>There is no mask file of the test frame.</source>
+        <translation>测试帧没有掩膜文件。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FitRunner</name>
+    <message>
+        <source>This dataset has no hand models to fit.</source>
+        <translation>此数据集没有可拟合的手部模型。</translation>
+    </message>
+    <message>
+        <source>This sequence has no mask files.</source>
+        <translation>此序列没有掩膜文件。</translation>
+    </message>
+    <message>
+        <source>This sequence has no recorded motion to draw silhouettes from.</source>
+        <translation>此序列没有可用于绘制轮廓的记录运动。</translation>
+    </message>
+    <message>
+        <source>The start and the test frame must be between 0 and %1.</source>
+        <translation>起始帧和测试帧必须介于 0 与 %1 之间。</translation>
+    </message>
+    <message>
+        <source>Choose at least one method.</source>
+        <translation>请至少选择一种方法。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FittingPanel</name>
+    <message>
+        <source>Silhouettes of the recorded pose</source>
+        <translation>记录姿态的轮廓</translation>
+    </message>
+    <message>
+        <source>Silhouettes of the mask files</source>
+        <translation>掩膜文件的轮廓</translation>
+    </message>
+    <message>
+        <source>What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame.</source>
+        <translation>拟合的目标。以掩膜文件为目标时，误差按测试帧中已标记的关节计算。</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message>
+        <source>The error of every iteration appears here.</source>
+        <translation>每次迭代的误差将显示在此处。</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Frame whose silhouettes are to be met</source>
+        <translation>拟合以该帧的轮廓为目标</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>此处</translation>
+    </message>
+    <message>
+        <source>Test the current frame</source>
+        <translation>以当前帧为测试帧</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
+        <translation>拟合起始姿态所在的帧：已记录的姿态；若没有，则为由其标记得到的手部模型</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FramesBar</name>
+    <message>
+        <source>Sequence</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Frame: type a number and press Enter</source>
+        <translation>帧：输入编号并按回车键</translation>
+    </message>
+    <message>
+        <source>Frame </source>
+        <translation>帧 </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandDiagram</name>
+    <message>
+        <source>Joints of both hands</source>
+        <translation>双手关节</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Hints</name>
+    <message>
+        <source>Choose a joint on the left, then click it in two views: its 3D place appears at once.</source>
+        <translation>在左侧选择一个关节，然后在两个视图中点击它：其 3D 位置会立即显示。</translation>
+    </message>
+    <message>
+        <source>Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything.</source>
+        <translation>空格键接受预置标记，X 删除标记，Ctrl+Z 可撤销任何操作。</translation>
+    </message>
+    <message>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
+        <translation>滚轮缩放，中键平移，双击使一个视图占满窗口。</translation>
+    </message>
+    <message>
+        <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
+        <translation>A 和 D 逐帧切换，W 和 S 切换关节；F1 显示所有按键。</translation>
+    </message>
+    <message>
+        <source>Got it</source>
+        <translation>知道了</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectPage</name>
+    <message>
+        <source>Cameras: </source>
+        <translation>相机： </translation>
+    </message>
+    <message>
+        <source>Rows of cameras, from the current one on</source>
+        <translation>从当前相机开始显示的相机行数</translation>
+    </message>
+    <message>
+        <source>Fit a pair of frames: F</source>
+        <translation>拟合一个帧对：F</translation>
+    </message>
+    <message>
+        <source>Iteration</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation>误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Cost, mm²</source>
+        <translation>代价 (mm²)</translation>
+    </message>
+    <message>
+        <source>Fit the current frame (F) to see the methods side by side.</source>
+        <translation>拟合当前帧 (F) 以并排查看各方法。</translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation>第 %1 帧，起始于第 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Iteration %1 of %2</source>
+        <translation>第 %1 次迭代，共 %2 次</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>记录</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointErrorDiagram</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Mean error per joint</source>
+        <translation>各关节平均误差</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::JointTableModel</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>partial</source>
+        <translation>部分</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <comment>state of a joint without marks</comment>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Joint, in the order in which you work</source>
+        <translation>关节，按您的标注顺序排列</translation>
+    </message>
+    <message>
+        <source>Views with a click of yours</source>
+        <translation>有您点击的视图数</translation>
+    </message>
+    <message>
+        <source>Root mean square distance from click to reprojection, over the views used</source>
+        <translation>所用视图中点击与重投影之间的均方根距离</translation>
+    </message>
+    <message>
+        <source>Uncertainty of the 3D joint (standard deviation)</source>
+        <translation>3D 关节的不确定度（标准差）</translation>
+    </message>
+    <message>
+        <source>Done: every view is placed or cannot be placed</source>
+        <translation>完成：每个视图均已放置或无法放置</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkPresenter</name>
+    <message>
+        <source>%1%2 frames</source>
+        <translation>%1%2 帧</translation>
+    </message>
+    <message>
+        <source>cannot be placed</source>
+        <translation>无法放置</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MessageBar</name>
+    <message>
+        <source>Dismiss</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ModelOfMarks</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation>此数据集没有手部模型。</translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation>手部模型需要同一只手上三个具有 3D 点且不共线的关节。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::NoteEdit</name>
+    <message>
+        <source>Note on this frame</source>
+        <translation>本帧备注</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PairTableModel</name>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>起始 mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>误差 mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>迭代次数</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PictureExport</name>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG 图片 (*.png)</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG 矢量图 (*.svg)</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>保存图片</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Choose a folder that you may write to.</source>
+        <translation>无法写入 %1。请选择您有写入权限的文件夹。</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>复制图片</translation>
+    </message>
+    <message>
+        <source>Save picture...</source>
+        <translation>保存图片...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityFinding</name>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation>%1 中的点击偏离 %2 px</translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation>其点击无法得出 3D 点</translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation>骨骼比通常长 %1 %</translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation>骨骼比通常短 %1 %</translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation>弯曲超出极限 %1°</translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation>手指互换？顺序错位 %1 mm</translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation>左右手互换？</translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation>在 %1 中与另一关节位于同一像素</translation>
+    </message>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>没有 3D 点：%1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>误差 %1 px</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::QualityPanel</name>
+    <message>
+        <source>Bad above</source>
+        <translation>问题阈值</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>This frame</source>
+        <translation>本帧</translation>
+    </message>
+    <message>
+        <source>Whole sequence</source>
+        <translation>整个序列</translation>
+    </message>
+    <message>
+        <source>Nothing stands out in this sequence.</source>
+        <translation>此序列中没有异常。</translation>
+    </message>
+    <message>
+        <source>Nothing stands out in this frame.</source>
+        <translation>此帧中没有异常。</translation>
+    </message>
+    <message>
+        <source>No frame of this sequence has marks yet.</source>
+        <translation>此序列中还没有带标记的帧。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks.</source>
+        <translation>
+            <numerusform>%n 帧带有标记。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Joints: %1 done, %2 partial, %3 bad.</source>
+        <translation>关节：%1 个完成，%2 个部分完成，%3 个有问题。</translation>
+    </message>
+    <message>
+        <source>Your clicks scatter by %1 px per axis.</source>
+        <translation>您的点击在每个轴上的离散度为 %1 px。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RatersPanel</name>
+    <message>
+        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <translation>没有两位标注者标记过同一关节。请重新标记您自己的一部分工作，以查看您与自身的一致程度。</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一个</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Compares all raters as they stand now</source>
+        <translation>按当前状态比较所有标注者</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shared click(s), %1 px apart (RMS)</source>
+        <translation>
+            <numerusform>%n 次共同点击，相距 %1 px（RMS）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 scatters by %2 px per axis</source>
+        <translation>%1 在每个轴上的离散度为 %2 px</translation>
+    </message>
+    <message>
+        <source>End the round</source>
+        <translation>结束本轮</translation>
+    </message>
+    <message>
+        <source>Mark a part again</source>
+        <translation>重新标记一部分</translation>
+    </message>
+    <message>
+        <source>Back to your own marks; both rounds are compared</source>
+        <translation>返回您自己的标记，并比较两轮结果</translation>
+    </message>
+    <message>
+        <source>Second round: %1 of %2 joints are left.</source>
+        <translation>第二轮：%2 个关节中还剩 %1 个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>All raters together: %1 ± %2 mm, from %n click(s).</source>
+        <translation>
+            <numerusform>所有标注者合计：%1 ± %2 mm，来自 %n 次点击。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Your 3D joint lies %1 mm from it.</source>
+        <translation>您的三维关节与之相距 %1 mm。</translation>
+    </message>
+    <message>
+        <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
+        <translation>随机抽取您已完成关节的十分之一，隐藏第一次的标记：看看您的重复性如何</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ResultTableModel</name>
+    <message>
+        <source>Converged</source>
+        <translation>已收敛</translation>
+    </message>
+    <message>
+        <source>Ended at the most iterations</source>
+        <translation>达到最大迭代次数</translation>
+    </message>
+    <message>
+        <source>No matches were left</source>
+        <translation>已无剩余匹配</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Start mm</source>
+        <translation>起始 mm</translation>
+    </message>
+    <message>
+        <source>Error mm</source>
+        <translation>误差 mm</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>迭代次数</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SceneView</name>
+    <message>
+        <source>The 3D scene needs OpenGL, which this display does not have.</source>
+        <translation>3D 场景需要 OpenGL，但此显示环境不支持。</translation>
+    </message>
+    <message>
+        <source>Reset view</source>
+        <translation>重置视图</translation>
+    </message>
+    <message>
+        <source>Look through</source>
+        <translation>从相机观察</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>场景</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::StatusLine</name>
+    <message numerus="yes">
+        <source>saved %n s ago</source>
+        <translation>
+            <numerusform>%n 秒前已保存</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n min ago</source>
+        <translation>
+            <numerusform>%n 分钟前已保存</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>saved %n h ago</source>
+        <translation>
+            <numerusform>%n 小时前已保存</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>NOT SAVED</source>
+        <translation>未保存</translation>
+    </message>
+    <message>
+        <source>read-only</source>
+        <translation>只读</translation>
+    </message>
+    <message>
+        <source>saved</source>
+        <translation>已保存</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n s left</source>
+        <translation>
+            <numerusform>，剩余 %n 秒</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SummaryModel</name>
+    <message>
+        <source>start</source>
+        <translation>起始</translation>
+    </message>
+    <message>
+        <source>Seconds per pair</source>
+        <translation>每个帧对的秒数</translation>
+    </message>
+    <message>
+        <source>Mean and standard deviation of the error, mm, by frames apart</source>
+        <translation>按相隔帧数统计的误差均值和标准差，mm</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>秒</translation>
+    </message>
+    <message>
+        <source>All, mm</source>
+        <translation>全部 (mm)</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Timeline</name>
+    <message>
+        <source>Timeline</source>
+        <translation>时间轴</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>第 %1 帧</translation>
+    </message>
+    <message>
+        <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
+        <translation>%1手：%2 个完成，%3 个部分完成，%4 个有问题，%5 个遮挡</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ViewPanel</name>
+    <message>
+        <source>Mesh</source>
+        <translation>网格</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Shaded</source>
+        <translation>着色</translation>
+    </message>
+    <message>
+        <source>Wireframe</source>
+        <translation>线框</translation>
+    </message>
+    <message>
+        <source>Style</source>
+        <translation>样式</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>不透明度</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>亮度</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <translation>对比度</translation>
+    </message>
+    <message>
+        <source>Gamma</source>
+        <translation>伽马</translation>
+    </message>
+    <message>
+        <source>All views</source>
+        <translation>所有视图</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>重置</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Untick to hide a view; drag to change the order</source>
+        <translation>取消勾选可隐藏视图，拖动可更改顺序</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Workspaces</name>
+    <message>
+        <source>Quality</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>拟合</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>视图</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>标注者</translation>
+    </message>
+    <message>
+        <source>All views are hidden: tick one under View, Cameras.</source>
+        <translation>所有视图均已隐藏：请在“视图”的“相机”中勾选一个。</translation>
+    </message>
+</context>
+</TS>
