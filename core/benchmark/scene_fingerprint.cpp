@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "core/fitting/pose_estimator.h"
 #include "core/numeric/random.h"
 
 namespace core {
@@ -92,6 +93,7 @@ std::string sceneFingerprint(const BenchmarkScene& scene) {
     for (const BenchmarkSequence& sequence : scene.sequences) {
         addSequence(fingerprint, sequence);
     }
+    fingerprint.add(kEstimatorRevision);
     return fingerprint.text();
 }
 

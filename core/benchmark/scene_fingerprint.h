@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// A short text (16 hexadecimal digits) that differs if hands, cameras, motions or annotated joints differ: results of
+/// A short text (16 hexadecimal digits) that differs if hands, cameras, motions, annotated joints or the methods' revision differ: results of
 /// equal fingerprints may be brought together. Not meant against forgery.
 std::string sceneFingerprint(const BenchmarkScene& scene);
 

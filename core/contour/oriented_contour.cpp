@@ -114,14 +114,14 @@ cv::Rect maskBounds(const cv::Mat& mask) {
 }
 
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options) {
-    OrientedContour contour;
-    if (mask.empty()) {
-        return contour;
-    }
-    if (mask.type() != CV_8U) {
+    if (!mask.empty() && mask.type() != CV_8U) {
         throw Error(ErrorCode::BadInput, "", "mask", "must be an 8-bit image of one channel");
     }
-    const cv::Rect bounds = maskBounds(mask);
+    return orientedContour(mask, maskBounds(mask), options);
+}
+
+OrientedContour orientedContour(const cv::Mat& mask, const cv::Rect& bounds, const ContourOptions& options) {
+    OrientedContour contour;
     if (bounds.empty()) {
         return contour;
     }

@@ -15,8 +15,8 @@ namespace {
 const cv::Point kTensorMargin(60, 60);
 
 /// Points whose ray the lens model cannot give are dropped.
-CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, const OrientedContour& found,
-                        const FitTargetOptions& options) {
+CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, const cv::Rect& bounds,
+                        const OrientedContour& found, const FitTargetOptions& options) {
     OrientedContour kept;
     std::vector<Eigen::Vector3d> directions;
     const Eigen::Matrix3d worldFromCamera = camera.cameraFromWorld.rotation.transpose();
@@ -38,7 +38,6 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
         }
     }
     ContourIndex contourIndex(searched, options.bins);
-    const cv::Rect bounds = maskBounds(mask);
     std::optional<Dt3Tensor> tensor;
     if (options.tensorLambdaPxPerRad >= 0) {
         const cv::Rect region =
@@ -61,9 +60,10 @@ std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, con
                                          const FitTargetOptions& options, int threads) {
     std::vector<std::optional<CameraTarget>> made(cameras.size());
     const auto make = [&](std::size_t c) {
-        const OrientedContour contour = orientedContour(masks[c], options.contour);
+        const cv::Rect bounds = maskBounds(masks[c]);
+        const OrientedContour contour = orientedContour(masks[c], bounds, options.contour);
         if (!contour.empty()) {
-            made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], contour, options);
+            made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], bounds, contour, options);
         }
     };
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });

@@ -48,6 +48,9 @@ struct FitResult {
     FitProfile profile;
 };
 
+/// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one folder.
+inline constexpr int kEstimatorRevision = 1;
+
 /// Called after every iteration with its number and the most there can be.
 using FitProgress = std::function<void(int iteration, int maxIterations)>;
 

@@ -69,7 +69,7 @@ PairResult rowFrom(const json& line) {
 /// What keeps the work of `now` from going on where `before` ended; empty if nothing does.
 std::string obstacle(const BenchmarkRunInfo& before, const BenchmarkRunInfo& now) {
     if (before.fingerprint != now.fingerprint) {
-        return "another dataset, or one that has changed since";
+        return "another dataset, one that has changed since, or an earlier revision of the methods";
     }
     if (before.setup != now.setup) {
         return "the other setup";
