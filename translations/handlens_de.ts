@@ -1255,6 +1255,10 @@
         <source>R %1</source>
         <translation>R %1</translation>
     </message>
+    <message>
+        <source>propose %1 in %2</source>
+        <translation>%1 in %2 vorschlagen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::EmptyState</name>

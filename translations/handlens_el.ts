@@ -1255,6 +1255,10 @@
             <numerusform>αλλαγή %n σημαδιών</numerusform>
         </translation>
     </message>
+    <message>
+        <source>propose %1 in %2</source>
+        <translation>πρόταση %1 στην %2</translation>
+    </message>
 </context>
 <context>
     <name>widgets::EmptyState</name>

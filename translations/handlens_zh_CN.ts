@@ -1245,6 +1245,10 @@
             <numerusform>更改 %n 个标记</numerusform>
         </translation>
     </message>
+    <message>
+        <source>propose %1 in %2</source>
+        <translation>在 %2 中建议 %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::EmptyState</name>

@@ -5,14 +5,23 @@
 
 namespace core {
 
-std::string_view placementName(Placement placement) { return placement == Placement::Manual ? "manual" : "auto"; }
+std::string_view placementName(Placement placement) {
+    switch (placement) {
+    case Placement::Manual:
+        return "manual";
+    case Placement::Auto:
+        return "auto";
+    case Placement::Proposed:
+        break;
+    }
+    return "proposed";
+}
 
 std::optional<Placement> placementFromName(std::string_view name) {
-    if (name == "manual") {
-        return Placement::Manual;
-    }
-    if (name == "auto") {
-        return Placement::Auto;
+    for (const Placement placement : {Placement::Manual, Placement::Auto, Placement::Proposed}) {
+        if (placementName(placement) == name) {
+            return placement;
+        }
     }
     return std::nullopt;
 }

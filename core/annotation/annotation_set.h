@@ -31,8 +31,12 @@ struct MarkKey {
 };
 
 /// How a mark came to be. Only manual marks are evidence.
-enum class Placement { Manual, Auto };
-std::string_view placementName(Placement placement); ///< "manual", "auto"
+enum class Placement {
+    Manual,  ///< a person put it there
+    Auto,    ///< an accepted reprojection of the joint's own point
+    Proposed ///< a guess from elsewhere (another frame, the hand model, a 3D import) that nobody has looked at yet
+};
+std::string_view placementName(Placement placement); ///< "manual", "auto", "proposed"
 std::optional<Placement> placementFromName(std::string_view name);
 
 enum class MarkState {
@@ -53,8 +57,10 @@ struct Mark {
     Placement placement = Placement::Manual;
     MarkState state = MarkState::Visible;
 
-    /// It says where the joint is (px means something).
-    bool isPlaced() const { return state != MarkState::Unplaceable; }
+    /// px means something.
+    bool hasPlace() const { return state != MarkState::Unplaceable; }
+    /// Somebody said where the joint is: by hand, or by accepting its reprojection.
+    bool isPlaced() const { return hasPlace() && placement != Placement::Proposed; }
     /// It may enter triangulation and residuals: a person put it there.
     bool isEvidence() const { return isPlaced() && placement == Placement::Manual; }
     bool operator==(const Mark&) const = default;

@@ -34,19 +34,28 @@ std::string frameRange(int first, int last) {
     return "frames " + std::to_string(first) + " to " + std::to_string(last);
 }
 
-/// Auto marks for a point in the views that have no mark and would see it.
-void propose(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-             const JointPoint& joint, const std::optional<std::string>& onlyCamera) {
+/// Marks for a point in the views that would see it and that nobody has marked yet; older proposals make way.
+void addMarks(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+             const JointPoint& joint, const std::optional<std::string>& onlyCamera, Placement placement) {
     for (const Camera& camera : cameras) {
         const MarkKey key{frame, rater, joint.joint, camera.name};
-        if ((onlyCamera && *onlyCamera != camera.name) || markAt(set, key)) {
+        const auto before = markAt(set, key);
+        const bool isFree = !before || (before->hasPlace() && !before->isPlaced());
+        if ((onlyCamera && *onlyCamera != camera.name) || !isFree) {
             continue;
         }
         const auto px = project(camera, joint.pointInWorld);
-        if (px && isInside(camera.size, *px)) {
-            edit.marks.push_back({key, std::nullopt, Mark{*px, Placement::Auto, MarkState::Visible}});
+        const Mark mark{px.value_or(Eigen::Vector2d::Zero()), placement, MarkState::Visible};
+        if (px && isInside(camera.size, *px) && before != mark) {
+            edit.marks.push_back({key, before, mark});
         }
     }
+}
+
+/// A guess that waits to be looked at.
+void propose(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
+             const JointPoint& joint) {
+    addMarks(edit, set, cameras, frame, rater, joint, std::nullopt, Placement::Proposed);
 }
 
 std::optional<Eigen::Vector3d> pointOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
@@ -76,7 +85,7 @@ Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state) {
         return single(set, verb, key, Mark{Eigen::Vector2d::Zero(), Placement::Manual, state});
     }
     auto mark = markAt(set, key);
-    if (mark && mark->isPlaced()) {
+    if (mark && mark->hasPlace()) {
         mark->state = state;
     }
     return single(set, verb, key, mark);
@@ -96,7 +105,7 @@ Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, in
                 const JointId& joint, const std::optional<std::string>& camera, const TriangulationOptions& options) {
     Edit edit{"accept " + jointLabel(joint) + " in " + camera.value_or("all views"), {}, {}};
     if (const auto point = pointOf(set, cameras, frame, rater, joint, options)) {
-        propose(edit, set, cameras, frame, rater, {joint, *point}, camera);
+        addMarks(edit, set, cameras, frame, rater, {joint, *point}, camera, Placement::Auto);
     }
     return edit;
 }
@@ -106,7 +115,7 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
     Edit edit{"accept all joints of frame " + std::to_string(frame), {}, {}};
     for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
         if (joint.result.point) {
-            propose(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt);
+            addMarks(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt, Placement::Auto);
         }
     }
     return edit;
@@ -116,7 +125,7 @@ Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, i
                  const std::vector<JointPoint>& joints, const std::string& label) {
     Edit edit{label, {}, {}};
     for (const JointPoint& joint : joints) {
-        propose(edit, set, cameras, frame, rater, joint, std::nullopt);
+        propose(edit, set, cameras, frame, rater, joint);
     }
     return edit;
 }
@@ -130,7 +139,7 @@ Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, 
     }
     for (const auto& [id, joint] : reconstructFrame(set, cameras, fromFrame, rater, {options, false, std::nullopt})) {
         if (joint.result.point && isChosen(joints, id)) {
-            propose(edit, set, cameras, toFrame, rater, {id, joint.result.point->pointInWorld}, std::nullopt);
+            propose(edit, set, cameras, toFrame, rater, {id, joint.result.point->pointInWorld});
         }
     }
     return edit;
@@ -187,7 +196,7 @@ Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& camera
         const int lastInside = std::prev(pastInside)->first;
         for (int frame = firstInside->first + 1; frame < lastInside; ++frame) {
             if (!points.contains(frame)) {
-                propose(edit, set, cameras, frame, rater, {id, *interpolated(points, frame, kind)}, std::nullopt);
+                propose(edit, set, cameras, frame, rater, {id, *interpolated(points, frame, kind)});
             }
         }
     }

@@ -24,7 +24,7 @@ Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state);
 Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text);
 
 /// Accepts the reprojection of the joint's point as an auto mark in `camera`, or with no camera in every view; only views
-/// that have no mark and whose image contains the reprojection. Empty while there is no point.
+/// that nobody has marked (a proposed mark makes way) and whose image contains the reprojection. Empty while there is no point.
 Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                 const JointId& joint, const std::optional<std::string>& camera = std::nullopt,
                 const TriangulationOptions& options = {});
@@ -37,17 +37,17 @@ struct JointPoint {
     JointId joint;
     Eigen::Vector3d pointInWorld;
 };
-/// Puts given 3D joints into a frame as auto marks: only views without a mark whose image contains the projection.
+/// Puts given 3D joints into a frame as proposed marks: only views that nobody has marked whose image contains the projection.
 /// For proposals of a hand model, for copies and for interpolation. `label` names the edit.
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                  const std::vector<JointPoint>& joints, const std::string& label);
 
-/// Copies the 3D joints that `rater` has in `fromFrame` (all of them, or only `joints`) to `toFrame`, as auto marks.
+/// Copies the 3D joints that `rater` has in `fromFrame` (all of them, or only `joints`) to `toFrame`, as proposed marks.
 Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int fromFrame, int toFrame,
                   const std::string& rater, const std::optional<std::vector<JointId>>& joints = std::nullopt,
                   const TriangulationOptions& options = {});
 
-/// Interpolates each joint in 3D between the frames of [firstFrame, lastFrame] in which it has a point, and puts it as auto
+/// Interpolates each joint in 3D between the frames of [firstFrame, lastFrame] in which it has a point, and puts it as proposed
 /// marks into the frames between them; never extrapolates. Cubic also uses the nearest such frame on either side of the range.
 Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int firstFrame, int lastFrame,
                      const std::string& rater, Interpolation kind,

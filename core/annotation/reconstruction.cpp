@@ -48,11 +48,11 @@ struct Evidence {
     std::vector<std::size_t> views;
 };
 
-Evidence collect(const std::vector<ViewReconstruction>& views, bool withAuto) {
+Evidence collect(const std::vector<ViewReconstruction>& views, bool withGuesses) {
     Evidence evidence;
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto& mark = views[i].mark;
-        if (mark && (mark->isEvidence() || (withAuto && mark->isPlaced()))) {
+        if (mark && (mark->isEvidence() || (withGuesses && mark->hasPlace()))) {
             evidence.observations.push_back({static_cast<int>(i), mark->px});
             evidence.views.push_back(i);
         }
@@ -78,10 +78,10 @@ std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vec
 }
 
 void countViews(JointReconstruction& joint) {
-    std::size_t settled = 0;
+    std::size_t settled = 0; // placed, or known not to be placeable
     for (const ViewReconstruction& view : joint.views) {
         if (view.mark) {
-            ++settled;
+            settled += view.mark->isPlaced() || !view.mark->hasPlace();
             joint.placedViews += view.mark->isPlaced();
             joint.manualViews += view.mark->isEvidence();
         }
@@ -168,7 +168,7 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
 }
 
 bool wantsClick(const ViewReconstruction& view) {
-    return !view.mark || (view.mark->isPlaced() && !view.mark->isEvidence());
+    return !view.mark || (view.mark->hasPlace() && !view.mark->isEvidence());
 }
 
 /// Ranks the views that would see the point by the uncertainty after one more click there.
@@ -218,10 +218,11 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
     const Evidence evidence = collect(joint.views, false);
     joint.result = triangulate(cameras, evidence.observations, options.triangulation);
     if (!joint.result.point) {
-        if (joint.placedViews > joint.manualViews) {
-            const auto withAuto = triangulate(cameras, collect(joint.views, true).observations, options.triangulation);
-            if (withAuto.point) {
-                joint.proposal = withAuto.point->pointInWorld;
+        const Evidence withGuesses = collect(joint.views, true);
+        if (withGuesses.views.size() > evidence.views.size()) {
+            const auto guess = triangulate(cameras, withGuesses.observations, options.triangulation);
+            if (guess.point) {
+                joint.proposal = guess.point->pointInWorld;
             }
         }
         if (options.details && evidence.observations.size() == 1) {

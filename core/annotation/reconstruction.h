@@ -51,7 +51,7 @@ struct JointReconstruction {
     JointStatus status = JointStatus::None;
     std::vector<NextView> nextViews;        ///< unmarked views that would see the point, the most useful one first
     std::string suspect;                    ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
-    std::optional<Eigen::Vector3d> proposal; ///< where auto marks put the joint while manual ones give no point; never exported
+    std::optional<Eigen::Vector3d> proposal; ///< where auto and proposed marks put the joint while manual ones give no point; never exported
     int manualViews = 0;
     int placedViews = 0;                    ///< manual and auto
 

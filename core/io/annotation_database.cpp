@@ -14,6 +14,7 @@
 
 #include "core/error.h"
 #include "core/io/annotation_backups.h"
+#include "core/io/annotation_schema.h"
 #include "core/io/annotation_tables.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_flusher.h"
@@ -118,7 +119,7 @@ void checkDatabaseContent(SQLite::Database& database, const fs::path& file) {
     if (tables != kTables) {
         throw damagedFile(file, "lacks a table");
     }
-    for (const auto& [table, condition] : AnnotationTables::rowConditions()) {
+    for (const auto& [table, condition] : annotationRowConditions()) {
         SQLite::Statement odd(database, "SELECT 1 FROM " + table + " WHERE (" + condition + ") IS NOT TRUE LIMIT 1");
         if (odd.executeStep()) {
             throw damagedFile(file, "is damaged (a row of table " + table + " makes no sense)");
@@ -139,7 +140,7 @@ void createDatabaseFile(const fs::path& file) {
         {
             SQLite::Database database(pending.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
             database.exec("PRAGMA journal_mode = WAL");
-            AnnotationTables::create(database);
+            createAnnotationTables(database);
         }
         fs::rename(pending, file);
     } catch (const fs::filesystem_error& problem) {

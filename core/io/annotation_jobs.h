@@ -43,7 +43,7 @@ struct ImportJob {
 
 /// Adds a mark if frame and camera are known. Throws Error(BadInput) if there is one already.
 void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark);
-/// A 3D point becomes auto marks in all views that see it: it may be shown and moved, but is no evidence.
+/// A 3D point becomes proposed marks in all views that see it: it may be shown and moved, but is no evidence.
 void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld);
 
 /// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.

@@ -16,6 +16,7 @@
 #include "core/error.h"
 #include "core/io/annotation_backups.h"
 #include "core/io/annotation_database.h"
+#include "core/io/annotation_schema.h"
 #include "core/io/annotation_tables.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_flusher.h"
@@ -112,6 +113,7 @@ void AnnotationStore::Impl::openForWriting() {
     database->exec("PRAGMA journal_mode = WAL");
     // Commits survive the end of the process at once, and a failure of the machine as soon as the log is flushed.
     database->exec("PRAGMA synchronous = NORMAL");
+    upgradeAnnotationTables(*database);
     flusher = std::make_unique<FileFlusher>(sideFile(file, "-wal"));
     struct stat status {};
     ::stat(file.c_str(), &status);

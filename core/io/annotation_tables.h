@@ -16,10 +16,6 @@
 
 namespace core {
 
-/// Marks an annotation file in SQLite's header ("HLAN"), and the version of its tables.
-inline constexpr int kAnnotationApplicationId = 0x484C414E;
-inline constexpr int kAnnotationVersion = 1;
-
 /// Whether an entry of the journal is part of the annotations now.
 enum class EntryState {
     Done = 0,
@@ -33,11 +29,6 @@ class AnnotationTables {
 public:
     /// `fileName` is for error messages.
     AnnotationTables(SQLite::Database& database, std::string fileName);
-
-    /// Creates all tables in an empty database.
-    static void create(SQLite::Database& database);
-    /// What must be true of every row of a table: (name, SQL condition). SQLite's own check leaves such tables' values out.
-    static std::vector<std::pair<std::string, std::string>> rowConditions();
 
     AnnotationSet readSet();
     /// Entries in the given state with ids from `first` to `last`, ascending.

@@ -52,7 +52,7 @@ void writeMarkCsv(const ExportJob& job) {
     for (const auto& [key, mark] : job.set.marks) {
         if (key.rater == job.rater) {
             text += csvLine({job.sequence.name, std::to_string(key.frame), key.rater, std::string(sideName(key.joint.hand)), key.joint.joint,
-                             key.camera, mark.isPlaced() ? exactText(mark.px.x()) : "", mark.isPlaced() ? exactText(mark.px.y()) : "",
+                             key.camera, mark.hasPlace() ? exactText(mark.px.x()) : "", mark.hasPlace() ? exactText(mark.px.y()) : "",
                              std::string(stateName(mark.state)), std::string(placementName(mark.placement))});
         }
     }

@@ -74,7 +74,8 @@ void Annotator::accept() {
         return;
     const auto canAccept = [&](const std::string& camera) {
         const auto* view = selectedIn(camera);
-        return view && !view->mark && view->reprojectionPx && view->reprojectionInside;
+        const bool isFree = view && (!view->mark || (view->mark->hasPlace() && !view->mark->isPlaced()));
+        return isFree && view->reprojectionPx && view->reprojectionInside;
     };
     const auto current = std::find(m_cameraOrder.begin(), m_cameraOrder.end(), m_selection.camera());
     auto order = m_cameraOrder;
@@ -123,7 +124,7 @@ void Annotator::toggleOccluded() {
     core::Edit edit;
     core::AnnotationSet set;
     const auto mark = core::markAt(m_document.annotations(), currentKey());
-    if (!mark) {
+    if (!mark || (mark->hasPlace() && !mark->isPlaced())) {
         edit = core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
                                 m_selection.joint(), m_selection.camera(), m_reconstructions.options());
         if (edit.empty()) {

@@ -23,8 +23,8 @@ QString singleMarkText(const core::MarkChange& change) {
     if (change.after->state == core::MarkState::Unplaceable)
         return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as not placeable in %2")).arg(joint, camera);
     if (!change.before)
-        return (change.after->placement == core::Placement::Auto
-                    ? text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"))
+        return (change.after->placement == core::Placement::Proposed ? text(QT_TRANSLATE_NOOP("widgets::EditText", "propose %1 in %2"))
+                : change.after->placement == core::Placement::Auto   ? text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"))
                     : text(QT_TRANSLATE_NOOP("widgets::EditText", "place %1 in %2")))
             .arg(joint, camera);
     if (change.before->px != change.after->px)

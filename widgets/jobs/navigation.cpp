@@ -38,7 +38,9 @@ std::optional<int> nextBadFrame(const FrameCoverage& coverage, int frame, Way wa
 }
 
 std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, Way way) {
-    return nearestFrame(coverage, frame, way, [](const FrameCoverage::value_type&) { return true; });
+    return nearestFrame(coverage, frame, way, [](const FrameCoverage::value_type& entry) {
+        return std::any_of(entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.done + hand.second.partial > 0; });
+    });
 }
 
 std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount, int frame, Way way) {

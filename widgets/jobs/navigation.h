@@ -14,7 +14,7 @@ enum class Way { Forward, Back };
 
 /// The nearest frame from `frame` (not itself) in which a joint is bad.
 std::optional<int> nextBadFrame(const FrameCoverage& coverage, int frame, Way way);
-/// The nearest frame from `frame` (not itself) that holds marks.
+/// The nearest frame from `frame` (not itself) in which something is placed; proposals do not count.
 std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, Way way);
 /// The nearest frame of [0, frameCount) from `frame` (not itself) in which a joint of the list is not done.
 std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount, int frame, Way way);

@@ -28,6 +28,11 @@ std::optional<ViewMark> markOf(const core::JointId& joint, const core::ViewRecon
     ViewMark mark;
     mark.joint = joint;
     mark.outlier = view.outlier;
+    if (view.mark && view.mark->hasPlace() && !view.mark->isPlaced() && !view.reprojectionPx) { // a guess, as long as nothing better is known
+        mark.px = toPoint(view.mark->px);
+        mark.origin = MarkOrigin::Proposed;
+        return proposals ? std::optional(mark) : std::nullopt;
+    }
     if (isPlaced(view)) {
         mark.px = toPoint(view.mark->px);
         mark.origin = view.mark->placement == core::Placement::Manual ? MarkOrigin::Manual : MarkOrigin::Auto;
@@ -36,7 +41,8 @@ std::optional<ViewMark> markOf(const core::JointId& joint, const core::ViewRecon
             mark.reprojectionPx = toPoint(*view.reprojectionPx);
         return mark;
     }
-    if (view.mark || !proposals || !view.reprojectionPx || !view.reprojectionInside)
+    const bool isUnplaceable = view.mark && !view.mark->hasPlace();
+    if (isUnplaceable || !proposals || !view.reprojectionPx || !view.reprojectionInside)
         return std::nullopt;
     mark.px = toPoint(*view.reprojectionPx);
     mark.origin = MarkOrigin::Proposed;

@@ -36,7 +36,7 @@ QJsonObject jointJson(const core::JointReconstruction& found) {
             continue;
         if (view.mark->state == core::MarkState::Unplaceable)
             unplaceable.append(QString::fromStdString(view.camera));
-        else
+        else if (view.mark->isPlaced())
             views.append(viewJson(view));
     }
     const auto& point = found.result.point;

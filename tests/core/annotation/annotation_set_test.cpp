@@ -49,7 +49,7 @@ TEST(AnnotationSet, RangesHoldExactlyWhatTheySay) {
 }
 
 TEST(AnnotationSet, NamesReadBack) {
-    for (const auto placement : {core::Placement::Manual, core::Placement::Auto}) {
+    for (const auto placement : {core::Placement::Manual, core::Placement::Auto, core::Placement::Proposed}) {
         EXPECT_EQ(core::placementFromName(core::placementName(placement)), placement);
     }
     for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable}) {

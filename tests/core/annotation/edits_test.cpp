@@ -114,11 +114,28 @@ TEST_F(Edits, CopiedPosesAreProposalsOnly) {
     perform(core::placeEdit(m_set, key(9, kIndex, 0), {300, 300}));
     perform(core::copyPoseEdit(m_set, m_cameras, 5, 9, kRater));
     EXPECT_EQ(mark(9, kIndex, 0)->px, Vector2d(300, 300));
-    EXPECT_EQ(mark(9, kIndex, 1)->placement, Placement::Auto);
+    EXPECT_EQ(mark(9, kIndex, 1)->placement, Placement::Proposed);
     const auto joint = core::reconstruct(m_set, m_cameras, 9, kRater, kIndex);
     EXPECT_FALSE(joint.hasPoint());
     EXPECT_TRUE(core::copyPoseEdit(m_set, m_cameras, 5, 5, kRater).empty());
     EXPECT_TRUE(core::copyPoseEdit(m_set, m_cameras, 5, 10, kRater, std::vector<JointId>{kWrist}).empty());
+}
+
+TEST_F(Edits, ProposalsMakeWayForClicksForAcceptanceAndForNewerProposals) {
+    const Vector3d point(10, 20, -15), elsewhere(30, -20, 5);
+    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose"));
+    ASSERT_EQ(m_set.marks.size(), 8u);
+    EXPECT_TRUE(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex).empty()) << "a guess gives no point";
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose").empty()) << "the same again";
+    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose"));
+    EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], point)).norm(), 1e-9);
+    perform(core::placeEdit(m_set, key(5, kIndex, 0), *core::project(m_cameras[0], elsewhere)));
+    perform(core::placeEdit(m_set, key(5, kIndex, 2), *core::project(m_cameras[2], elsewhere)));
+    EXPECT_EQ(mark(5, kIndex, 0)->placement, Placement::Manual);
+    perform(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex));
+    EXPECT_EQ(mark(5, kIndex, 3)->placement, Placement::Auto);
+    EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], elsewhere)).norm(), 1e-6) << "the reprojection, not the guess";
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose").empty()) << "what is accepted stays";
 }
 
 TEST_F(Edits, InterpolationFillsOnlyTheFramesBetween) {

@@ -72,6 +72,25 @@ TEST_F(Reconstruction, OnlyManualPlacedMarksAreEvidence) {
     EXPECT_TRUE(joint.views[6].errorPx);
 }
 
+TEST_F(Reconstruction, ProposalsAreNeitherEvidenceNorProgress) {
+    click({0, 1, 2, 3, 4, 5, 6, 7});
+    for (int i = 0; i < 8; ++i) {
+        mark(i).placement = Placement::Proposed;
+    }
+    const JointReconstruction guessed = look();
+    EXPECT_EQ(guessed.status, core::JointStatus::None);
+    EXPECT_EQ(guessed.placedViews, 0);
+    EXPECT_FALSE(guessed.hasPoint());
+    ASSERT_TRUE(guessed.proposal);
+    EXPECT_LT((*guessed.proposal - kTruth).norm(), 1e-6);
+    mark(0).placement = mark(2).placement = Placement::Manual;
+    const JointReconstruction begun = look();
+    EXPECT_EQ(begun.status, core::JointStatus::Partial);
+    EXPECT_EQ(begun.placedViews, 2);
+    EXPECT_TRUE(begun.hasPoint());
+    EXPECT_EQ(begun.nextViews.size(), 6u) << "proposed views still want a click";
+}
+
 TEST_F(Reconstruction, StatusCountsPlacedAndUnplaceableViews) {
     click({0, 1, 2, 3, 4, 5, 6});
     EXPECT_EQ(look().status, core::JointStatus::Partial);

@@ -234,7 +234,7 @@ TEST_F(AnnotationFormats, Anipose3dUndoesItsTurnedWorldWithTheInverseNotTheTrans
         const auto placed = mark(got, 0, {Side::Left, "index_mcp"}, camera.name);
         ASSERT_TRUE(placed);
         EXPECT_LT((placed->px - *core::project(camera, world)).norm(), 1e-9);
-        EXPECT_EQ(placed->placement, Placement::Auto); // a 3D point is no click
+        EXPECT_EQ(placed->placement, Placement::Proposed); // a 3D point is no click
         EXPECT_TRUE(mark(got, 5, {Side::Right, "wrist"}, camera.name));
     }
     EXPECT_EQ(core::annotatedFrames(got), (std::vector<int>{0, 5}));

@@ -249,11 +249,35 @@ TEST_F(AnnotationStoreTest, ReadOnlyAccessWritesNothing) {
 
 TEST_F(AnnotationStoreTest, RefusesANewerFileAndLeavesItUntouched) {
     AnnotationStore::open(m_file).commit(place(1, 1), "ann");
-    SQLite::Database(m_file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 2");
+    SQLite::Database(m_file.string(), SQLite::OPEN_READWRITE).exec("PRAGMA user_version = 3");
     const std::string before = bytesOf(m_file);
     EXPECT_EQ(errorOf([&] { AnnotationStore::open(m_file); }), ErrorCode::Newer);
     EXPECT_EQ(errorOf([&] { AnnotationStore::open(m_file, StoreAccess::ReadOnly); }), ErrorCode::Newer);
     EXPECT_EQ(bytesOf(m_file), before);
+}
+
+TEST_F(AnnotationStoreTest, AFileOfVersionOneIsBroughtUpToDate) {
+    AnnotationStore::open(m_file).commit(place(1, 1), "ann");
+    {
+        SQLite::Database old(m_file.string(), SQLite::OPEN_READWRITE); // as version 1 was: no proposed marks
+        old.exec("PRAGMA writable_schema = ON");
+        old.exec("UPDATE sqlite_master SET sql = replace(sql, ', ''proposed''', '') WHERE type = 'table'");
+        old.exec("PRAGMA user_version = 1");
+        old.exec("PRAGMA writable_schema = RESET");
+    }
+    EXPECT_EQ(AnnotationStore::open(m_file, StoreAccess::ReadOnly).annotations().marks.size(), 1u);
+    Edit proposal = place(2, 7);
+    proposal.marks[0].after->placement = core::Placement::Proposed;
+    {
+        auto store = AnnotationStore::open(m_file);
+        EXPECT_FALSE(store.isReadOnly()) << store.readOnlyReason();
+        store.commit(proposal, "ann");
+    }
+    auto store = AnnotationStore::open(m_file);
+    EXPECT_EQ(core::markAt(store.annotations(), proposal.marks[0].key)->placement, core::Placement::Proposed);
+    EXPECT_EQ(store.annotations().marks.size(), 2u);
+    EXPECT_TRUE(store.undo());
+    EXPECT_TRUE(store.undo()) << "the history of before";
 }
 
 TEST_F(AnnotationStoreTest, RefusesDamagedFilesNamesTheBackupAndLeavesThemUntouched) {
