@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/numeric/gnuplot_text.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/numeric/html_text.h"
@@ -17,8 +19,10 @@ std::string gnuplotQuoted(const std::string& text) {
 }
 
 std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, const std::string& yLabel) {
+    std::string name = id; // gnuplot takes letters, digits and underscores only
+    std::replace_if(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
     return "set encoding utf8\n"
-           "set terminal svg size 760,430 dynamic enhanced background '#ffffff' font 'sans-serif,13' name " + gnuplotQuoted(id) + "\n"
+           "set terminal svg size 760,430 dynamic enhanced background '#ffffff' font 'sans-serif,13' name " + gnuplotQuoted(name) + "\n"
            "set border 3 lc rgb '#888888'\nset tics nomirror out\nset grid ytics lc rgb '#e4e4e4' lw 1\n"
            "set key outside right top noenhanced samplen 2\n"
            "set xlabel " + gnuplotQuoted(xLabel) + "\nset ylabel " + gnuplotQuoted(yLabel) + "\n";

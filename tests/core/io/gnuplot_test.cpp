@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/benchmark/figures.h"
+#include "core/benchmark/report.h"
+#include "core/benchmark/sweep.h"
 #include "core/error.h"
 #include "tests/core/benchmark/hand_made_results.h"
 
@@ -32,6 +34,30 @@ TEST(Gnuplot, DrawsEveryFigure) {
         EXPECT_TRUE(picture.ends_with("</svg>"));
         EXPECT_NE(picture.find("rgb(230, 159,   0)"), std::string::npos) << "a line in the colour of ch";
     }
+}
+
+TEST(Gnuplot, DrawsEveryFigureOfASweep) {
+    if (!isInstalled()) {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    BenchmarkResults results;
+    results.pairs = {{"01", 15, 20}, {"01", 19, 20}};
+    results.joints = {{Side::Left, "forearm"}};
+    results.methods = sweepMethods();
+    for (const FramePair& pair : results.pairs) {
+        for (const std::string& method : results.methods) {
+            const double errorMm = 1 + static_cast<double>(method.size()) / 10;
+            results.rows.push_back({pair, method, 10, errorMm, 20, 1, 0.1, {errorMm}});
+        }
+    }
+    std::vector<std::string> programs;
+    for (const Figure& figure : reportFigures(results, true)) {
+        programs.push_back(figure.gnuplot);
+    }
+    EXPECT_EQ(programs.size(), 4u + 2 * 5u); // overview; per schedule the paper's four sweeps and the best of each
+    const auto pictures = drawWithGnuplot(programs);
+    ASSERT_TRUE(pictures);
+    EXPECT_EQ(pictures->size(), programs.size());
 }
 
 TEST(Gnuplot, SaysWhatItDidNotUnderstand) {
