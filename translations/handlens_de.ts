@@ -848,6 +848,10 @@
         <source>No test frame in that direction, as the benchmark is set.</source>
         <translation>Kein Testbild in dieser Richtung, so wie der Benchmark eingestellt ist.</translation>
     </message>
+    <message>
+        <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
+        <translation>Ihre letzten Änderungen sind noch nicht gespeichert. Schaffen Sie dort, wo sie liegen, Platz oder Schreibrechte, oder exportieren Sie sie anderswohin; nochmaliges Schließen gibt sie auf.</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1147,6 +1151,13 @@
     <message>
         <source>curves</source>
         <translation>Kurven</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::DatasetSession</name>
+    <message>
+        <source>Your last edits are not saved yet, so they would be lost. Make room or give permission where they are kept, or export them first.</source>
+        <translation>Ihre letzten Änderungen sind noch nicht gespeichert und gingen verloren. Schaffen Sie dort, wo sie liegen, Platz oder Schreibrechte, oder exportieren Sie sie zuerst.</translation>
     </message>
 </context>
 <context>

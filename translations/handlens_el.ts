@@ -848,6 +848,10 @@
         <source>Nothing was edited yet.</source>
         <translation>Δεν έχει γίνει ακόμα καμία επεξεργασία.</translation>
     </message>
+    <message>
+        <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
+        <translation>Οι τελευταίες αλλαγές σας δεν έχουν αποθηκευτεί ακόμη. Ελευθερώστε χώρο ή δώστε δικαιώματα εκεί όπου φυλάσσονται ή εξαγάγετέ τες αλλού· δεύτερο κλείσιμο τις εγκαταλείπει.</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1147,6 +1151,13 @@
     <message>
         <source>curves</source>
         <translation>καμπύλες</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::DatasetSession</name>
+    <message>
+        <source>Your last edits are not saved yet, so they would be lost. Make room or give permission where they are kept, or export them first.</source>
+        <translation>Οι τελευταίες αλλαγές σας δεν έχουν αποθηκευτεί ακόμη και θα χάνονταν. Ελευθερώστε χώρο ή δώστε δικαιώματα εκεί όπου φυλάσσονται ή εξαγάγετέ τες πρώτα.</translation>
     </message>
 </context>
 <context>

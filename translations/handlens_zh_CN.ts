@@ -847,6 +847,10 @@
         <source>Nothing was edited yet.</source>
         <translation>尚未编辑任何内容。</translation>
     </message>
+    <message>
+        <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
+        <translation>您最近的编辑尚未保存。请在其存储位置腾出空间或授予权限，或将其导出到别处；再次关闭将放弃这些编辑。</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1145,6 +1149,13 @@
     <message>
         <source>curves</source>
         <translation>曲线</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::DatasetSession</name>
+    <message>
+        <source>Your last edits are not saved yet, so they would be lost. Make room or give permission where they are kept, or export them first.</source>
+        <translation>您最近的编辑尚未保存，继续将会丢失。请在其存储位置腾出空间或授予权限，或先将其导出。</translation>
     </message>
 </context>
 <context>

@@ -161,7 +161,10 @@ void MainWindow::connectDocument() {
     connect(&document, &widgets::AnnotationDocument::saveFailed, this, [this](const QString& message) {
         showMessage(tr("Not saved yet, but nothing is lost: it is tried again every few seconds. %1").arg(message));
     });
-    connect(&document, &widgets::AnnotationDocument::saved, this, [this] { showMessage({}); });
+    connect(&document, &widgets::AnnotationDocument::saved, this, [this] {
+        m_mayLoseEdits = false;
+        showMessage({});
+    });
     connect(&document, &widgets::AnnotationDocument::refused, this, &MainWindow::showMessage);
     connect(&document, &widgets::AnnotationDocument::opened, this, [this] {
         const core::AnnotationStore* store = m_workbench.document.store();
@@ -293,6 +296,12 @@ void MainWindow::refreshTestFrames() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_playback.stop();
+    if (!m_workbench.document.saveNow() && !std::exchange(m_mayLoseEdits, true)) {
+        showMessage(tr("Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once "
+                       "more gives them up."));
+        event->ignore();
+        return;
+    }
     m_workbench.document.close();
     m_settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     m_settings.setValue(QStringLiteral("window/workspaces"), m_workspaces->saveState());

@@ -82,6 +82,7 @@ private:
     QTabBar* m_workspaceBar = nullptr;
     widgets::Hints* m_hints = nullptr;
     bool m_mayHint = true;
+    bool m_mayLoseEdits = false; ///< closing was asked for once while edits could not be saved
 };
 
 } // namespace app

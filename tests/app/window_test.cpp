@@ -11,6 +11,7 @@
 
 #include "app/desktop/script/real_input.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/no_room.h"
 
 namespace {
 
@@ -77,6 +78,31 @@ TEST_F(WindowClicks, SurviveTheWindow) {
     EXPECT_EQ(bench().document.annotations(), before);
     bench().document.undoStack()->redo();
     EXPECT_EQ(bench().document.annotations().marks.size(), 2u);
+}
+
+TEST_F(WindowClicks, AreNotLeftBehindOnAFullDisk) {
+    {
+        const test::NoRoom full;
+        click(0);
+        click(3);
+        EXPECT_TRUE(bench().document.hasUnsaved());
+        bench().session.openSequence(QStringLiteral("b"));
+        app::waitUntilIdle(*window);
+        EXPECT_EQ(bench().session.sequence()->name, "a");
+        EXPECT_FALSE(window->close()) << "the first time it only warns";
+        EXPECT_TRUE(window->isVisible());
+    }
+    ASSERT_TRUE(bench().document.saveNow());
+    restart();
+    EXPECT_EQ(exported()["frames"][0]["raters"][0]["hands"]["left"]["joints"]["index_mcp"]["views"].size(), 2u);
+}
+
+TEST_F(WindowClicks, CanBeGivenUpOnAFullDisk) {
+    const test::NoRoom full;
+    click(0);
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(window->close());
+    window.reset();
 }
 
 TEST_F(WindowClicks, LandOnTheirPixelAtAnyZoom) {

@@ -19,6 +19,7 @@ AnnotationDocument::AnnotationDocument(QObject* parent) : QObject(parent) {
 }
 
 AnnotationDocument::~AnnotationDocument() {
+    blockSignals(true); // whoever would listen is going, too
     writePending();
 }
 
@@ -133,6 +134,11 @@ void AnnotationDocument::writePending() {
         m_retry.start();
         emit saveFailed(QString::fromUtf8(error.what()));
     }
+}
+
+bool AnnotationDocument::saveNow() {
+    writePending();
+    return m_pending.empty();
 }
 
 std::optional<int> AnnotationDocument::lastEditedFrame() const {

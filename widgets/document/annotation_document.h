@@ -64,6 +64,8 @@ public:
 
     /// True while something that was done is not in the file yet, because writing failed; it is tried again.
     bool hasUnsaved() const { return !m_pending.empty(); }
+    /// Tries at once; true if everything is in the file now.
+    bool saveNow();
     QDateTime lastSaved() const { return m_lastSaved; }
     /// Frame of the newest edit, if there is one.
     std::optional<int> lastEditedFrame() const;

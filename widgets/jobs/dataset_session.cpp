@@ -20,7 +20,17 @@ DatasetSession::DatasetSession(AnnotationDocument& document, JobPool& pool, QObj
     connect(&m_job, &Job::failed, this, &DatasetSession::openFailed);
 }
 
+/// What is not in the file yet would go with the document.
+bool DatasetSession::mayLeave() {
+    if (m_document.saveNow())
+        return true;
+    emit openFailed(tr("Your last edits are not saved yet, so they would be lost. Make room or give permission where they are kept, or export them first."));
+    return false;
+}
+
 void DatasetSession::openDataset(const QString& folder, const QString& sequence, int frame) {
+    if (!mayLeave())
+        return;
     const std::filesystem::path path = folder.toStdString();
     closeBefore(path);
     emit opening(folder);
@@ -28,6 +38,8 @@ void DatasetSession::openDataset(const QString& folder, const QString& sequence,
 }
 
 void DatasetSession::openDemo(const QString& folder) {
+    if (!mayLeave())
+        return;
     const std::filesystem::path path = folder.toStdString();
     closeBefore(path);
     emit opening(folder);
@@ -50,6 +62,8 @@ void DatasetSession::openSequence(const QString& sequence, int frame) {
         m_job.stop();
         return;
     }
+    if (!mayLeave())
+        return;
     emit opening(sequence);
     load([dataset = m_dataset] { return dataset; }, sequence, frame);
 }

@@ -49,6 +49,7 @@ private:
     using DatasetReader = std::function<std::shared_ptr<const core::Dataset>()>;
     void load(DatasetReader reader, const QString& sequence, int frame);
     void closeBefore(const std::filesystem::path& folder);
+    bool mayLeave();
     void take(const std::shared_ptr<Loaded>& loaded, int frame);
 
     AnnotationDocument& m_document;
