@@ -24,18 +24,26 @@ struct FitArguments {
     bool profile = false;
 };
 
-void printProfile(const core::FitResult& result) {
+/// Seconds of the stages, over all threads; what no stage accounts for is known only when there is one thread.
+void printProfile(const core::FitResult& result, int threads) {
     const core::FitProfile& profile = result.profile;
     const std::pair<const char*, double> stages[] = {
         {"contours", profile.contours}, {"transforms", profile.transforms}, {"skinning", profile.skinning}, {"rims", profile.rims},
         {"matching", profile.matching}, {"solving", profile.solving},       {"scoring", profile.scoring}};
     double known = 0;
-    for (const auto& [name, seconds] : stages) {
-        std::printf("%-12s %8.1f ms  %3.0f %%\n", name, 1000 * seconds, 100 * seconds / result.seconds);
+    for (const auto& [name, seconds] : stages)
         known += seconds;
-    }
-    std::printf("%-12s %8.1f ms\n", "other", 1000 * (result.seconds - known));
-    std::printf("%-12s %8.1f ms\n", "all", 1000 * result.seconds);
+    const double whole = threads == 1 ? result.seconds : known;
+    const auto print = [whole](const char* name, double seconds) {
+        std::printf("%-12s %8.1f ms  %3.0f %%\n", name, 1000 * seconds, 100 * seconds / whole);
+    };
+    for (const auto& [name, seconds] : stages)
+        print(name, seconds);
+    if (threads == 1)
+        print("other", result.seconds - known);
+    else
+        print("all threads", known);
+    std::printf("%-12s %8.1f ms\n", threads == 1 ? "all" : "elapsed", 1000 * result.seconds);
 }
 
 ordered_json historyToJson(const core::FitResult& result) {
@@ -97,7 +105,7 @@ void fit(const FitArguments& arguments) {
     std::printf("%.3f mm from %.3f mm in %zu iterations, %.3f s (%s)\n", errorMm, initialErrorMm, result.history.size(), result.seconds,
                 std::string(core::terminationName(result.termination)).c_str());
     if (arguments.profile) {
-        printProfile(result);
+        printProfile(result, arguments.threads);
     }
 }
 

@@ -167,7 +167,7 @@ TEST_F(Reconstruction, AfterOneClickTheSecondViewIsRankedNearAHint) {
 
 TEST_F(Reconstruction, EllipseHolds95PercentOfTheReprojections) {
     click({0, 2, 5});
-    const auto& view = look().views[7];
+    const core::ViewReconstruction view = look().views[7];
     ASSERT_TRUE(view.ellipse95);
     const core::PixelEllipse ellipse = *view.ellipse95;
     EXPECT_GE(ellipse.halfAxesPx.x(), ellipse.halfAxesPx.y());

@@ -233,7 +233,9 @@ TEST_F(Triangulation, IsFastEnoughForWholeSequences) {
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     RecordProperty("milliseconds_per_1000_points", std::to_string(ms / 0.56));
     EXPECT_EQ(found, 560);
+#ifndef __SANITIZE_ADDRESS__
     EXPECT_LT(ms, 90) << "560 points of 8 views (generous: shared processors, unoptimised builds)";
+#endif
 }
 
 } // namespace
