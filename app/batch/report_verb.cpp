@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/batch/interrupt.h"
+#include "app/batch/progress.h"
 #include "app/batch/verbs.h"
+#include "core/error.h"
 #include "core/io/annotation_report.h"
 
 namespace app {
@@ -20,9 +23,17 @@ struct ReportArguments {
 void report(const ReportArguments& arguments) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const std::filesystem::path out = arguments.out.empty() ? dataset.folder / "report.html" : std::filesystem::path(arguments.out);
-    core::QualityOptions options;
-    options.triangulation.sigmaPx = arguments.sigmaPx;
-    core::writeAnnotationReport(dataset, out, arguments.badPx, options);
+    core::AnnotationReportOptions options;
+    options.badRmsPx = arguments.badPx;
+    options.quality.triangulation.sigmaPx = arguments.sigmaPx;
+    bool isWritten = false;
+    {
+        Progress progress("report");
+        isWritten = core::writeAnnotationReport(dataset, out, options, interruptToken(), [&](int done, int total) { progress.show(done, total); });
+    }
+    if (!isWritten) {
+        throw core::Error(core::ErrorCode::Usage, out.string(), "", "stopped before it was written");
+    }
     std::printf("%s\n", out.string().c_str());
 }
 

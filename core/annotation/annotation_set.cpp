@@ -63,6 +63,15 @@ std::vector<int> annotatedFrames(const AnnotationSet& set) {
     return frames;
 }
 
+std::vector<int> settledFrames(const AnnotationSet& set, const std::string& rater) {
+    std::vector<int> frames = annotatedFrames(set);
+    std::erase_if(frames, [&](int frame) {
+        const MarkRange marks = marksOfFrame(set, frame, rater);
+        return std::none_of(marks.begin(), marks.end(), [](const auto& item) { return item.second.isSettled(); });
+    });
+    return frames;
+}
+
 namespace {
 
 // Empty strings and Side::Left sort before everything else, so these are the lowest keys of their kind. A string's

@@ -59,8 +59,12 @@ struct Mark {
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }
+    /// A guess that nobody has looked at yet: no evidence, no progress, not exported.
+    bool isProposal() const { return hasPlace() && placement == Placement::Proposed; }
+    /// Somebody decided: placed, or cannot be placed.
+    bool isSettled() const { return !isProposal(); }
     /// Somebody said where the joint is: by hand, or by accepting its reprojection.
-    bool isPlaced() const { return hasPlace() && placement != Placement::Proposed; }
+    bool isPlaced() const { return hasPlace() && isSettled(); }
     /// It may enter triangulation and residuals: a person put it there.
     bool isEvidence() const { return isPlaced() && placement == Placement::Manual; }
     bool operator==(const Mark&) const = default;
@@ -77,6 +81,8 @@ struct AnnotationSet {
 std::optional<Mark> markAt(const AnnotationSet& set, const MarkKey& key);
 /// Frames that hold at least one mark, ascending; O(frames * log(marks)).
 std::vector<int> annotatedFrames(const AnnotationSet& set);
+/// Frames in which that rater has settled at least one mark, ascending.
+std::vector<int> settledFrames(const AnnotationSet& set, const std::string& rater);
 
 /// Neighbouring marks of a set, for range-based loops over (key, mark). Valid while the set is not changed.
 struct MarkRange {

@@ -16,10 +16,7 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
             (mark.placement == Placement::Manual ? summary.clicks : summary.accepted) += 1;
         }
     }
-    for (const int frame : annotatedFrames(set)) {
-        if (marksOfFrame(set, frame, rater).empty()) {
-            continue;
-        }
+    for (const int frame : settledFrames(set, rater)) {
         ++summary.frames;
         for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options)) {
             summary.doneByFrame[frame] += coverage.done;
@@ -53,16 +50,28 @@ void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& jo
 
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands, double badRmsPx,
-                                       const QualityOptions& options) {
+                                       const QualityOptions& options, std::stop_token stop) {
     AnnotationSummary summary;
     summary.sequence = sequence;
     summary.frameCount = frameCount;
     std::map<JointId, JointSummary> joints;
+    std::map<std::string, SequencePoints> points;
     for (const std::string& rater : ratersOf(set)) {
+        const std::vector<int> frames = settledFrames(set, rater);
+        if (frames.empty()) {
+            continue;
+        }
+        QualityChecker checker(cameras, hands, rater, options);
+        for (const int frame : frames) {
+            if (stop.stop_requested()) {
+                return summary;
+            }
+            checker.check(set, frame);
+        }
         summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation));
-        addPoints(sequencePoints(set, cameras, rater, options.triangulation), joints, summary);
-        const auto findings = checkSequence(set, cameras, rater, hands, options);
-        summary.findings.insert(summary.findings.end(), findings.begin(), findings.end());
+        summary.raters.back().findings = checker.findings();
+        addPoints(checker.points(), joints, summary);
+        points[rater] = checker.points();
     }
     for (auto& [id, joint] : joints) {
         joint.meanRmsPx /= joint.points;
@@ -71,7 +80,7 @@ AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCou
     }
     std::stable_sort(summary.joints.begin(), summary.joints.end(),
                      [](const JointSummary& a, const JointSummary& b) { return a.meanSigmaMm > b.meanSigmaMm; });
-    summary.agreement = compareAllRaters(set, cameras, options.triangulation);
+    summary.agreement = compareAllRaters(set, points);
     return summary;
 }
 

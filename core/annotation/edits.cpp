@@ -40,8 +40,7 @@ void addMarks(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& c
     for (const Camera& camera : cameras) {
         const MarkKey key{frame, rater, joint.joint, camera.name};
         const auto before = markAt(set, key);
-        const bool isFree = !before || (before->hasPlace() && !before->isPlaced());
-        if ((onlyCamera && *onlyCamera != camera.name) || !isFree) {
+        if ((onlyCamera && *onlyCamera != camera.name) || (before && before->isSettled())) {
             continue;
         }
         const auto px = project(camera, joint.pointInWorld);
@@ -238,7 +237,10 @@ Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int fir
 Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label) {
     Edit edit{label, {}, {}};
     for (const auto& [key, mark] : imported.marks) {
-        change(edit, set, key, mark);
+        const auto before = markAt(set, key);
+        if (!(mark.isProposal() && before && before->isSettled())) {
+            change(edit, set, key, mark);
+        }
     }
     for (const auto& [frame, text] : imported.notes) {
         const Edit note = noteEdit(set, frame, text);

@@ -84,15 +84,18 @@ std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std
 }
 
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras, const TriangulationOptions& options) {
-    const std::vector<std::string> raters = ratersOf(set);
     std::map<std::string, SequencePoints> points;
-    for (const std::string& rater : raters) {
+    for (const std::string& rater : ratersOf(set)) {
         points[rater] = sequencePoints(set, cameras, rater, options);
     }
+    return compareAllRaters(set, points);
+}
+
+std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::map<std::string, SequencePoints>& points) {
     std::vector<RaterComparison> comparisons;
-    for (std::size_t i = 0; i < raters.size(); ++i) {
-        for (std::size_t j = i + 1; j < raters.size(); ++j) {
-            auto comparison = compared(set, raters[i], points[raters[i]], raters[j], points[raters[j]]);
+    for (auto first = points.begin(); first != points.end(); ++first) {
+        for (auto second = std::next(first); second != points.end(); ++second) {
+            auto comparison = compared(set, first->first, first->second, second->first, second->second);
             if (comparison.all.count > 0 || comparison.clicks > 0) {
                 comparisons.push_back(std::move(comparison));
             }

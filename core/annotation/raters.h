@@ -44,6 +44,8 @@ std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std
 /// Every pair of raters that share something, in order.
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                               const TriangulationOptions& options = {});
+/// The same where the points of each rater are known already.
+std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::map<std::string, SequencePoints>& points);
 
 /// One click that a consensus was made from.
 struct ConsensusClick {

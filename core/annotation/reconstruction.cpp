@@ -81,7 +81,7 @@ void countViews(JointReconstruction& joint) {
     std::size_t settled = 0; // placed, or known not to be placeable
     for (const ViewReconstruction& view : joint.views) {
         if (view.mark) {
-            settled += view.mark->isPlaced() || !view.mark->hasPlace();
+            settled += view.mark->isSettled();
             joint.placedViews += view.mark->isPlaced();
             joint.manualViews += view.mark->isEvidence();
         }

@@ -15,7 +15,8 @@
 
 namespace core {
 
-/// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is.
+/// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is. Proposals do not
+/// count.
 enum class JointStatus { None, Partial, Done };
 std::string_view statusName(JointStatus status); ///< "none", "partial", "done"
 
@@ -29,7 +30,7 @@ struct PixelEllipse {
 /// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is no evidence.
 struct ViewReconstruction {
     std::string camera;
-    std::optional<Mark> mark;                      ///< nothing: not done yet
+    std::optional<Mark> mark;                      ///< nothing, or a proposal: not done yet
     std::optional<Eigen::Vector2d> reprojectionPx; ///< the joint's point in this view, recorded pixels; may lie outside
     bool reprojectionInside = false;               ///< the reprojection lies within the image
     std::optional<double> errorPx;                 ///< manual mark to reprojection
@@ -49,9 +50,10 @@ struct JointReconstruction {
     TriangulationResult result;             ///< from the manual marks only; `reason` when there is no point
     std::vector<ViewReconstruction> views;  ///< one per camera, in the cameras' order
     JointStatus status = JointStatus::None;
-    std::vector<NextView> nextViews;        ///< unmarked views that would see the point, the most useful one first
+    std::vector<NextView> nextViews;        ///< views without a click that would see the point, the most useful one first
     std::string suspect;                    ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
-    std::optional<Eigen::Vector3d> proposal; ///< where auto and proposed marks put the joint while manual ones give no point; never exported
+    /// Where auto and proposed marks put the joint while manual ones give no point; never exported.
+    std::optional<Eigen::Vector3d> proposal;
     int manualViews = 0;
     int placedViews = 0;                    ///< manual and auto
 

@@ -93,7 +93,9 @@ Finding signedBeatsUnsigned(const Evidence& evidence, const std::string& method,
 Finding bestTau(const Evidence& evidence) {
     const std::vector<std::string> taus = variants("dch-thres", "tau", {"11.25", "22.5", "45", "90"});
     return evidence.judge("tau = 22.5 deg is best", taus, [&] {
-        return evidence.mm("dch-thres:tau=22.5") <= evidence.mm(least(evidence, taus)) + kTieMm;
+        return std::all_of(taus.begin(), taus.end(), [&](const std::string& tau) {
+            return tau == taus[1] || beats(evidence.mm(taus[1]), evidence.mm(tau));
+        });
     });
 }
 
@@ -159,7 +161,7 @@ Finding thresIsFastest(const Evidence& evidence) {
 Finding dt3IsSmooth(const Evidence& evidence) {
     Finding finding = evidence.judge("DT3 converges more smoothly", kPapersMethods, [&] {
         return std::all_of(kPapersMethods.begin(), kPapersMethods.end(), [&](const std::string& method) {
-            return evidence.roughness("dch-dt3") <= evidence.roughness(method);
+            return method == "dch-dt3" || evidence.roughness("dch-dt3") < evidence.roughness(method);
         });
     });
     if (finding.verdict != Verdict::NotMeasured) {
@@ -180,7 +182,7 @@ Finding chOnRealData(const Evidence& evidence, BenchmarkSetup setup) {
     }
     return evidence.judge(claim + " (the real half)", kPapersMethods, [&] {
         return std::all_of(kPapersMethods.begin(), kPapersMethods.end(), [&](const std::string& method) {
-            return evidence.mm("ch") >= evidence.mm(method) - kTieMm;
+            return method == "ch" || beats(evidence.mm(method), evidence.mm("ch"));
         });
     });
 }

@@ -8,7 +8,7 @@
 #include "core/benchmark/metrics.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
-#include "core/numeric/html_text.h"
+#include "core/benchmark/html_text.h"
 #include "core/numeric/number_text.h"
 
 namespace core {
@@ -118,19 +118,24 @@ std::string worstHtml(const ReportContent& content) {
     return text + "</tbody>\n</table>\n";
 }
 
-/// The part of the results under one schedule, for a table of its own.
+/// The part of the results under one schedule, for a table of its own. `best` stands in both for comparison, its variants only in ours.
 BenchmarkResults underScheduleOnly(const BenchmarkResults& results, Schedule schedule) {
     BenchmarkResults part = results;
     std::erase_if(part.methods, [&](const std::string& method) {
         const auto& external = results.external;
         const bool isExternal = std::find(external.begin(), external.end(), method) != external.end();
-        return !isExternal && parseMethod(method).kind != MethodKind::Best && parseMethod(method).schedule != schedule;
+        if (isExternal) {
+            return false;
+        }
+        const Method m = parseMethod(method);
+        return m.kind == MethodKind::Best ? schedule == Schedule::Paper && m.ideas != BestIdeas{} : m.schedule != schedule;
     });
     return part;
 }
 
 bool hasPaperSchedule(const BenchmarkResults& results) {
-    return underScheduleOnly(results, Schedule::RigidFirst).methods.size() < results.methods.size();
+    const BenchmarkResults ours = underScheduleOnly(results, Schedule::RigidFirst); // holds whatever has no schedule, too
+    return ours.methods.size() < results.methods.size();
 }
 
 std::string tablesHtml(const ReportContent& content) {
@@ -182,7 +187,7 @@ std::string reportHtml(const ReportContent& content) {
     if (content.sweep) {
         text += findingsHtml(content);
     }
-    text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr);
+    text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr, "nothing is computed twice");
     if (content.sweep) {
         text += optionsHtml(*content.results) + ideasHtml(*content.results);
     }

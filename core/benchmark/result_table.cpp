@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/html_text.h"
+#include "core/benchmark/html_text.h"
 #include "core/numeric/number_text.h"
 #include "core/benchmark/paper_results.h"
 

@@ -36,7 +36,7 @@ struct ContourOptions {
 /// both). mask: CV_8U, 0 = background. Pixels on the border of the image are no silhouette and are left out.
 /// Empty if the mask is. Throws Error(BadInput) if the mask has another type.
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options = {});
-/// The same where maskBounds(mask) is known already.
+/// The same where maskBounds(mask) is known already, and the mask's type with it.
 OrientedContour orientedContour(const cv::Mat& mask, const cv::Rect& bounds, const ContourOptions& options);
 
 /// The smallest rectangle that holds every pixel that is not 0; empty if there is none. mask: CV_8U.

@@ -7,6 +7,8 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/fitting/stopwatch.h"
+
 namespace core {
 
 namespace {
@@ -17,6 +19,7 @@ const cv::Point kTensorMargin(60, 60);
 /// Points whose ray the lens model cannot give are dropped.
 CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, const cv::Rect& bounds,
                         const OrientedContour& found, const FitTargetOptions& options) {
+    const Stopwatch watch;
     OrientedContour kept;
     std::vector<Eigen::Vector3d> directions;
     const Eigen::Matrix3d worldFromCamera = camera.cameraFromWorld.rotation.transpose();
@@ -51,7 +54,9 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
             std::move(directions),
             camera.centreInWorld(),
             std::move(contourIndex),
-            std::move(tensor)};
+            std::move(tensor),
+            0,
+            watch.seconds()};
 }
 
 } // namespace
@@ -60,10 +65,13 @@ std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, con
                                          const FitTargetOptions& options, int threads) {
     std::vector<std::optional<CameraTarget>> made(cameras.size());
     const auto make = [&](std::size_t c) {
+        const Stopwatch watch;
         const cv::Rect bounds = maskBounds(masks[c]);
         const OrientedContour contour = orientedContour(masks[c], bounds, options.contour);
+        const double seconds = watch.seconds();
         if (!contour.empty()) {
             made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], bounds, contour, options);
+            made[c]->secondsContour = seconds;
         }
     };
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });

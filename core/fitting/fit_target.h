@@ -24,6 +24,8 @@ struct CameraTarget {
     Eigen::Vector3d centre;                    ///< the camera's centre in the world
     ContourIndex index;
     std::optional<Dt3Tensor> tensor; ///< only if the options ask for it
+    double secondsContour = 0;       ///< that its outline took
+    double secondsTransform = 0;     ///< that the index and the tensor took
 };
 
 struct FitTargetOptions {

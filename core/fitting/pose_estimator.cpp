@@ -125,13 +125,15 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
                              std::stop_token stop, const FitProgress& progress, int threads) const {
     checkInput(m_impl->hands.models, m_impl->cameras, masks, start);
     const Stopwatch total;
-    Stopwatch watch;
     FitResult result;
     result.poses = start;
     const MatchRule rule = matchRule(method);
     const std::vector<CameraTarget> targets =
         makeFitTargets(m_impl->cameras, masks, targetOptions(method, rule), threads);
-    result.profile.contours = watch.restart();
+    for (const CameraTarget& target : targets) {
+        result.profile.contours += target.secondsContour;
+        result.profile.transforms += target.secondsTransform;
+    }
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
     if (targets.empty()) {
         result.termination = FitTermination::NoMatches;

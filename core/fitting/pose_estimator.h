@@ -29,10 +29,10 @@ struct FitIteration {
     HandPoses poses;   ///< after the step
 };
 
-/// Seconds per stage of one fit.
+/// Seconds per stage of one fit, over all its threads.
 struct FitProfile {
     double contours = 0;   ///< from masks to oriented contours
-    double transforms = 0; ///< search structures and distance transforms
+    double transforms = 0; ///< rays, search structures and distance transforms of the contours
     double skinning = 0;
     double rims = 0;
     double matching = 0;

@@ -62,11 +62,11 @@ JointMap mapFor(const Handler& handler, const fs::path& given) {
     return handler.map[0] == '\0' ? JointMap() : readJointMap(handler.map);
 }
 
-/// The one that is asked for, or the one with most marks (the first of equals); "" if there are no marks.
+/// The one that is asked for, or the one with most marks (the first of equals); "" if there are no marks. Proposals are nobody's.
 std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, const std::optional<std::string>& asked) {
     std::map<std::string, int> marks;
     for (const auto& [key, mark] : set.marks) {
-        ++marks[key.rater];
+        marks[key.rater] += mark.isSettled();
     }
     if (asked) {
         if (!marks.contains(*asked)) {
@@ -75,7 +75,7 @@ std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, cons
         return *asked;
     }
     const auto most = std::max_element(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    return most == marks.end() ? std::string() : most->first;
+    return most == marks.end() || most->second == 0 ? std::string() : most->first;
 }
 
 } // namespace

@@ -20,17 +20,11 @@ std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& j
 std::vector<JointId> markedJoints(const ExportJob& job) {
     std::set<JointId> joints;
     for (const auto& [key, mark] : job.set.marks) {
-        if (key.rater == job.rater) {
+        if (key.rater == job.rater && mark.isSettled()) {
             joints.insert(key.joint);
         }
     }
     return {joints.begin(), joints.end()};
-}
-
-std::vector<int> markedFrames(const ExportJob& job) {
-    std::vector<int> frames = annotatedFrames(job.set);
-    std::erase_if(frames, [&job](int frame) { return marksOfFrame(job.set, frame, job.rater).empty(); });
-    return frames;
 }
 
 std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame) {

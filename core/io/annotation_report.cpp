@@ -7,7 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/dataset_annotations.h"
 #include "core/io/gnuplot.h"
-#include "core/numeric/html_text.h"
+#include "core/benchmark/html_text.h"
 #include "core/numeric/number_text.h"
 
 namespace core {
@@ -15,7 +15,7 @@ namespace core {
 namespace {
 
 constexpr std::size_t kWorstJoints = 12; ///< listed per sequence
-constexpr std::size_t kMostFindings = 40;
+constexpr std::size_t kMostFindings = 40; ///< listed per sequence and rater
 
 const char* const kColours[] = {"#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#0072B2"};
 
@@ -33,6 +33,19 @@ std::string tableHead(std::initializer_list<const char*> columns) {
         text += "<th>" + std::string(column) + "</th>";
     }
     return text + "</tr></thead>\n<tbody>\n";
+}
+
+/// A number that says nothing without at least that many values behind it.
+std::string numberCell(double value, int digits, int values, int least = 1) {
+    return htmlNumberCell(values < least ? std::nan("") : value, digits);
+}
+
+std::string limitsCell(const BlandAltman& axis, int values) {
+    if (values == 0) {
+        return "<td></td>";
+    }
+    const std::string limits = values == 1 ? "" : " (" + fixedText(axis.lowerMm(), 2) + " to " + fixedText(axis.upperMm(), 2) + ")";
+    return "<td>" + fixedText(axis.biasMm, 2) + limits + "</td>";
 }
 
 constexpr const char* kTableEnd = "</tbody>\n</table>\n";
@@ -61,11 +74,12 @@ std::string agreementHtml(const std::vector<AnnotationSummary>& sequences) {
     for (const AnnotationSummary& sequence : sequences) {
         for (const RaterComparison& pair : sequence.agreement) {
             rows += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(pair.first) + htmlTextCell(pair.second) + count(pair.all.count) +
-                    htmlNumberCell(pair.all.meanMm, 2) + htmlNumberCell(pair.all.medianMm, 2) + htmlNumberCell(pair.all.maxMm, 2);
+                    numberCell(pair.all.meanMm, 2, pair.all.count) + numberCell(pair.all.medianMm, 2, pair.all.count) +
+                    numberCell(pair.all.maxMm, 2, pair.all.count);
             for (const BlandAltman& axis : pair.all.axes) {
-                rows += "<td>" + fixedText(axis.biasMm, 2) + " (" + fixedText(axis.lowerMm(), 2) + " to " + fixedText(axis.upperMm(), 2) + ")</td>";
+                rows += limitsCell(axis, pair.all.count);
             }
-            rows += count(pair.clicks) + htmlNumberCell(pair.clickRmsPx, 2) + "</tr>\n";
+            rows += count(pair.clicks) + numberCell(pair.clickRmsPx, 2, pair.clicks) + "</tr>\n";
         }
     }
     if (rows.empty()) {
@@ -91,25 +105,34 @@ std::string worstJointsHtml(const std::vector<AnnotationSummary>& sequences) {
     return text + kTableEnd;
 }
 
+std::string findingRows(const std::string& sequence, const RaterSummary& rater) {
+    std::string rows;
+    for (std::size_t i = 0; i < std::min(kMostFindings, rater.findings.size()); ++i) {
+        const QualityFinding& finding = rater.findings[i];
+        rows += "<tr>" + htmlTextCell(sequence) + htmlTextCell(rater.rater) + count(finding.frame) + htmlTextCell(jointLabel(finding.joint)) +
+                htmlTextCell(std::string(qualityKindName(finding.kind))) + htmlTextCell(finding.text) + "</tr>\n";
+    }
+    if (rater.findings.size() > kMostFindings) {
+        rows += "<tr>" + htmlTextCell(sequence) + htmlTextCell(rater.rater) + "<td></td><td></td><td></td>" +
+                htmlTextCell("and " + std::to_string(rater.findings.size() - kMostFindings) + " more") + "</tr>\n";
+    }
+    return rows;
+}
+
 std::string findingsHtml(const std::vector<AnnotationSummary>& sequences) {
     std::string rows;
-    std::size_t all = 0;
+    bool isCut = false;
     for (const AnnotationSummary& sequence : sequences) {
-        for (const QualityFinding& finding : sequence.findings) {
-            if (++all <= kMostFindings) {
-                rows += "<tr>" + htmlTextCell(sequence.sequence) + count(finding.frame) + htmlTextCell(jointLabel(finding.joint)) +
-                        htmlTextCell(std::string(qualityKindName(finding.kind))) + htmlTextCell(finding.text) + "</tr>\n";
-            }
+        for (const RaterSummary& rater : sequence.raters) {
+            rows += findingRows(sequence.sequence, rater);
+            isCut = isCut || rater.findings.size() > kMostFindings;
         }
     }
-    if (all == 0) {
+    if (rows.empty()) {
         return "<h2>Doubts</h2>\n<p class=\"yes\">Nothing stands out.</p>\n";
     }
-    std::string text = "<h2>Doubts</h2>\n" + tableHead({"sequence", "frame", "joint", "kind", "what"}) + rows + kTableEnd;
-    if (all > kMostFindings) {
-        text += "<p>" + std::to_string(all - kMostFindings) + " more are listed in the window, under Quality.</p>\n";
-    }
-    return text;
+    return "<h2>Doubts</h2>\n" + tableHead({"sequence", "rater", "frame", "joint", "kind", "what"}) + rows + kTableEnd +
+           (isCut ? "<p>All of a rater's doubts are listed in the window, under Quality, when it is opened with <code>--rater</code> and the name.</p>\n" : "");
 }
 
 /// Values counted in bins of `width` from 0 on, as boxes; the last bin takes the rest.
@@ -189,29 +212,39 @@ std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequ
     return figures;
 }
 
-std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences, const std::vector<std::string>* pictures) {
+std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences, const std::vector<Figure>& figures,
+                                 const std::vector<std::string>* pictures) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Annotations of " + htmlEscaped(dataset) +
                        "</title>\n<style>\n" + std::string(kReportStyle) + "</style>\n</head>\n<body>\n<h1>Annotations of " + htmlEscaped(dataset) + "</h1>\n";
     text += progressHtml(sequences);
-    const std::vector<Figure> figures = annotationFigures(sequences);
-    if (!figures.empty()) {
-        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) + figuresHtml(figures, pictures);
+    const bool hasBegun = std::any_of(sequences.begin(), sequences.end(), [](const AnnotationSummary& sequence) { return !sequence.empty(); });
+    if (hasBegun) {
+        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) + figuresHtml(figures, pictures, "it takes as long as this time");
     }
     return text + "</body>\n</html>\n";
 }
 
-void writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, double badRmsPx, const QualityOptions& options) {
+bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, const AnnotationReportOptions& options, std::stop_token stop,
+                           const std::function<void(int done, int total)>& progress) {
     std::vector<AnnotationSummary> sequences;
     for (const Sequence& sequence : dataset.sequences) {
         sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence), dataset.cameras,
-                                                 dataset.hands, badRmsPx, options));
+                                                 dataset.hands, options.badRmsPx, options.quality, stop));
+        if (stop.stop_requested()) {
+            return false;
+        }
+        if (progress) {
+            progress(static_cast<int>(sequences.size()), static_cast<int>(dataset.sequences.size()));
+        }
     }
+    const std::vector<Figure> figures = annotationFigures(sequences);
     std::vector<std::string> programs;
-    for (const Figure& figure : annotationFigures(sequences)) {
+    for (const Figure& figure : figures) {
         programs.push_back(figure.gnuplot);
     }
     const auto pictures = drawWithGnuplot(programs);
-    writeFileAtomically(path, annotationReportHtml(dataset.name, sequences, pictures ? &*pictures : nullptr));
+    writeFileAtomically(path, annotationReportHtml(dataset.name, sequences, figures, pictures ? &*pictures : nullptr));
+    return true;
 }
 
 } // namespace core

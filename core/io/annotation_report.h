@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "core/annotation/annotation_summary.h"
 #include "core/io/dataset.h"
-#include "core/numeric/gnuplot_text.h"
+#include "core/benchmark/gnuplot_text.h"
 
 namespace core {
 
@@ -16,12 +18,18 @@ namespace core {
 std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequences);
 
 /// One HTML page that needs no network: progress, raters and their agreement, worst joints, doubts, figures. `pictures` are the
-/// SVGs of annotationFigures, null if they could not be drawn.
-std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences,
+/// SVGs of the figures, in their order; null if they could not be drawn.
+std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences, const std::vector<Figure>& figures,
                                  const std::vector<std::string>* pictures);
 
-/// Reads the annotations of a dataset and writes the report of all its sequences, atomically.
-void writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, double badRmsPx = 2,
-                           const QualityOptions& options = {});
+struct AnnotationReportOptions {
+    double badRmsPx = 2; ///< joints with a larger reprojection error count as bad
+    QualityOptions quality;
+};
+
+/// Reads the annotations of a dataset and writes the report of all its sequences, atomically; nothing, and false, if `stop` was
+/// requested before. `progress` counts sequences.
+bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, const AnnotationReportOptions& options = {},
+                           std::stop_token stop = {}, const std::function<void(int done, int total)>& progress = {});
 
 } // namespace core

@@ -68,11 +68,12 @@ void createAnnotationTables(SQLite::Database& database) {
     database.exec(kSchema);
 }
 
+bool isOlderVersion(SQLite::Database& database) {
+    return database.execAndGet("PRAGMA user_version").getInt() < kAnnotationVersion;
+}
+
 // Version 1 knew no proposed marks: only the tables' conditions differ.
 void upgradeAnnotationTables(SQLite::Database& database) {
-    if (database.execAndGet("PRAGMA user_version").getInt() >= kAnnotationVersion) {
-        return;
-    }
     database.exec("BEGIN IMMEDIATE");
     database.exec("PRAGMA writable_schema = ON");
     database.exec("UPDATE sqlite_master SET sql = replace(sql, 'IN (''manual'', ''auto'')', 'IN (''manual'', ''auto'', ''proposed'')') "

@@ -17,6 +17,7 @@ inline constexpr int kAnnotationVersion = 2;
 
 /// Creates all tables in an empty database.
 void createAnnotationTables(SQLite::Database& database);
+bool isOlderVersion(SQLite::Database& database);
 /// Brings the tables of an older version up to date. Needs a connection that may write.
 void upgradeAnnotationTables(SQLite::Database& database);
 /// What must be true of every row of a table: (name, SQL condition). SQLite's own check leaves such tables' values out.

@@ -113,7 +113,10 @@ void AnnotationStore::Impl::openForWriting() {
     database->exec("PRAGMA journal_mode = WAL");
     // Commits survive the end of the process at once, and a failure of the machine as soon as the log is flushed.
     database->exec("PRAGMA synchronous = NORMAL");
-    upgradeAnnotationTables(*database);
+    if (isOlderVersion(*database)) {
+        backUp(*database, file, AnnotationTables(*database, file.string()).changeCount());
+        upgradeAnnotationTables(*database);
+    }
     flusher = std::make_unique<FileFlusher>(sideFile(file, "-wal"));
     struct stat status {};
     ::stat(file.c_str(), &status);

@@ -100,7 +100,7 @@ std::string imageName(const ExportJob& job, int frame, const std::string& camera
 
 void writeCocoAnnotations(const ExportJob& job) {
     ordered_json images = ordered_json::array(), annotations = ordered_json::array();
-    for (const int frame : markedFrames(job)) {
+    for (const int frame : settledFrames(job.set, job.rater)) {
         for (const Camera& camera : job.dataset.cameras) {
             const std::size_t imageId = images.size() + 1;
             images.push_back({{"id", imageId},

@@ -52,7 +52,7 @@ std::optional<ordered_json> handJson(const std::map<JointId, JointReconstruction
 void writeFreiHand(const ExportJob& job) {
     PendingFolder folder(job.path);
     const ordered_json calib = calibration(job.dataset.cameras);
-    for (const int frame : markedFrames(job)) {
+    for (const int frame : settledFrames(job.set, job.rater)) {
         const auto points = pointsOf(job, frame);
         for (const Side hand : {Side::Left, Side::Right}) {
             if (const auto joints = handJson(points, job.map, hand)) {

@@ -48,6 +48,9 @@ ordered_json handsJson(const AnnotationSet& set, const std::vector<Camera>& came
                        const TriangulationOptions& options) {
     ordered_json hands = ordered_json::object();
     for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
+        if (joint.status == JointStatus::None) {
+            continue; // proposals only
+        }
         hands[std::string(sideName(id.hand))]["joints"][id.joint] = groundTruthJoint(joint);
     }
     return hands;
@@ -60,7 +63,7 @@ ordered_json groundTruthJoint(const JointReconstruction& joint) {
     for (const ViewReconstruction& view : joint.views) {
         if (view.mark && view.mark->isPlaced()) {
             views.push_back(viewJson(view));
-        } else if (view.mark) {
+        } else if (view.mark && !view.mark->hasPlace()) {
             unplaceable.push_back(view.camera);
         }
     }
@@ -87,7 +90,9 @@ void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
         ordered_json raters = ordered_json::array();
         for (const std::string& rater : ratersOf(set, frame)) {
             if (!options.rater || *options.rater == rater) {
-                raters.push_back({{"rater", rater}, {"hands", handsJson(set, dataset.cameras, frame, rater, options.triangulation)}});
+                if (auto hands = handsJson(set, dataset.cameras, frame, rater, options.triangulation); !hands.empty()) {
+                    raters.push_back({{"rater", rater}, {"hands", std::move(hands)}});
+                }
             }
         }
         const auto note = set.notes.find(frame);

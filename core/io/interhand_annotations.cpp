@@ -61,7 +61,7 @@ ordered_json camerasJson(const std::vector<Camera>& cameras) {
 void writeInterHand(const ExportJob& job) {
     PendingFolder folder(job.path);
     ordered_json frames = ordered_json::object();
-    for (const int frame : markedFrames(job)) {
+    for (const int frame : settledFrames(job.set, job.rater)) {
         frames[std::to_string(frame)] = frameJson(job, frame);
     }
     writeJsonFile(folder.path() / "joint_3d.json", {{job.sequence.name, frames}});

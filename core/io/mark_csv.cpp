@@ -38,7 +38,7 @@ CsvRow pointRow(const ExportJob& job, int frame, const std::string& rater, const
 void writePointCsv(const ExportJob& job) {
     std::string text = csvLine({"sequence", "frame", "rater", "hand", "joint", "x_mm", "y_mm", "z_mm", "sigma_mm", "rms_px", "manual_views",
                                 "outliers", "status", "reason"});
-    for (const int frame : markedFrames(job)) {
+    for (const int frame : settledFrames(job.set, job.rater)) {
         for (const auto& [id, joint] :
              reconstructFrame(job.set, job.dataset.cameras, frame, job.rater, {job.triangulation, false, std::nullopt})) {
             text += csvLine(pointRow(job, frame, job.rater, id, joint));

@@ -68,7 +68,7 @@ std::string sixDigits(int number) {
 void writeDeepLabCut(const ExportJob& job) {
     PendingFolder folder(job.path);
     const auto joints = namedJoints(job);
-    const std::vector<int> frames = markedFrames(job);
+    const std::vector<int> frames = settledFrames(job.set, job.rater);
     for (const Camera& camera : job.dataset.cameras) {
         std::string text = header(job, joints, {"x", "y"});
         for (const int frame : frames) {

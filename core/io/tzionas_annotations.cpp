@@ -73,7 +73,7 @@ std::vector<Line> readLines(const ImportJob& job, const fs::path& file) {
 
 void writeTzionasAnnotations(const ExportJob& job) {
     PendingFolder folder(job.path);
-    const std::vector<int> frames = markedFrames(job);
+    const std::vector<int> frames = settledFrames(job.set, job.rater);
     for (const Camera& camera : job.dataset.cameras) {
         ensureFolder(folder.path() / camera.name);
         for (const int frame : frames) {

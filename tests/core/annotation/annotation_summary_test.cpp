@@ -59,6 +59,21 @@ TEST_F(AnnotationSummaryTest, TheMostUncertainJointComesFirst) {
     EXPECT_EQ(summary.agreement[0].all.count, 10);
 }
 
+TEST_F(AnnotationSummaryTest, ProposalsCountForNothing) {
+    const core::AnnotationSummary before = core::summariseAnnotations("one", 40, set, cameras, {});
+    for (const char* const rater : {"ann", "import"}) {
+        for (const core::Camera& camera : cameras) {
+            set.marks[{9, rater, kIndex, camera.name}] = {{500, 900}, core::Placement::Proposed, core::MarkState::Visible};
+        }
+    }
+    const core::AnnotationSummary after = core::summariseAnnotations("one", 40, set, cameras, {});
+    ASSERT_EQ(after.raters.size(), 2u);
+    EXPECT_EQ(after.raters[0].frames, before.raters[0].frames);
+    EXPECT_EQ(after.raters[0].joints, before.raters[0].joints);
+    EXPECT_EQ(after.raters[0].findings, before.raters[0].findings);
+    EXPECT_EQ(after.joints.size(), before.joints.size());
+}
+
 TEST_F(AnnotationSummaryTest, NothingIsNothing) {
     EXPECT_TRUE(core::summariseAnnotations("none", 40, {}, cameras, {}).empty());
     EXPECT_EQ(core::meanJointPoints(set, cameras, 8).size(), 2u);

@@ -91,6 +91,31 @@ TEST(Findings, EachTurnsWithItsOwnNumbers) {
     }
 }
 
+TEST(Findings, ATieIsNoVictory) {
+    BenchmarkResults results = papersResults();
+    for (PairResult& row : results.rows) {
+        row = {row.pair, row.method, 10, 2, 20, 1, 80, {}};
+    }
+    for (const BenchmarkSetup setup : {BenchmarkSetup::Synthetic, BenchmarkSetup::Realistic}) {
+        for (const Finding& finding : findings(results, setup, Schedule::RigidFirst)) {
+            EXPECT_NE(finding.verdict, Verdict::Reproduced) << finding.claim;
+        }
+    }
+}
+
+TEST(Findings, SpeedAndSmoothnessAreComparedWithEveryOther) {
+    BenchmarkResults results = papersResults();
+    for (PairResult& row : results.rows) {
+        if (row.method == withOptions("ch", {})) {
+            row.seconds = 10;
+            row.costRises = 0;
+        }
+    }
+    const auto all = findings(results, BenchmarkSetup::Synthetic, Schedule::RigidFirst);
+    EXPECT_EQ(about(all, "fastest").verdict, Verdict::NotReproduced);
+    EXPECT_EQ(about(all, "smoothly").verdict, Verdict::NotReproduced);
+}
+
 TEST(Findings, SayWhatWasNotMeasured) {
     BenchmarkResults results = papersResults();
     std::erase_if(results.rows, [](const PairResult& row) { return row.method == "dch-thres:tau=45"; });

@@ -385,4 +385,15 @@ TEST_F(AnnotationFormats, FormatsOfOneRaterTakeTheOneWithMostMarks) {
     EXPECT_EQ(import("csv-marks", exported("csv-marks")).set.marks.size(), 1u);
 }
 
+TEST_F(AnnotationFormats, ProposalsMakeNobodyARaterAndNoFrameLabelled) {
+    m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{7, 7}};
+    for (const core::Camera& camera : m_dataset.cameras) {
+        m_set.marks[{3, "import", {Side::Left, "wrist"}, camera.name}] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
+        m_set.marks[{6, "ann", {Side::Left, "wrist"}, camera.name}] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
+    }
+    const auto coco = core::readJsonFile(exported("coco"));
+    EXPECT_EQ(coco["annotations"].size(), 1u);
+    EXPECT_EQ(coco["images"].size(), 8u) << "the views of frame 3";
+}
+
 } // namespace

@@ -60,7 +60,9 @@ TEST_F(AnnotationReportTest, ShowsRatersJointsAndFigures) {
     EXPECT_FALSE(contains(html, "ann <first>"));
     EXPECT_TRUE(contains(html, "left index_mcp"));
     EXPECT_TRUE(contains(html, "<h2>Agreement</h2>\n<table>"));
-    EXPECT_FALSE(contains(html, "http://") && contains(html, "src="));
+    for (const char* const reference : {"src=", "href=\"http", "url(http", "@import"}) {
+        EXPECT_FALSE(contains(html, reference)) << "needs a network: " << reference;
+    }
     const bool drawn = core::drawWithGnuplot({}).has_value();
     EXPECT_EQ(contains(html, "<svg"), drawn);
     if (!drawn) {
@@ -71,6 +73,24 @@ TEST_F(AnnotationReportTest, ShowsRatersJointsAndFigures) {
         ++figures;
     }
     EXPECT_EQ(figures, 3u);
+}
+
+TEST_F(AnnotationReportTest, OneSharedClickIsNoAgreementOfPoints) {
+    auto store = core::AnnotationStore::open(core::annotationFile(m_dataset, m_dataset.sequences[0]));
+    core::AnnotationSet set;
+    const std::string camera = m_dataset.cameras[0].name;
+    set.marks[{1, "ann", {Side::Left, "index_mcp"}, camera}] = {{100, 100}};
+    set.marks[{1, "bob", {Side::Left, "index_mcp"}, camera}] = {{109, 100}};
+    store.commit(core::importEdit({}, set, "import"), "ann");
+    EXPECT_TRUE(contains(report(), "<td>0</td><td></td><td></td><td></td><td></td><td></td><td></td><td>1</td><td>9.00</td>")) << report();
+}
+
+TEST_F(AnnotationReportTest, NothingIsWrittenOnceItIsToStop) {
+    annotate();
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(core::writeAnnotationReport(m_dataset, m_folder / "report.html", {}, stop.get_token()));
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "report.html"));
 }
 
 TEST_F(AnnotationReportTest, SequencesWithoutANamedFileHaveTheUsualOne) {

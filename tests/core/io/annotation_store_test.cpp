@@ -278,6 +278,10 @@ TEST_F(AnnotationStoreTest, AFileOfVersionOneIsBroughtUpToDate) {
     EXPECT_EQ(store.annotations().marks.size(), 2u);
     EXPECT_TRUE(store.undo());
     EXPECT_TRUE(store.undo()) << "the history of before";
+    const auto backups = core::backupsOf(m_file);
+    ASSERT_FALSE(backups.empty());
+    SQLite::Database kept(backups.back().string(), SQLite::OPEN_READONLY);
+    EXPECT_EQ(kept.execAndGet("PRAGMA user_version").getInt(), 1) << "as an older program can read it";
 }
 
 TEST_F(AnnotationStoreTest, RefusesDamagedFilesNamesTheBackupAndLeavesThemUntouched) {

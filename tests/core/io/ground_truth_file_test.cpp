@@ -68,6 +68,25 @@ TEST_F(GroundTruthFile, SaysOfAJointWhatTheContractAsksFor) {
     EXPECT_EQ(wrist["status"], "partial");
 }
 
+TEST_F(GroundTruthFile, HoldsNoProposals) {
+    const JointId joint{Side::Left, "index_mcp"};
+    test::clickEverywhere(m_set, m_dataset.cameras, 4, "ann", joint, {10, 20, 30}, 1.0, &m_random);
+    m_set.marks[{4, "ann", joint, "cam2"}].placement = Placement::Proposed;
+    m_set.marks[{4, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{5, 6}, Placement::Proposed, MarkState::Visible};
+    m_set.marks[{5, "ann", joint, "cam0"}] = Mark{{5, 6}, Placement::Proposed, MarkState::Visible};
+    m_set.marks[{4, "import", joint, "cam0"}] = Mark{{5, 6}, Placement::Proposed, MarkState::Visible};
+    write();
+    const auto gt = content();
+    ASSERT_EQ(gt["frames"].size(), 1u);
+    ASSERT_EQ(gt["frames"][0]["raters"].size(), 1u);
+    const auto& joints = gt["frames"][0]["raters"][0]["hands"]["left"]["joints"];
+    ASSERT_EQ(joints.size(), 1u);
+    EXPECT_EQ(joints["index_mcp"]["views"].size(), 7u);
+    EXPECT_TRUE(joints["index_mcp"]["unplaceable"].empty());
+    EXPECT_EQ(joints["index_mcp"]["status"], "partial");
+    EXPECT_EQ(read().set.marks.size(), 7u);
+}
+
 TEST_F(GroundTruthFile, ReadsBackExactly) {
     for (const char* rater : {"ann", "Jürgen \"J\""}) {
         for (int frame = 0; frame < 20; frame += 3) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/numeric/gnuplot_text.h"
-#include "core/numeric/html_text.h"
+#include "core/benchmark/gnuplot_text.h"
+#include "core/benchmark/html_text.h"
 
 #include <cmath>
 
@@ -25,10 +25,10 @@ TEST(GnuplotText, HoldsTheDataOfEveryLine) {
 TEST(GnuplotText, FiguresStandInAPageOrSayWhyNot) {
     const std::vector<core::Figure> figures{{"id", "A & B", "what < it", ""}};
     const std::vector<std::string> pictures{"<svg/>"};
-    const std::string drawn = core::figuresHtml(figures, &pictures);
+    const std::string drawn = core::figuresHtml(figures, &pictures, "");
     EXPECT_NE(drawn.find("<h3>A &amp; B</h3>\n<svg/>"), std::string::npos);
     EXPECT_NE(drawn.find("what &lt; it"), std::string::npos);
-    EXPECT_NE(core::figuresHtml(figures, nullptr).find("gnuplot is not installed"), std::string::npos);
+    EXPECT_NE(core::figuresHtml(figures, nullptr, "it is quick").find("gnuplot is not installed"), std::string::npos);
 }
 
 } // namespace

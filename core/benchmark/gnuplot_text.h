@@ -30,7 +30,8 @@ std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, co
 /// Data blocks and the plot command for lines.
 std::string gnuplotPlot(const std::vector<PlotLine>& lines);
 
-/// Figures as parts of a page; `pictures` are their SVGs, nothing if gnuplot is not there to draw them.
-std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures);
+/// Figures as parts of a page; `pictures` are their SVGs, nothing if gnuplot is not there to draw them: the page then says what
+/// to install, and what running the command again costs.
+std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures, const std::string& costOfAgain);
 
 } // namespace core

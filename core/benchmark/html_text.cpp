@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/numeric/html_text.h"
+#include "core/benchmark/html_text.h"
 
 #include "core/numeric/number_text.h"
 

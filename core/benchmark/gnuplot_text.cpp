@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "core/numeric/gnuplot_text.h"
+#include "core/benchmark/gnuplot_text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
-#include "core/numeric/html_text.h"
+#include "core/benchmark/html_text.h"
 #include "core/numeric/number_text.h"
 
 namespace core {
@@ -46,11 +46,11 @@ std::string gnuplotPlot(const std::vector<PlotLine>& lines) {
     return data + plot + "\n";
 }
 
-std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures) {
+std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures, const std::string& costOfAgain) {
     std::string text = "<h2>Figures</h2>\n";
     if (!pictures) {
         return text + "<p class=\"no\">gnuplot is not installed, so this report has no figures. Install the package "
-                      "gnuplot-nox and run the same command again: nothing is computed twice.</p>\n";
+                      "gnuplot-nox and run the same command again: " + costOfAgain + ".</p>\n";
     }
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const Figure& figure = figures[i];
