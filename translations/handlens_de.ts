@@ -48,10 +48,6 @@
         <translation>Annotationen &amp;importieren...</translation>
     </message>
     <message>
-        <source>Writes all annotations and their 3D joints of this sequence</source>
-        <translation>Schreibt alle Annotationen dieser Sequenz und deren 3D-Gelenke</translation>
-    </message>
-    <message>
         <source>&amp;Save the views as a picture...</source>
         <translation>Ansichten als Grafik &amp;speichern...</translation>
     </message>
@@ -599,6 +595,10 @@
         <source>With the chosen methods, from the pose of some frames before</source>
         <translation>Mit den gewählten Methoden, ausgehend von der Pose einige Bilder vorher</translation>
     </message>
+    <message>
+        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
+        <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter als Handlens-Grundwahrheit, Ihre in den anderen Formaten</translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -1031,6 +1031,30 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>Zuerst einen Datensatz öffnen.</translation>
+    </message>
+    <message>
+        <source>The import was stopped, because another sequence was opened.</source>
+        <translation>Der Import wurde abgebrochen, weil eine andere Sequenz geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>One moment: the last import, export or report is not finished.</source>
+        <translation>Einen Moment: Der letzte Import, Export oder Bericht ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Import</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Bericht wird geschrieben</translation>
+    </message>
+    <message>
+        <source>Reading the joints</source>
+        <translation>Gelenke werden gelesen</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1775,10 @@
         <source>Your clicks scatter by %1 px per axis.</source>
         <translation>Ihre Klicks streuen um %1 px je Achse.</translation>
     </message>
+    <message>
+        <source>Where to look for doubts</source>
+        <translation>Wo nach Zweifelhaftem gesucht wird</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -1811,6 +1839,10 @@
     <message>
         <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
         <translation>Ein zufälliges Zehntel Ihrer fertigen Gelenke, ohne Ihre ersten Marken zu sehen: Wie gut wiederholen Sie sich?</translation>
+    </message>
+    <message>
+        <source>To the next joint of the round that is not marked yet</source>
+        <translation>Zum nächsten Gelenk des Durchgangs, das noch nicht markiert ist</translation>
     </message>
 </context>
 <context>

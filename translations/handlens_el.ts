@@ -52,10 +52,6 @@
         <translation>Ε&amp;ξαγωγή επισημειώσεων...</translation>
     </message>
     <message>
-        <source>Writes all annotations and their 3D joints of this sequence</source>
-        <translation>Γράφει όλες τις επισημειώσεις αυτής της ακολουθίας και τις αρθρώσεις 3D τους</translation>
-    </message>
-    <message>
         <source>&amp;Report on the annotations...</source>
         <translation>&amp;Αναφορά για τις επισημειώσεις...</translation>
     </message>
@@ -599,6 +595,10 @@
         <source>With the chosen methods, from the pose of some frames before</source>
         <translation>Με τις επιλεγμένες μεθόδους, από την πόζα μερικών καρέ πριν</translation>
     </message>
+    <message>
+        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
+        <translation>Γράφει τους σχολιασμούς αυτής της ακολουθίας: όλων ως αλήθεια αναφοράς του Handlens, τους δικούς σας στις άλλες μορφές</translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -1031,6 +1031,30 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+    </message>
+    <message>
+        <source>The import was stopped, because another sequence was opened.</source>
+        <translation>Η εισαγωγή σταμάτησε, επειδή άνοιξε άλλη ακολουθία.</translation>
+    </message>
+    <message>
+        <source>One moment: the last import, export or report is not finished.</source>
+        <translation>Μια στιγμή: η τελευταία εισαγωγή, εξαγωγή ή αναφορά δεν έχει τελειώσει.</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Εξαγωγή</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>Εισαγωγή</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Γράφεται η αναφορά</translation>
+    </message>
+    <message>
+        <source>Reading the joints</source>
+        <translation>Διαβάζονται οι αρθρώσεις</translation>
     </message>
 </context>
 <context>
@@ -1751,6 +1775,10 @@
         <source>Your clicks scatter by %1 px per axis.</source>
         <translation>Διασπορά των κλικ σας: %1 px ανά άξονα.</translation>
     </message>
+    <message>
+        <source>Where to look for doubts</source>
+        <translation>Πού αναζητούνται αμφιβολίες</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -1811,6 +1839,10 @@
     <message>
         <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
         <translation>Ένα τυχαίο δέκατο των έτοιμων αρθρώσεών σας, με τα πρώτα σημάδια κρυμμένα: πόσο καλά επαναλαμβάνετε τον εαυτό σας;</translation>
+    </message>
+    <message>
+        <source>To the next joint of the round that is not marked yet</source>
+        <translation>Στην επόμενη άρθρωση του γύρου που δεν έχει σημειωθεί ακόμη</translation>
     </message>
 </context>
 <context>

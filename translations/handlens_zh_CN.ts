@@ -52,10 +52,6 @@
         <translation>导出标注(&amp;E)...</translation>
     </message>
     <message>
-        <source>Writes all annotations and their 3D joints of this sequence</source>
-        <translation>写出此序列的全部标注及其 3D 关节</translation>
-    </message>
-    <message>
         <source>&amp;Report on the annotations...</source>
         <translation>标注报告(&amp;R)...</translation>
     </message>
@@ -599,6 +595,10 @@
         <source>With the chosen methods, from the pose of some frames before</source>
         <translation>使用所选方法，从前若干帧的姿态开始</translation>
     </message>
+    <message>
+        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
+        <translation>写出此序列的标注：以 Handlens 真值格式写出所有人的标注，以其他格式写出您的标注</translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -1029,6 +1029,30 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>请先打开一个数据集。</translation>
+    </message>
+    <message>
+        <source>The import was stopped, because another sequence was opened.</source>
+        <translation>由于打开了另一个序列，导入已停止。</translation>
+    </message>
+    <message>
+        <source>One moment: the last import, export or report is not finished.</source>
+        <translation>请稍候：上一次导入、导出或报告尚未完成。</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>正在导出</translation>
+    </message>
+    <message>
+        <source>Importing</source>
+        <translation>正在导入</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>正在写报告</translation>
+    </message>
+    <message>
+        <source>Reading the joints</source>
+        <translation>正在读取关节</translation>
     </message>
 </context>
 <context>
@@ -1740,6 +1764,10 @@
         <source>Your clicks scatter by %1 px per axis.</source>
         <translation>您的点击在每个轴上的离散度为 %1 px。</translation>
     </message>
+    <message>
+        <source>Where to look for doubts</source>
+        <translation>在何处查找疑点</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -1798,6 +1826,10 @@
     <message>
         <source>A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?</source>
         <translation>随机抽取您已完成关节的十分之一，隐藏第一次的标记：看看您的重复性如何</translation>
+    </message>
+    <message>
+        <source>To the next joint of the round that is not marked yet</source>
+        <translation>转到本轮中下一个尚未标记的关节</translation>
     </message>
 </context>
 <context>

@@ -47,9 +47,21 @@ Actions::Actions(QWidget* window, QSettings& settings) : QObject(window), m_sett
         const QString id = QString::fromLatin1(row.id);
         m_rows[id] = &row;
         m_actions[id] = makeAction(row, window);
-        refreshToolTip(id);
     }
+    giveWayToKeptShortcuts();
+    for (const auto& [id, row] : m_rows)
+        refreshToolTip(id);
     qApp->installEventFilter(this);
+}
+
+/// A new version may give a default to an action that a person has given to another one long ago.
+void Actions::giveWayToKeptShortcuts() {
+    for (const auto& [id, row] : m_rows) {
+        if (!m_settings.contains(settingOf(id)))
+            continue;
+        for (auto other = clash(id, action(id)->shortcut()); other && !m_settings.contains(settingOf(*other)); other = clash(id, action(id)->shortcut()))
+            action(*other)->setShortcut({});
+    }
 }
 
 QAction* Actions::makeAction(const ActionRow& row, QWidget* window) {

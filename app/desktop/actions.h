@@ -56,6 +56,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void giveWayToKeptShortcuts();
     QAction* makeAction(const ActionRow& row, QWidget* window);
     void refreshToolTip(const QString& id);
     void endHeld();

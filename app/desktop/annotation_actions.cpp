@@ -133,13 +133,16 @@ void bindRaters(MainWindow& window) {
     widgets::RaterStudy& study = window.workbench().raters;
     widgets::Workspaces& spaces = window.workspaces();
     const auto showPanel = [&spaces] { spaces.raisePanel(spaces.ratersPanel()); };
-    const auto toggleRound = [&window, &study, showPanel] {
+    const auto toggleRound = [&study, showPanel] {
         showPanel();
         if (study.isRepeating())
             study.endRepeating();
-        else if (!study.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch())))
-            window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
+        else
+            study.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch()));
     };
+    QObject::connect(&study, &widgets::RaterStudy::nothingToRepeat, &window, [&window] {
+        window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
+    });
     const auto next = [&window, &study] {
         if (!study.goToNextTask())
             window.statusLine().sayBriefly(study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")

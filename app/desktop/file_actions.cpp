@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/file_actions.h"
 
+#include <algorithm>
 #include <functional>
+#include <vector>
 
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -53,33 +55,37 @@ QString filterText(const core::AnnotationFormat& format) {
                            : QStringLiteral("%1 (*.%2)").arg(name, QString::fromLatin1(text.suffix));
 }
 
-QString withSuffix(const QString& path, const char* suffix) {
-    const QString ending = QLatin1Char('.') + QString::fromLatin1(suffix);
-    return *suffix == '\0' || path.endsWith(ending) ? path : path + ending;
-}
+/// A filter of a file dialog, and the ending that a name without one gets; empty for folders.
+struct FileKind {
+    QString filter, suffix;
+};
 
-/// Shows a file dialog that does not block; `chosen` gets the path and the filter.
-void askForFile(MainWindow& window, const QString& title, const QStringList& filters, bool toSave,
-                const std::function<void(const QString& path, const QString& filter)>& chosen) {
+/// Shows a file dialog that does not block; `chosen` gets the path and which of the kinds it is.
+void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds, bool toSave,
+                const std::function<void(const QString& path, std::size_t kind)>& chosen) {
     auto* dialog = new QFileDialog(&window, title);
+    QStringList filters;
+    for (const FileKind& kind : kinds)
+        filters << kind.filter;
     dialog->setNameFilters(filters);
     dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto kindOf = [filters](const QString& filter) { return static_cast<std::size_t>(std::max(0, filters.indexOf(filter))); };
+    const auto setSuffix = [dialog, kinds, kindOf](const QString& filter) { // before the dialog asks whether to overwrite
+        dialog->setDefaultSuffix(kinds[kindOf(filter)].suffix);
+    };
+    setSuffix(filters.front());
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, setSuffix);
     QObject::connect(dialog, &QFileDialog::fileSelected, &window,
-                     [dialog, chosen](const QString& path) { chosen(path, dialog->selectedNameFilter()); });
+                     [dialog, chosen, kindOf](const QString& path) { chosen(path, kindOf(dialog->selectedNameFilter())); });
     dialog->open();
 }
 
-/// The kinds that can be written or read, and the same as filters, in one order.
+/// The kinds of annotations that can be written or read.
 struct FormatChoice {
     std::vector<std::string_view> kinds;
-    QStringList filters;
-
-    std::string_view kindOf(const QString& filter) const {
-        const int index = filters.indexOf(filter);
-        return kinds[static_cast<std::size_t>(std::max(0, index))];
-    }
+    std::vector<FileKind> files; ///< parallel to them
 };
 
 FormatChoice formatChoice(bool toImport) {
@@ -88,8 +94,9 @@ FormatChoice formatChoice(bool toImport) {
         if (toImport && !format.canImport)
             continue;
         choice.kinds.push_back(format.kind);
-        const QString name = QCoreApplication::translate("app::FileActions", formatText(format.kind).text);
-        choice.filters << (toImport ? QStringLiteral("%1 (*)").arg(name) : filterText(format));
+        const FormatText& text = formatText(format.kind);
+        const QString name = QCoreApplication::translate("app::FileActions", text.text);
+        choice.files.push_back({toImport ? QStringLiteral("%1 (*)").arg(name) : filterText(format), QString::fromLatin1(text.suffix)});
     }
     return choice;
 }
@@ -100,17 +107,14 @@ QString text(std::string_view kind) {
 
 void exportAnnotations(MainWindow& window) {
     const FormatChoice choice = formatChoice(false);
-    askForFile(window, MainWindow::tr("Export annotations"), choice.filters, true, [&window, choice](const QString& path, const QString& filter) {
-        const std::string_view kind = choice.kindOf(filter);
-        window.workbench().files.exportTo(text(kind), withSuffix(path, formatText(kind).suffix));
-    });
+    askForFile(window, MainWindow::tr("Export annotations"), choice.files, true,
+               [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.exportTo(text(choice.kinds[kind]), path); });
 }
 
 void importAnnotations(MainWindow& window) {
     const FormatChoice choice = formatChoice(true);
-    askForFile(window, MainWindow::tr("Import annotations"), choice.filters, false, [&window, choice](const QString& path, const QString& filter) {
-        window.workbench().files.importFrom(text(choice.kindOf(filter)), path);
-    });
+    askForFile(window, MainWindow::tr("Import annotations"), choice.files, false,
+               [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.importFrom(text(choice.kinds[kind]), path); });
 }
 
 } // namespace
@@ -120,19 +124,19 @@ void bindFileActions(MainWindow& window) {
     actions.bind(id("file.export"), [&window] { exportAnnotations(window); });
     actions.bind(id("file.import"), [&window] { importAnnotations(window); });
     actions.bind(id("file.report"), [&window] {
-        askForFile(window, MainWindow::tr("Report on the annotations"), {MainWindow::tr("Pages (*.html)")}, true,
-                   [&window](const QString& path, const QString&) { window.workbench().files.report(withSuffix(path, "html"), window.workbench().coverage.badRmsPx()); });
+        askForFile(window, MainWindow::tr("Report on the annotations"), {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, true,
+                   [&window](const QString& path, std::size_t) { window.workbench().files.report(path, window.workbench().coverage.badRmsPx()); });
     });
     actions.bind(id("file.savePicture"), [&window] {
-        askForFile(window, MainWindow::tr("Save the views as a picture"), {MainWindow::tr("Pictures (*.png)")}, true, [&window](const QString& path, const QString&) {
-            const QString file = withSuffix(path, "png");
-            if (!window.workspaces().grid()->grabPicture(2).save(file))
-                window.showMessage(MainWindow::tr("%1 could not be written.").arg(file));
-        });
+        askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, true,
+                   [&window](const QString& path, std::size_t) {
+                       if (!window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
+                           window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
+                   });
     });
     actions.bind(id("annotation.jointsFile"), [&window] {
-        askForFile(window, MainWindow::tr("Joints from a file"), {MainWindow::tr("Lists of joints (*.json)")}, false,
-                   [&window](const QString& path, const QString&) { window.workbench().files.readJoints(path); });
+        askForFile(window, MainWindow::tr("Joints from a file"), {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, false,
+                   [&window](const QString& path, std::size_t) { window.workbench().files.readJoints(path); });
     });
 }
 

@@ -216,6 +216,10 @@ void MainWindow::connectWork() {
     connect(&benchmarks, &widgets::BenchmarkRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&benchmarks, &widgets::BenchmarkRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &benchmarks, &widgets::BenchmarkRunner::stop);
+    widgets::AnnotationFiles& files = m_workbench.files;
+    connect(&files, &widgets::AnnotationFiles::working, m_statusLine, &widgets::StatusLine::showWork);
+    connect(&files, &widgets::AnnotationFiles::idle, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(m_statusLine, &widgets::StatusLine::stopRequested, &files, &widgets::AnnotationFiles::stop);
 }
 
 void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
@@ -290,8 +294,7 @@ void MainWindow::refreshTitle() {
 }
 
 void MainWindow::refreshTestFrames() {
-    const core::Sequence* sequence = m_workbench.session.sequence();
-    m_framesBar->setTestFrames(sequence ? m_workspaces->benchmarkPage()->testFrames(sequence->name, sequence->frameCount) : std::set<int>{});
+    m_framesBar->setTestFrames(m_workspaces->benchmarkPage()->testFrames());
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -27,9 +27,9 @@ void bindNames(MainWindow& window) {
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setWindowTitle(MainWindow::tr("Your name"));
         dialog->setLabelText(MainWindow::tr("Your marks are kept under this name:"));
-        dialog->setTextValue(QString::fromStdString(window.workbench().document.rater()));
+        dialog->setTextValue(QString::fromStdString(widgets::ownName(window.workbench().document.rater())));
         QObject::connect(dialog, &QInputDialog::textValueSelected, &window, [&window](const QString& name) {
-            const QString rater = name.trimmed();
+            const QString rater = QString::fromStdString(widgets::ownName(name.trimmed().toStdString())).trimmed();
             if (rater.isEmpty())
                 return;
             window.settings().setValue(QStringLiteral("rater"), rater);

@@ -240,10 +240,7 @@ void bindJumps(MainWindow& window) {
     bind("go.nextAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Way::Forward); }, noMarks);
     bind("go.previousAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Way::Back); }, noMarks);
     const auto test = [&window, &bench](Way way) -> std::optional<int> {
-        if (!bench.session.sequence())
-            return std::nullopt;
-        const auto tests = window.workspaces().benchmarkPage()->testFrames(bench.session.sequence()->name, bench.selection.frameCount());
-        return widgets::nextOf(tests, bench.selection.frame(), way);
+        return widgets::nextOf(window.workspaces().benchmarkPage()->testFrames(), bench.selection.frame(), way);
     };
     const QString noTest = MainWindow::tr("No test frame in that direction, as the benchmark is set.");
     bind("go.nextTest", [=] { return test(Way::Forward); }, noTest);

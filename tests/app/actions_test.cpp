@@ -44,6 +44,16 @@ TEST_F(ActionsTest, ShortcutsCanBeChangedButNeverShared) {
     EXPECT_EQ(window->actions().action(undo)->shortcut(), QKeySequence(QStringLiteral("Ctrl+Z")));
 }
 
+TEST_F(ActionsTest, ADefaultGivesWayToAKeyThatAPersonChoseBefore) {
+    const QKeySequence key(QStringLiteral("R"));
+    const QString proposes = QStringLiteral("annotation.propose"), undo = QStringLiteral("edit.undo");
+    ASSERT_EQ(window->actions().action(proposes)->shortcut(), key);
+    settings->setValue(QStringLiteral("shortcuts/") + undo, key.toString(QKeySequence::PortableText));
+    restart();
+    EXPECT_EQ(window->actions().action(undo)->shortcut(), key);
+    EXPECT_TRUE(window->actions().action(proposes)->shortcut().isEmpty());
+}
+
 TEST_F(ActionsTest, ShortcutPageIsTheTable) {
     ShortcutModel model(window->actions());
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);

@@ -32,8 +32,10 @@ AnnotationDocument::Content AnnotationDocument::read(const std::filesystem::path
 }
 
 void AnnotationDocument::open(Content content) {
-    if (m_isOpen)
+    if (m_isOpen) {
+        emit aboutToSave();
         emit aboutToClose();
+    }
     writePending();
     m_pending.clear();
     m_retry.stop();
@@ -137,6 +139,7 @@ void AnnotationDocument::writePending() {
 }
 
 bool AnnotationDocument::saveNow() {
+    emit aboutToSave();
     writePending();
     return m_pending.empty();
 }

@@ -75,7 +75,9 @@ public:
     void setSetting(const std::string& key, const std::string& value);
 
 signals:
-    /// The content is about to go: what was typed and not kept yet can still be pushed.
+    /// Everything is to be in the file now: what was typed and not kept yet can still be pushed. Also sent before aboutToClose().
+    void aboutToSave();
+    /// The content is about to go.
     void aboutToClose();
     /// Another file, or none: everything is different.
     void opened();

@@ -74,7 +74,7 @@ void Annotator::accept() {
         return;
     const auto canAccept = [&](const std::string& camera) {
         const auto* view = selectedIn(camera);
-        const bool isFree = view && (!view->mark || (view->mark->hasPlace() && !view->mark->isPlaced()));
+        const bool isFree = view && !(view->mark && view->mark->isSettled());
         return isFree && view->reprojectionPx && view->reprojectionInside;
     };
     const auto current = std::find(m_cameraOrder.begin(), m_cameraOrder.end(), m_selection.camera());
@@ -124,7 +124,7 @@ void Annotator::toggleOccluded() {
     core::Edit edit;
     core::AnnotationSet set;
     const auto mark = core::markAt(m_document.annotations(), currentKey());
-    if (!mark || (mark->hasPlace() && !mark->isPlaced())) {
+    if (!mark || mark->isProposal()) {
         edit = core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
                                 m_selection.joint(), m_selection.camera(), m_reconstructions.options());
         if (edit.empty()) {
@@ -153,14 +153,16 @@ void Annotator::toggleUnplaceable() {
 void Annotator::nudge(const Eigen::Vector2d& byPx) {
     const core::MarkKey key = currentKey();
     const auto mark = core::markAt(m_document.annotations(), key);
-    if (!mark || mark->state == core::MarkState::Unplaceable) {
+    const auto* view = selectedIn(key.camera);
+    const bool isShownElsewhere = mark && mark->isProposal() && view && view->reprojectionPx; // a guess gives way to what the clicks say
+    if (!mark || !mark->hasPlace()) {
         emit nothingDone(tr("There is no mark of %1 in this view.").arg(QString::fromStdString(key.joint.joint)));
         return;
     }
     if (m_nudged != key)
         ++m_step;
     m_nudged = key;
-    m_document.amend(core::placeEdit(m_document.annotations(), key, mark->px + byPx), m_step);
+    m_document.amend(core::placeEdit(m_document.annotations(), key, (isShownElsewhere ? *view->reprojectionPx : mark->px) + byPx), m_step);
 }
 
 void Annotator::stepFrame(int frames) {

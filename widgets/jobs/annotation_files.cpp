@@ -13,26 +13,54 @@ namespace widgets {
 AnnotationFiles::AnnotationFiles(AnnotationDocument& document, const DatasetSession& session, JobPool& pool, QObject* parent)
     : QObject(parent), m_document(document), m_session(session), m_job(pool) {
     connect(&m_job, &Job::failed, this, &AnnotationFiles::failed);
+    connect(&m_job, &Job::started, this, [this] { emit working(m_task, -1); });
+    connect(&m_job, &Job::progressed, this, [this](double fraction) { emit working(m_task, fraction); });
+    for (const auto end : {&Job::finished, &Job::stopped})
+        connect(&m_job, end, this, &AnnotationFiles::idle);
+    connect(&m_job, &Job::failed, this, &AnnotationFiles::idle);
+    connect(&document, &AnnotationDocument::aboutToClose, this, [this] { // an import is for the sequence that it was asked for
+        if (m_job.isRunning() && m_isImport) {
+            m_job.stop();
+            emit failed(tr("The import was stopped, because another sequence was opened."));
+        }
+    });
+}
+
+bool AnnotationFiles::isRefused() {
+    if (!m_session.sequence()) {
+        emit failed(tr("Open a dataset first."));
+        return true;
+    }
+    if (m_job.isRunning()) {
+        emit failed(tr("One moment: the last import, export or report is not finished."));
+        return true;
+    }
+    return false;
+}
+
+void AnnotationFiles::start(const QString& task, bool isImport, Job::Work work) {
+    m_task = task;
+    m_isImport = isImport;
+    m_job.start(std::move(work));
 }
 
 void AnnotationFiles::exportTo(const QString& kind, const QString& path) {
-    if (!m_session.sequence()) {
-        emit failed(tr("Open a dataset first."));
+    if (isRefused())
         return;
-    }
-    m_job.start([this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
-                 set = m_document.annotations()](const JobContext&) -> Job::Delivery {
-        core::exportAnnotations(*dataset, sequence, set, kind.toStdString(), path.toStdString());
+    start(tr("Exporting"), false, [this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
+                 set = m_document.annotations(), rater = m_document.rater()](const JobContext&) -> Job::Delivery {
+        core::AnnotationExportOptions options;
+        if (kind != QLatin1String("handlens")) // ours holds all raters
+            options.rater = rater;
+        core::exportAnnotations(*dataset, sequence, set, kind.toStdString(), path.toStdString(), options);
         return [this, path] { emit exported(path); };
     });
 }
 
 void AnnotationFiles::importFrom(const QString& kind, const QString& path) {
-    if (!m_session.sequence()) {
-        emit failed(tr("Open a dataset first."));
+    if (isRefused())
         return;
-    }
-    m_job.start([this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
+    start(tr("Importing"), true, [this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
                  rater = m_document.rater()](const JobContext&) -> Job::Delivery {
         core::AnnotationImportOptions options;
         options.rater = rater;
@@ -49,18 +77,19 @@ void AnnotationFiles::importFrom(const QString& kind, const QString& path) {
 }
 
 void AnnotationFiles::report(const QString& path, double badRmsPx) {
-    if (!m_session.dataset()) {
-        emit failed(tr("Open a dataset first."));
+    if (isRefused())
         return;
-    }
-    m_job.start([this, path, badRmsPx, dataset = m_session.dataset()](const JobContext&) -> Job::Delivery {
-        core::writeAnnotationReport(*dataset, path.toStdString(), badRmsPx);
+    start(tr("Writing the report"), false, [this, path, badRmsPx, dataset = m_session.dataset()](const JobContext& context) -> Job::Delivery {
+        core::writeAnnotationReport(*dataset, path.toStdString(), {badRmsPx, {}}, context.stop,
+                                    [&context](int done, int total) { context.report(double(done) / total, {}); });
         return [this, path] { emit reported(path); };
     });
 }
 
 void AnnotationFiles::readJoints(const QString& path) {
-    m_job.start([this, path](const JobContext&) -> Job::Delivery {
+    if (isRefused())
+        return;
+    start(tr("Reading the joints"), false, [this, path](const JobContext&) -> Job::Delivery {
         return [this, names = core::readJointList(path.toStdString())] { emit jointsRead(names); };
     });
 }

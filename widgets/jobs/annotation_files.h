@@ -21,7 +21,8 @@ class AnnotationFiles : public QObject {
 public:
     AnnotationFiles(AnnotationDocument& document, const DatasetSession& session, JobPool& pool, QObject* parent = nullptr);
 
-    /// `kind` is one of core::annotationFormats().
+    /// `kind` is one of core::annotationFormats(). Formats that hold one rater get the current one. One task at a time: another is
+    /// refused.
     void exportTo(const QString& kind, const QString& path);
     void importFrom(const QString& kind, const QString& path);
     /// A page about the annotations of all sequences; joints above `badRmsPx` count as bad.
@@ -29,8 +30,12 @@ public:
     /// Reads a list of joints of one hand.
     void readJoints(const QString& path);
     bool isRunning() const { return m_job.isRunning(); }
+    void stop() { m_job.stop(); }
 
 signals:
+    /// How far the task is; a fraction below 0 if nobody knows. Then idle().
+    void working(const QString& task, double fraction);
+    void idle();
     void exported(const QString& path);
     /// `warnings` say what was left out, one a line.
     void imported(const QString& path, int marks, const QString& warnings);
@@ -39,9 +44,15 @@ signals:
     void failed(const QString& message);
 
 private:
+    /// True, and why is said, if there is no sequence or something is still running.
+    bool isRefused();
+    void start(const QString& task, bool isImport, Job::Work work);
+
     AnnotationDocument& m_document;
     const DatasetSession& m_session;
     Job m_job;
+    QString m_task;          ///< that is running, for people
+    bool m_isImport = false; ///< it changes the annotations
 };
 
 } // namespace widgets

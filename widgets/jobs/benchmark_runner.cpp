@@ -41,7 +41,10 @@ void BenchmarkRunner::run(const BenchmarkRequest& request) {
         };
         auto results = std::make_shared<const core::BenchmarkResults>(
             core::runBenchmark(scene, pairs, options, core::poseEstimatorOf(scene), progress, context.stop));
-        return [this, results] { m_results = results; };
+        return [this, results, setup = request.setup] {
+            m_results = results;
+            m_setup = setup;
+        };
     });
 }
 

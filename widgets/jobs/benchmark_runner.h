@@ -36,6 +36,8 @@ public:
 
     /// The last results of this dataset, or null.
     const std::shared_ptr<const core::BenchmarkResults>& results() const { return m_results; }
+    /// Their setup.
+    core::BenchmarkSetup setup() const { return m_setup; }
 
 signals:
     void started();
@@ -48,6 +50,7 @@ private:
     Job m_job;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::shared_ptr<const core::BenchmarkResults> m_results;
+    core::BenchmarkSetup m_setup = core::BenchmarkSetup::Synthetic;
 };
 
 } // namespace widgets

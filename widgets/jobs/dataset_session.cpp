@@ -90,6 +90,8 @@ void DatasetSession::load(DatasetReader reader, const QString& sequence, int fra
 }
 
 void DatasetSession::take(const std::shared_ptr<Loaded>& loaded, int frame) {
+    if (!mayLeave()) // people go on clicking while a sequence loads
+        return;
     const bool isNew = m_dataset != loaded->dataset;
     m_dataset = loaded->dataset;
     m_sequence = loaded->sequence;

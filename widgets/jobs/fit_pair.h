@@ -37,7 +37,7 @@ struct FitPair {
     core::HandPoses truePoses;     ///< recorded poses of the test frame; empty if there are none
     std::vector<cv::Mat> masks;    ///< target silhouettes, one per camera; empty for cameras without one
     std::vector<QRectF> handsPx;   ///< where they lie in each camera's image, with some room around; empty where there are none
-    std::vector<std::vector<QLineF>> outlinesPx; ///< their outlines, if no true poses can show them
+    std::vector<std::vector<QLineF>> outlinesPx; ///< their outlines, if the target is mask files
     core::JointPositions reference; ///< what errors are measured against: recorded joints, or those marked in the test frame
     double initialErrorMm = 0;     ///< mean joint distance of the start pose; NaN without a reference
 };

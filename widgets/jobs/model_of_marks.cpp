@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/model_of_marks.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace widgets {
 
 namespace {
-
-/// A stretched hand within its limits.
-core::Pose neutralPose(const core::Skeleton& skeleton) {
-    core::Pose pose = skeleton.restPose();
-    for (std::size_t d = 0; d < skeleton.dofs.size(); ++d)
-        pose[core::kRigidDofs + static_cast<Eigen::Index>(d)] = std::clamp(0.0, skeleton.dofs[d].minRad, skeleton.dofs[d].maxRad);
-    return pose;
-}
 
 void addProposals(ModelFit& fit, const core::HandModel& hand, const core::Pose& pose, const core::JointPoints& points) {
     const auto joints = core::jointPositions(hand.skeleton, pose);
@@ -38,7 +29,7 @@ std::optional<ModelFit> fitModelToPoints(const core::Dataset& dataset, int frame
             if (bone >= 0)
                 targets.push_back({bone, point.pointInWorld, point.covariance});
         }
-        const auto found = core::fitPoseToJoints(hand.skeleton, targets, neutralPose(hand.skeleton));
+        const auto found = core::fitPoseToJoints(hand.skeleton, targets, hand.skeleton.restPose());
         fit.poses.push_back(found ? found->pose : core::Pose());
         if (!found)
             continue;
@@ -52,9 +43,13 @@ std::optional<ModelFit> fitModelToPoints(const core::Dataset& dataset, int frame
     return fit;
 }
 
-ModelOfMarks::ModelOfMarks(const Selection& selection, const Reconstructions& reconstructions, JobPool& pool, QObject* parent)
+ModelOfMarks::ModelOfMarks(const AnnotationDocument& document, const Selection& selection, const Reconstructions& reconstructions, JobPool& pool,
+                           QObject* parent)
     : QObject(parent), m_selection(selection), m_reconstructions(reconstructions), m_job(pool), m_onceJob(pool) {
     connect(&reconstructions, &Reconstructions::changed, this, &ModelOfMarks::refresh);
+    const auto drop = [this] { m_onceJob.stop(); }; // its answer would land elsewhere
+    connect(&document, &AnnotationDocument::opened, this, drop);
+    connect(&document, &AnnotationDocument::raterChanged, this, drop);
     connect(&m_onceJob, &Job::failed, this, &ModelOfMarks::impossible);
 }
 
@@ -94,7 +89,9 @@ void ModelOfMarks::refresh() {
         }
         return;
     }
-    m_job.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext&) -> Job::Delivery {
+    m_job.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext& context) -> Job::Delivery {
+        if (context.stop.stop_requested())
+            return {}; // a drag is many
         return [this, fit = fitModelToPoints(*dataset, frame, points)] {
             m_fit = fit;
             emit changed();

@@ -11,6 +11,7 @@
 #include "core/annotation/sequence_points.h"
 #include "core/fitting/joint_fit.h"
 #include "core/io/dataset.h"
+#include "widgets/document/annotation_document.h"
 #include "widgets/document/reconstructions.h"
 #include "widgets/jobs/job.h"
 
@@ -33,7 +34,8 @@ class ModelOfMarks : public QObject {
     Q_OBJECT
 
 public:
-    ModelOfMarks(const Selection& selection, const Reconstructions& reconstructions, JobPool& pool, QObject* parent = nullptr);
+    ModelOfMarks(const AnnotationDocument& document, const Selection& selection, const Reconstructions& reconstructions, JobPool& pool,
+                 QObject* parent = nullptr);
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
     void setOn(bool on);

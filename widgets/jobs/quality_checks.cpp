@@ -32,7 +32,7 @@ struct QualityChecks::State {
     core::QualityChecker checker;
     std::shared_ptr<const core::Dataset> dataset;
     std::string rater;
-    std::set<int> unseen; ///< frames to look at; what a stopped look leaves is looked at next time
+    std::set<int> unseen; ///< frames to look at
 };
 
 QualityChecks::QualityChecks(const AnnotationDocument& document, JobPool& pool, QObject* parent)

@@ -37,41 +37,49 @@ std::vector<core::RepeatTask> tasksFrom(const std::string& text) {
     return tasks;
 }
 
-/// The name without the mark of a second round.
+} // namespace
+
 std::string ownName(const std::string& rater) {
     if (!core::isRepeatRater(rater))
         return rater;
     return rater.substr(0, rater.size() - (core::repeatRaterName("").size()));
 }
 
-} // namespace
-
 RaterStudy::RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_job(pool) {
-    connect(&document, &AnnotationDocument::opened, this, &RaterStudy::takeDocument);
-    connect(&document, &AnnotationDocument::raterChanged, this, &RaterStudy::takeDocument);
+    : QObject(parent), m_document(document), m_selection(selection), m_job(pool), m_drawJob(pool) {
+    connect(&document, &AnnotationDocument::opened, this, &RaterStudy::takeSequence);
+    connect(&document, &AnnotationDocument::raterChanged, this, &RaterStudy::takeRater);
     connect(&document, &AnnotationDocument::changed, this, [this] {
         if (isRepeating())
             emit roundChanged();
     });
-    connect(&m_job, &Job::failed, this, &RaterStudy::failed);
+    for (const Job* job : {&m_job, &m_drawJob})
+        connect(job, &Job::failed, this, &RaterStudy::failed);
 }
 
 void RaterStudy::setDataset(std::shared_ptr<const core::Dataset> dataset) {
-    m_job.stop();
     m_dataset = std::move(dataset);
+}
+
+/// What was found belongs to the sequence before; a round goes on only where it was begun.
+void RaterStudy::takeSequence() {
+    m_job.stop();
     m_comparisons.clear();
     m_sigmaPx.clear();
+    takeRater();
+    if (isRepeating() && openTasks() == 0)
+        m_document.setRater(ownName(m_document.rater()));
     emit compared();
 }
 
-void RaterStudy::takeDocument() {
+void RaterStudy::takeRater() {
+    m_drawJob.stop();
     m_tasks = tasksFrom(m_document.setting(settingOf(ownName(m_document.rater()))).value_or(std::string()));
     emit roundChanged();
 }
 
 void RaterStudy::compare() {
-    if (!m_dataset)
+    if (!m_dataset || isRepeating()) // whoever repeats must not see the first marks
         return;
     m_job.start([this, dataset = m_dataset, set = m_document.annotations()](const JobContext& context) -> Job::Delivery {
         auto comparisons = core::compareAllRaters(set, dataset->cameras);
@@ -91,7 +99,7 @@ void RaterStudy::compare() {
 }
 
 core::Consensus RaterStudy::consensus() const {
-    if (!m_dataset)
+    if (!m_dataset || isRepeating())
         return {};
     return core::consensus(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_selection.joint(), m_sigmaPx);
 }
@@ -100,19 +108,33 @@ bool RaterStudy::isRepeating() const {
     return core::isRepeatRater(m_document.rater());
 }
 
-bool RaterStudy::beginRepeating(double share, unsigned seed) {
-    const std::string rater = ownName(m_document.rater());
-    if (!m_dataset || !m_document.isOpen())
-        return false;
-    if (openTasks() == 0) {
-        m_tasks = core::drawRepeatTasks(m_document.annotations(), m_dataset->cameras, rater, share, seed);
-        m_document.setSetting(settingOf(rater), textOf(m_tasks));
+void RaterStudy::beginRepeating(double share, unsigned seed) {
+    if (!m_dataset || !m_document.isOpen() || isRepeating())
+        return;
+    const std::string rater = m_document.rater();
+    if (openTasks() > 0) {
+        begin(rater, m_tasks);
+        return;
     }
-    if (m_tasks.empty())
-        return false;
+    m_drawJob.start([this, rater, share, seed, dataset = m_dataset, set = m_document.annotations()](const JobContext&) mutable -> Job::Delivery {
+        std::erase_if(set.marks, [&](const auto& item) { // what was repeated once is not drawn again
+            core::MarkKey repeated = item.first;
+            repeated.rater = core::repeatRaterName(rater);
+            return item.first.rater == rater && !core::marksOfJoint(set, repeated.frame, repeated.rater, repeated.joint).empty();
+        });
+        auto tasks = core::drawRepeatTasks(set, dataset->cameras, rater, share, seed);
+        return [this, rater, tasks = std::move(tasks)] { begin(rater, tasks); };
+    });
+}
+
+void RaterStudy::begin(const std::string& rater, std::vector<core::RepeatTask> tasks) {
+    if (tasks.empty()) {
+        emit nothingToRepeat();
+        return;
+    }
+    m_document.setSetting(settingOf(rater), textOf(tasks));
     m_document.setRater(core::repeatRaterName(rater));
     goToNextTask();
-    return true;
 }
 
 bool RaterStudy::isOpen(const core::RepeatTask& task) const {

@@ -17,6 +17,9 @@
 
 namespace widgets {
 
+/// The rater's name without the mark of a second round.
+std::string ownName(const std::string& rater);
+
 /// How far the raters of the open sequence agree, and the second rounds in which a rater marks a random part of the own work again
 /// without seeing the first marks.
 class RaterStudy : public QObject {
@@ -37,9 +40,9 @@ public:
 
     /// True while the rater is in a second round.
     bool isRepeating() const;
-    /// Goes on with an unfinished round or draws a new one, `share` of what the rater has finished: from here on, marks are kept
-    /// under repeatRaterName. False if nothing is finished.
-    bool beginRepeating(double share, unsigned seed);
+    /// Goes on with an unfinished round or draws a new one in the background, `share` of what the rater has finished and never
+    /// repeated; then marks are kept under repeatRaterName, or nothingToRepeat() says that there is nothing.
+    void beginRepeating(double share, unsigned seed);
     /// Goes to the next joint of the round that is not marked in two views yet; false if all are.
     bool goToNextTask();
     /// Back to the rater's own name.
@@ -51,16 +54,20 @@ signals:
     void compared();
     /// A round began, went on or ended.
     void roundChanged();
+    void nothingToRepeat();
     /// The comparison was not possible, and why.
     void failed(const QString& message);
 
 private:
-    void takeDocument();
+    void takeSequence();
+    void takeRater();
+    void begin(const std::string& rater, std::vector<core::RepeatTask> tasks);
     bool isOpen(const core::RepeatTask& task) const;
 
     AnnotationDocument& m_document;
     Selection& m_selection;
     Job m_job;
+    Job m_drawJob;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::vector<core::RaterComparison> m_comparisons;
     std::map<std::string, double> m_sigmaPx;

@@ -40,7 +40,7 @@ std::vector<std::string> knownLines(const std::string& text, const core::Dataset
 Workbench::Workbench(QObject* parent)
     : QObject(parent), reconstructions(document, selection), annotator(document, selection, reconstructions, joints),
       coverage(document, pool), session(document, pool), frames(pool), fits(document, pool), files(document, session, pool),
-      benchmarks(pool), checks(document, pool), model(selection, reconstructions, pool), raters(document, selection, pool) {
+      benchmarks(pool), checks(document, pool), model(document, selection, reconstructions, pool), raters(document, selection, pool) {
     connect(&session, &DatasetSession::datasetOpened, this, &Workbench::takeDataset);
     connect(&session, &DatasetSession::sequenceOpened, this, &Workbench::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/benchmark_page.h"
 
+#include <map>
 #include <numeric>
+#include <set>
+#include <tuple>
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -31,6 +34,17 @@ QLabel* heading(const QString& text, QWidget* parent) {
     bold.setBold(true);
     label->setFont(bold);
     return label;
+}
+
+/// Frames in which somebody clicked a joint in two views: as a rule it has a 3D point.
+std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
+    std::set<int> frames;
+    std::map<std::tuple<int, std::string, core::JointId>, int> clicks;
+    for (const auto& [key, mark] : set.marks) {
+        if (mark.isEvidence() && ++clicks[{key.frame, key.rater, key.joint}] == 2)
+            frames.insert(key.frame);
+    }
+    return {frames.begin(), frames.end()};
 }
 
 } // namespace
@@ -97,6 +111,11 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_percent, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
+    connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
+    connect(&m_workbench.coverage, &Coverage::changed, this, [this] {
+        if (setup() == core::BenchmarkSetup::Realistic)
+            emit drawChanged();
+    });
     return side;
 }
 
@@ -137,7 +156,7 @@ QWidget* BenchmarkPage::makeResults() {
         splitter->setChildrenCollapsible(false);
     connect(m_pairTable, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
         const core::PairResult& pair = m_pairs->pair(m_sortedPairs->mapToSource(index).row());
-        const FitTarget target = m_shownSetup == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
+        const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
         emit pairOpened(QString::fromStdString(pair.pair.sequence), {pair.pair.start, pair.pair.test, {pair.method}, target});
     });
     return rows;
@@ -182,9 +201,21 @@ core::PairOptions BenchmarkPage::pairOptions() const {
     return options;
 }
 
-std::set<int> BenchmarkPage::testFrames(const std::string& sequence, int frameCount) const {
-    core::PairFrames frames{sequence, std::vector<int>(static_cast<std::size_t>(frameCount))};
-    std::iota(frames.frames.begin(), frames.frames.end(), 0);
+core::BenchmarkSetup BenchmarkPage::setup() const {
+    return m_setup->currentIndex() == 1 ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+}
+
+std::set<int> BenchmarkPage::testFrames() const {
+    const core::Sequence* sequence = m_workbench.session.sequence();
+    if (!sequence)
+        return {};
+    core::PairFrames frames{sequence->name, {}};
+    if (setup() == core::BenchmarkSetup::Realistic) {
+        frames.frames = framesWithPoints(m_workbench.document.annotations());
+    } else {
+        frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
+        std::iota(frames.frames.begin(), frames.frames.end(), 0);
+    }
     std::set<int> tests;
     try {
         for (const core::FramePair& pair : core::drawPairs({frames}, pairOptions()))
@@ -205,7 +236,7 @@ BenchmarkRequest BenchmarkPage::request() const {
             request.methods.push_back(box->text().toStdString());
     }
     request.pairs = pairOptions();
-    request.setup = m_setup->currentIndex() == 1 ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+    request.setup = setup();
     if (request.methods.empty() || request.sequences.empty())
         throw core::Error(core::ErrorCode::Usage, {}, {}, tr("Choose at least one method and one sequence.").toStdString());
     return request;
@@ -217,9 +248,7 @@ void BenchmarkPage::runOrStop() {
         return;
     }
     try {
-        const BenchmarkRequest wanted = request();
-        m_shownSetup = wanted.setup;
-        m_workbench.benchmarks.run(wanted);
+        m_workbench.benchmarks.run(request());
     } catch (const core::Error& error) {
         m_message->setMessage(QString::fromUtf8(error.what()));
     }

@@ -34,10 +34,10 @@ class BenchmarkPage : public QWidget {
 public:
     explicit BenchmarkPage(Workbench& workbench, QWidget* parent = nullptr);
 
-    /// Which test frames the settings draw from a sequence of `frameCount` frames; none if they make no sense now.
-    std::set<int> testFrames(const std::string& sequence, int frameCount) const;
+    /// Which test frames the settings draw from the open sequence; none if they make no sense now.
+    std::set<int> testFrames() const;
 
-    /// What the fields say. Throws core::Error(Usage) if the differences are no whole numbers.
+    /// What the fields say. Throws core::Error(Usage) if the differences are no whole numbers, or nothing is chosen.
     BenchmarkRequest request() const;
     core::PairOptions pairOptions() const;
 
@@ -48,6 +48,7 @@ signals:
     void pairOpened(const QString& sequence, const widgets::FitRequest& request);
 
 private:
+    core::BenchmarkSetup setup() const;
     QWidget* makeSettings();
     QWidget* makeResults();
     void connectRunner();
@@ -75,7 +76,6 @@ private:
     CurvePlot* m_curves;
     QComboBox* m_jointMethod;
     JointErrorDiagram* m_jointErrors;
-    core::BenchmarkSetup m_shownSetup = core::BenchmarkSetup::Synthetic; ///< of the newest run
 };
 
 } // namespace widgets

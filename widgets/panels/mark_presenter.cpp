@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/mark_presenter.h"
 
+#include <utility>
+
 #include <algorithm>
 #include <map>
 
@@ -20,7 +22,7 @@ QPointF toPoint(const Eigen::Vector2d& px) {
 }
 
 bool isPlaced(const core::ViewReconstruction& view) {
-    return view.mark && view.mark->state != core::MarkState::Unplaceable;
+    return view.mark && view.mark->isPlaced();
 }
 
 /// What a view draws of one joint, or nothing.
@@ -28,7 +30,7 @@ std::optional<ViewMark> markOf(const core::JointId& joint, const core::ViewRecon
     ViewMark mark;
     mark.joint = joint;
     mark.outlier = view.outlier;
-    if (view.mark && view.mark->hasPlace() && !view.mark->isPlaced() && !view.reprojectionPx) { // a guess, as long as nothing better is known
+    if (view.mark && view.mark->isProposal() && !view.reprojectionPx) { // a guess, as long as nothing better is known
         mark.px = toPoint(view.mark->px);
         mark.origin = MarkOrigin::Proposed;
         return proposals ? std::optional(mark) : std::nullopt;
@@ -72,6 +74,7 @@ MarkPresenter::MarkPresenter(const JointList& joints, const Reconstructions& rec
                              CameraGrid& grid, SceneView* scene, QObject* parent)
     : QObject(parent), m_joints(joints), m_reconstructions(reconstructions), m_selection(selection), m_grid(grid), m_scene(scene) {
     connect(&reconstructions, &Reconstructions::changed, this, &MarkPresenter::refresh);
+    connect(&selection, &Selection::cameraChanged, this, &MarkPresenter::moveName);
 }
 
 void MarkPresenter::setDataset(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence) {
@@ -102,6 +105,16 @@ void MarkPresenter::refresh() {
         refreshView(camera);
     if (m_scene)
         refreshScene();
+}
+
+/// The selected joint is named beside its mark in the current view only.
+void MarkPresenter::moveName() {
+    const std::string before = std::exchange(m_namedCamera, m_selection.camera());
+    for (int camera = 0; m_dataset && camera < m_grid.count(); ++camera) {
+        const std::string& name = m_grid.view(camera)->camera().name;
+        if (name == before || name == m_namedCamera)
+            m_grid.view(camera)->setMarks(marksIn(camera));
+    }
 }
 
 void MarkPresenter::refreshView(int camera) {

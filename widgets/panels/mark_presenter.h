@@ -38,6 +38,7 @@ public:
 private:
     void refreshView(int camera);
     void refreshScene();
+    void moveName();
     std::vector<ViewMark> marksIn(int camera) const;
     std::vector<EpipolarGuide> guidesIn(int camera) const;
     ViewTitle titleOf(int camera) const;
@@ -50,6 +51,7 @@ private:
     SceneView* m_scene;
     std::shared_ptr<const core::Dataset> m_dataset;
     const core::Sequence* m_sequence = nullptr;
+    std::string m_namedCamera; ///< whose view names the selected joint
     bool m_skeletonShown = true;
     bool m_guidesShown = true;
     bool m_proposalsShown = true;

@@ -13,7 +13,7 @@ NoteEdit::NoteEdit(AnnotationDocument& document, const Selection& selection, QWi
     setFocusPolicy(Qt::ClickFocus);
     setClearButtonEnabled(true);
     setAccessibleName(tr("Note on this frame"));
-    connect(&document, &AnnotationDocument::aboutToClose, this, &NoteEdit::keepNote);
+    connect(&document, &AnnotationDocument::aboutToSave, this, &NoteEdit::keepNote);
     connect(&document, &AnnotationDocument::opened, this, &NoteEdit::showNote);
     connect(&document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
         if (!edit.notes.empty())

@@ -17,7 +17,10 @@ QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
       m_nothing(new QLabel(this)), m_table(new QTableView(this)),
       m_model(new FindingModel(this)) {
     build();
-    connect(&workbench.reconstructions, &Reconstructions::changed, this, &QualityPanel::refresh);
+    connect(&workbench.reconstructions, &Reconstructions::changed, this, [this] {
+        if (m_scope->currentIndex() == 0) // the whole sequence is looked at in the background
+            refresh();
+    });
     connect(&workbench.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
     connect(&workbench.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
     connect(m_threshold, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
@@ -54,7 +57,8 @@ void QualityPanel::build() {
     row->addWidget(m_threshold);
     row->addStretch(1);
     m_scope->addItems({tr("This frame"), tr("Whole sequence")});
-    m_scope->setFocusPolicy(Qt::NoFocus);
+    m_scope->setToolTip(tr("Where to look for doubts"));
+    m_scope->setFocusPolicy(Qt::TabFocus);
     row->addWidget(m_scope);
     QPalette quiet = palette();
     quiet.setColor(QPalette::WindowText, quietTextColour(quiet));
@@ -105,15 +109,16 @@ void QualityPanel::refresh() {
 }
 
 void QualityPanel::refreshSummary() {
-    int done = 0, partial = 0, bad = 0;
+    int frames = 0, done = 0, partial = 0, bad = 0;
     for (const auto& [frame, hands] : m_workbench.coverage.frames()) {
+        const int before = done + partial;
         for (const auto& [hand, state] : hands) {
             done += state.done;
             partial += state.partial;
             bad += state.bad;
         }
+        frames += done + partial > before; // proposals alone are no marks
     }
-    const int frames = static_cast<int>(m_workbench.coverage.frames().size());
     if (frames == 0) {
         m_summary->setText(tr("No frame of this sequence has marks yet."));
         return;

@@ -28,6 +28,7 @@ RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
     build();
     RaterStudy& study = workbench.raters;
     connect(&study, &RaterStudy::compared, this, &RatersPanel::showComparisons);
+    connect(&workbench.session, &DatasetSession::sequenceOpened, this, &RatersPanel::compareIfShown);
     connect(&study, &RaterStudy::roundChanged, this, &RatersPanel::showRound);
     connect(&study, &RaterStudy::failed, m_message, &MessageBar::setMessage);
     connect(&workbench.reconstructions, &Reconstructions::changed, this, &RatersPanel::showConsensus);
@@ -75,8 +76,13 @@ void RatersPanel::build() {
 
 void RatersPanel::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    m_workbench.raters.compare();
+    compareIfShown();
     showConsensus();
+}
+
+void RatersPanel::compareIfShown() {
+    if (isVisible())
+        m_workbench.raters.compare();
 }
 
 void RatersPanel::showComparisons() {
@@ -137,7 +143,9 @@ void RatersPanel::showRound() {
     m_begin->setToolTip(repeating ? tr("Back to your own marks; both rounds are compared")
                                   : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
     m_next->setVisible(repeating);
-    m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(study.openTasks()).arg(study.tasks()) : QString());
+    m_next->setToolTip(tr("To the next joint of the round that is not marked yet"));
+    showConsensus();
+    m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks())) : QString());
 }
 
 } // namespace widgets

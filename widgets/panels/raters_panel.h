@@ -30,6 +30,7 @@ protected:
 
 private:
     void build();
+    void compareIfShown();
     void showComparisons();
     void showPair();
     void showConsensus();

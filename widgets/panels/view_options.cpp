@@ -77,6 +77,7 @@ void ViewOptions::setAdjustmentsFromText(const std::string& text) {
             m_adjustments[camera] = adjustment;
     }
     applyToAll();
+    emit adjustmentsLoaded();
 }
 
 void ViewOptions::apply(CameraView& view) const {

@@ -38,7 +38,8 @@ public:
     void setAdjustmentsFromText(const std::string& text);
 
 signals:
-    void adjustmentsChanged();
+    void adjustmentsChanged(); ///< by a person
+    void adjustmentsLoaded();
 
 private:
     void apply(CameraView& view) const;

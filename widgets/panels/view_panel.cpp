@@ -39,6 +39,7 @@ ViewPanel::ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& 
     column->addWidget(makeCameraGroup(), 1);
     connect(&layers, &LayerPresenter::lookChanged, this, &ViewPanel::showLook);
     connect(&workbench.selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
+    connect(&options, &ViewOptions::adjustmentsLoaded, this, &ViewPanel::showAdjustment);
     connect(&workbench, &Workbench::shownCamerasChanged, this, &ViewPanel::showCameras);
     showLook();
     showAdjustment();

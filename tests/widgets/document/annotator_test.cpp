@@ -155,6 +155,19 @@ TEST_F(AnnotatorTest, NudgesOfOneMarkAreOneStep) {
     EXPECT_EQ(document.undoStack()->count(), 4);
 }
 
+TEST_F(AnnotatorTest, ANudgedProposalStartsWhereItIsShown) {
+    core::Edit guess;
+    guess.marks.push_back({{12, "ann", kIndex, "cam2"}, std::nullopt, core::Mark{{30, 40}, core::Placement::Proposed, core::MarkState::Visible}});
+    document.push(guess);
+    click(0);
+    click(1); // from now on the clicks say better where it is
+    selection.setCamera("cam2");
+    annotator.nudge({1, 0});
+    ASSERT_TRUE(mark(2));
+    EXPECT_EQ(mark(2)->placement, core::Placement::Manual);
+    EXPECT_LT((mark(2)->px - truth(2) - Eigen::Vector2d(1, 0)).norm(), 1e-6);
+}
+
 TEST_F(AnnotatorTest, StepsAroundTheCameras) {
     selection.setCamera("cam3");
     annotator.stepCamera(1);

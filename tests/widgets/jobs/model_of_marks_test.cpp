@@ -34,7 +34,7 @@ protected:
     widgets::Selection selection;
     widgets::AnnotationDocument document;
     widgets::Reconstructions reconstructions{document, selection};
-    widgets::ModelOfMarks model{selection, reconstructions, pool};
+    widgets::ModelOfMarks model{document, selection, reconstructions, pool};
 };
 
 TEST_F(ModelOfMarksTest, ProposesTheJointsThatAreMissing) {

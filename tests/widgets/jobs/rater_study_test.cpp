@@ -30,6 +30,11 @@ protected:
             test::clickEverywhere(set, dataset->cameras, frame, rater, joint, point, sigmaPx, &random);
         document.push(core::importEdit(document.annotations(), set, "import"));
     }
+    /// Waits until the second round has begun.
+    void begin(double share, unsigned seed) {
+        study.beginRepeating(share, seed);
+        ASSERT_TRUE(test::waitUntil([&] { return study.isRepeating(); }));
+    }
     void compare() {
         QSignalSpy compared(&study, &widgets::RaterStudy::compared);
         study.compare();
@@ -65,8 +70,8 @@ TEST_F(RaterStudyTest, ComparesRatersAndWeighsTheirClicks) {
 
 TEST_F(RaterStudyTest, ASecondRoundHidesTheFirstAndGoesOnAfterARestart) {
     const auto finished = document.annotations().marks.size();
-    ASSERT_TRUE(study.beginRepeating(0.1, 4));
-    EXPECT_TRUE(study.isRepeating());
+    begin(0.1, 4);
+    ASSERT_TRUE(study.isRepeating());
     EXPECT_EQ(document.rater(), core::repeatRaterName("ann"));
     const int tasks = study.tasks();
     EXPECT_NEAR(tasks, 0.1 * 3 * static_cast<double>(test::fiveFingerJoints(*dataset, 0.1).size()), 1.01);
@@ -85,17 +90,49 @@ TEST_F(RaterStudyTest, ASecondRoundHidesTheFirstAndGoesOnAfterARestart) {
 
     document.close();
     open();
-    ASSERT_TRUE(study.beginRepeating(0.5, 99)) << "the unfinished round goes on";
-    EXPECT_EQ(study.tasks(), tasks);
+    begin(0.5, 99);
+    EXPECT_EQ(study.tasks(), tasks) << "the unfinished round goes on";
     EXPECT_EQ(study.openTasks(), tasks - 1);
     EXPECT_GT(document.annotations().marks.size(), finished);
 }
 
 TEST_F(RaterStudyTest, NothingFinishedIsNothingToRepeat) {
     document.setRater("new");
-    EXPECT_FALSE(study.beginRepeating(0.1, 4));
+    QSignalSpy nothing(&study, &widgets::RaterStudy::nothingToRepeat);
+    study.beginRepeating(0.1, 4);
+    ASSERT_TRUE(test::waitUntil([&] { return nothing.count() > 0; }));
     EXPECT_FALSE(study.goToNextTask());
     EXPECT_EQ(document.rater(), "new");
+}
+
+TEST_F(RaterStudyTest, ASecondRoundIsBlindAndStaysInItsSequence) {
+    begin(0.1, 4);
+    study.compare();
+    EXPECT_FALSE(study.consensus().result.point) << "it would show how far the second marks are from the first";
+    EXPECT_FALSE(test::waitUntil([&] { return !study.comparisons().empty(); }, 200));
+    document.open(widgets::AnnotationDocument::read(folder / "b.sqlite"));
+    EXPECT_FALSE(study.isRepeating());
+    EXPECT_EQ(document.rater(), "ann");
+    EXPECT_TRUE(study.comparisons().empty());
+}
+
+TEST_F(RaterStudyTest, WhatWasRepeatedIsNotDrawnAgain) {
+    begin(1, 4);
+    const int all = study.tasks();
+    core::AnnotationSet again;
+    for (const auto& [key, mark] : document.annotations().marks) {
+        core::MarkKey repeated = key;
+        repeated.rater = document.rater();
+        again.marks[repeated] = mark;
+    }
+    document.push(core::importEdit(document.annotations(), again, "again"));
+    EXPECT_EQ(study.openTasks(), 0);
+    EXPECT_GT(all, 0);
+    study.endRepeating();
+    QSignalSpy nothing(&study, &widgets::RaterStudy::nothingToRepeat);
+    study.beginRepeating(1, 5);
+    EXPECT_TRUE(test::waitUntil([&] { return nothing.count() > 0; }));
+    EXPECT_FALSE(study.isRepeating());
 }
 
 } // namespace

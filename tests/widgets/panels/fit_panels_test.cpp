@@ -91,7 +91,7 @@ TEST_F(FitPanelsTest, TheBenchmarkRunsWhatItsFieldsSay) {
     std::sort(tables.begin(), tables.end(), [](const QTableView* a, const QTableView* b) { return a->model()->rowCount() < b->model()->rowCount(); });
     EXPECT_EQ(tables[0]->model()->rowCount(), 2); // start, dch-thres
     EXPECT_EQ(tables[1]->model()->rowCount(), static_cast<int>(bench.benchmarks.results()->rows.size()));
-    const std::set<int> tests = benchmark.testFrames("a", 30);
+    const std::set<int> tests = benchmark.testFrames();
     std::set<int> ran;
     for (const core::FramePair& pair : bench.benchmarks.results()->pairs) {
         if (pair.sequence == "a")
@@ -113,7 +113,7 @@ TEST_F(FitPanelsTest, HalfTypedDifferencesAreRefusedInWords) {
     reopen();
     differences().setText(QStringLiteral("1, x"));
     EXPECT_THROW(benchmark.request(), core::Error);
-    EXPECT_TRUE(benchmark.testFrames("a", 30).empty());
+    EXPECT_TRUE(benchmark.testFrames().empty());
     const auto buttons = benchmark.findChildren<QPushButton*>();
     const auto run = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) { return button->text() == QStringLiteral("Run"); });
     ASSERT_NE(run, buttons.end());

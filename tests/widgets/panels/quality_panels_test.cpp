@@ -86,7 +86,8 @@ TEST_F(RatersPanelTest, ShowsHowFarTwoRatersAgree) {
 }
 
 TEST_F(RatersPanelTest, TellsHowTheSecondRoundGoes) {
-    ASSERT_TRUE(bench.raters.beginRepeating(1, 3));
+    bench.raters.beginRepeating(1, 3);
+    ASSERT_TRUE(test::waitUntil([&] { return bench.raters.isRepeating(); }));
     const auto labels = panel.findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("1 of 1")); }));
     QSignalSpy asked(&panel, &widgets::RatersPanel::roundRequested);
