@@ -596,8 +596,8 @@
         <translation>Mit den gewählten Methoden, ausgehend von der Pose einige Bilder vorher</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
-        <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter als Handlens-Grundwahrheit, Ihre in den anderen Formaten</translation>
+        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
+        <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter, wo das Format Bewerter nennt, sonst Ihre</translation>
     </message>
 </context>
 <context>
@@ -852,6 +852,21 @@
         <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
         <translation>Ihre letzten Änderungen sind noch nicht gespeichert. Schaffen Sie dort, wo sie liegen, Platz oder Schreibrechte, oder exportieren Sie sie anderswohin; nochmaliges Schließen gibt sie auf.</translation>
     </message>
+    <message>
+        <source>The hand model misses the marked joints by %1 mm: are units, joints and hands right? Nothing is proposed.</source>
+        <translation>Das Handmodell verfehlt die markierten Gelenke um %1 mm: Stimmen Einheit, Gelenke und Hände? Es wird nichts vorgeschlagen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The hand model meets %n marked joint(s) within %1 mm.</source>
+        <translation>
+            <numerusform>Das Handmodell trifft %n markiertes Gelenk auf %1 mm genau.</numerusform>
+            <numerusform>Das Handmodell trifft %n markierte Gelenke auf %1 mm genau.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>bericht</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1070,6 +1085,10 @@
     <message>
         <source>Click the place where the joint is hidden, then mark it as occluded.</source>
         <translation>Die Stelle anklicken, an der das Gelenk verborgen ist, dann als verdeckt markieren.</translation>
+    </message>
+    <message>
+        <source>Every view that sees %1 has a mark of it.</source>
+        <translation>Jede Ansicht, die %1 sieht, hat schon eine Marke davon.</translation>
     </message>
 </context>
 <context>
@@ -1843,6 +1862,10 @@
     <message>
         <source>To the next joint of the round that is not marked yet</source>
         <translation>Zum nächsten Gelenk des Durchgangs, das noch nicht markiert ist</translation>
+    </message>
+    <message>
+        <source>Your first marks are hidden until the round has ended.</source>
+        <translation>Ihre ersten Marken sind verborgen, bis der Durchgang beendet ist.</translation>
     </message>
 </context>
 <context>

@@ -596,8 +596,8 @@
         <translation>Με τις επιλεγμένες μεθόδους, από την πόζα μερικών καρέ πριν</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
-        <translation>Γράφει τους σχολιασμούς αυτής της ακολουθίας: όλων ως αλήθεια αναφοράς του Handlens, τους δικούς σας στις άλλες μορφές</translation>
+        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
+        <translation>Γράφει τους σχολιασμούς αυτής της ακολουθίας: όλων, όπου η μορφή ονομάζει αξιολογητές, αλλιώς τους δικούς σας</translation>
     </message>
 </context>
 <context>
@@ -852,6 +852,21 @@
         <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
         <translation>Οι τελευταίες αλλαγές σας δεν έχουν αποθηκευτεί ακόμη. Ελευθερώστε χώρο ή δώστε δικαιώματα εκεί όπου φυλάσσονται ή εξαγάγετέ τες αλλού· δεύτερο κλείσιμο τις εγκαταλείπει.</translation>
     </message>
+    <message>
+        <source>The hand model misses the marked joints by %1 mm: are units, joints and hands right? Nothing is proposed.</source>
+        <translation>Το μοντέλο χεριού αστοχεί τις σημειωμένες αρθρώσεις κατά %1 mm: είναι σωστά οι μονάδες, οι αρθρώσεις και τα χέρια; Δεν προτείνεται τίποτα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The hand model meets %n marked joint(s) within %1 mm.</source>
+        <translation>
+            <numerusform>Το μοντέλο χεριού συμφωνεί με %n σημειωμένη άρθρωση έως %1 mm.</numerusform>
+            <numerusform>Το μοντέλο χεριού συμφωνεί με %n σημειωμένες αρθρώσεις έως %1 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>αναφορά</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1070,6 +1085,10 @@
     <message>
         <source>Click the place where the joint is hidden, then mark it as occluded.</source>
         <translation>Κάντε κλικ εκεί όπου κρύβεται η άρθρωση και μετά δηλώστε την ως κρυμμένη.</translation>
+    </message>
+    <message>
+        <source>Every view that sees %1 has a mark of it.</source>
+        <translation>Κάθε όψη που βλέπει το %1 έχει ήδη σημάδι του.</translation>
     </message>
 </context>
 <context>
@@ -1843,6 +1862,10 @@
     <message>
         <source>To the next joint of the round that is not marked yet</source>
         <translation>Στην επόμενη άρθρωση του γύρου που δεν έχει σημειωθεί ακόμη</translation>
+    </message>
+    <message>
+        <source>Your first marks are hidden until the round has ended.</source>
+        <translation>Τα πρώτα σημάδια σας είναι κρυμμένα μέχρι να τελειώσει ο γύρος.</translation>
     </message>
 </context>
 <context>

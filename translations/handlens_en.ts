@@ -10,6 +10,13 @@
             <numerusform>%n marks imported from %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>The hand model meets %n marked joint(s) within %1 mm.</source>
+        <translation>
+            <numerusform>The hand model meets %n marked joint within %1 mm.</numerusform>
+            <numerusform>The hand model meets %n marked joints within %1 mm.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::Advice</name>

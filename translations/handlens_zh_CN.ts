@@ -596,8 +596,8 @@
         <translation>使用所选方法，从前若干帧的姿态开始</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s as Handlens ground truth, yours in the other formats</source>
-        <translation>写出此序列的标注：以 Handlens 真值格式写出所有人的标注，以其他格式写出您的标注</translation>
+        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
+        <translation>写出此序列的标注：格式能记录标注者时写出所有人的标注，否则写出您的标注</translation>
     </message>
 </context>
 <context>
@@ -851,6 +851,20 @@
         <source>Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once more gives them up.</source>
         <translation>您最近的编辑尚未保存。请在其存储位置腾出空间或授予权限，或将其导出到别处；再次关闭将放弃这些编辑。</translation>
     </message>
+    <message>
+        <source>The hand model misses the marked joints by %1 mm: are units, joints and hands right? Nothing is proposed.</source>
+        <translation>手部模型与已标记关节相差 %1 毫米：单位、关节和左右手是否正确？未提出任何建议。</translation>
+    </message>
+    <message numerus="yes">
+        <source>The hand model meets %n marked joint(s) within %1 mm.</source>
+        <translation>
+            <numerusform>手部模型与 %n 个已标记关节的偏差在 %1 毫米以内。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>report</source>
+        <translation>报告</translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -1068,6 +1082,10 @@
     <message>
         <source>Click the place where the joint is hidden, then mark it as occluded.</source>
         <translation>请点击关节被遮挡的位置，然后将其标为遮挡。</translation>
+    </message>
+    <message>
+        <source>Every view that sees %1 has a mark of it.</source>
+        <translation>每个能看到 %1 的视图都已有其标记。</translation>
     </message>
 </context>
 <context>
@@ -1830,6 +1848,10 @@
     <message>
         <source>To the next joint of the round that is not marked yet</source>
         <translation>转到本轮中下一个尚未标记的关节</translation>
+    </message>
+    <message>
+        <source>Your first marks are hidden until the round has ended.</source>
+        <translation>在本轮结束之前，您第一次的标记处于隐藏状态。</translation>
     </message>
 </context>
 <context>

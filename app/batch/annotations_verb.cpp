@@ -52,6 +52,9 @@ void importFile(const AnnotationsArguments& arguments) {
     options.jointMap = arguments.map;
     options.camera = arguments.camera;
     const core::ImportedAnnotations imported = core::importAnnotations(dataset, sequence, arguments.kind, arguments.file, options);
+    if (imported.set.marks.empty() && !imported.warnings.empty()) {
+        throw core::Error(core::ErrorCode::BadInput, arguments.file, "", "holds nothing that fits the sequence: " + imported.warnings.front());
+    }
     auto store = core::AnnotationStore::open(core::annotationFile(dataset, sequence));
     if (store.isReadOnly()) {
         throw core::Error(core::ErrorCode::Io, store.file().string(), "", "is read-only: " + store.readOnlyReason());

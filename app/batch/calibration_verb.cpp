@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/batch/camera_text.h"
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
 #include "core/io/calibration.h"
@@ -19,20 +20,6 @@ struct CalibrationArguments {
     double scale = 0;
 };
 
-/// What a person needs to see to know that the file was understood.
-void printCheck(const std::vector<core::Camera>& cameras) {
-    const std::optional<Eigen::Vector3d> target = core::commonTarget(cameras);
-    for (const core::Camera& camera : cameras) {
-        std::printf("%s: %d x %d, focal length %.1f px", camera.name.c_str(), camera.size.width, camera.size.height, camera.intrinsics(0, 0));
-        if (target) {
-            const std::optional<Eigen::Vector2d> px = core::project(camera, *target);
-            std::printf(", %.0f mm from where the cameras look%s", (camera.centreInWorld() - *target).norm(),
-                        px && core::isInside(camera.size, *px) ? "" : " (which it does not see)");
-        }
-        std::printf("\n");
-    }
-}
-
 void convert(CalibrationArguments arguments) {
     if (!arguments.size.empty()) {
         arguments.options.size = parseImageSize(arguments.size, "--size");
@@ -42,7 +29,7 @@ void convert(CalibrationArguments arguments) {
     }
     const std::vector<core::Camera> cameras = core::readCalibration(arguments.file, arguments.options);
     core::writeCalibration(arguments.out, arguments.to, cameras);
-    printCheck(cameras);
+    printCameras(cameras);
 }
 
 std::set<std::string> kindNames(bool toWrite) {

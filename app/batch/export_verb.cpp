@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cstdio>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verbs.h"
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/annotation_formats.h"
 #include "core/io/dataset_annotations.h"
@@ -34,7 +36,18 @@ void exportSequence(const ExportArguments& arguments) {
     if (!arguments.rater.empty()) {
         options.rater = arguments.rater;
     }
-    core::exportAnnotations(dataset, sequence, core::readAnnotations(dataset, sequence), arguments.kind, arguments.out, options);
+    const core::AnnotationSet set = core::readAnnotations(dataset, sequence);
+    const std::string written = core::exportAnnotations(dataset, sequence, set, arguments.kind, arguments.out, options);
+    std::printf("%s%s%s\n", arguments.out.c_str(), written.empty() ? "" : ": marks of ", written.c_str());
+    const std::vector<std::string> raters = core::ratersOf(set);
+    if (raters.empty()) {
+        std::printf("note: nobody has marked anything in sequence %s\n", sequence.name.c_str());
+    }
+    for (const std::string& other : raters) {
+        if (!written.empty() && other != written && arguments.rater.empty() && !core::settledFrames(set, other).empty()) {
+            std::printf("note: the marks of %s are left out: choose with --rater\n", other.c_str());
+        }
+    }
 }
 
 } // namespace
@@ -46,7 +59,7 @@ void addExportVerb(CLI::App& program) {
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--to", arguments->kind, "Kind: " + kindList())->required();
     verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
-    verb->add_option("--rater", arguments->rater, "Only the marks of this rater");
+    verb->add_option("--rater", arguments->rater, "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
     verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
         ->capture_default_str()
         ->check(CLI::Range(1e-6, 1e6));

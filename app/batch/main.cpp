@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kBadUsage = 2;
 constexpr int kFailure = 1;
-constexpr int kInterrupted = 130; ///< as a shell says it of SIGINT
 
 /// The one line of an error; whatever a file contained, it stays one line.
 int fail(std::string message, int status) {
@@ -69,7 +68,7 @@ int main(int argc, char** argv) {
         return 0;
     } catch (const core::Error& error) {
         const int status = error.code() == core::ErrorCode::Usage ? kBadUsage : kFailure;
-        return fail(error.what(), app::interruptToken().stop_requested() ? kInterrupted : status);
+        return fail(error.what(), app::interruptToken().stop_requested() ? kFailure : status);
     } catch (const std::bad_alloc&) {
         return fail("out of memory", kFailure);
     } catch (const std::exception& error) {

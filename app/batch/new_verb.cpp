@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/batch/camera_text.h"
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
@@ -44,7 +45,7 @@ std::vector<core::Footage> footageOf(const NewArguments& arguments) {
         char* end = nullptr;
         const long offset = std::strtol(frames.c_str(), &end, 10);
         if (found == footage.end() || *end != '\0' || offset < 0 || offset > 10'000'000) {
-            throw core::Error(core::ErrorCode::Usage, "", "--offset", "\"" + text + "\": a camera with footage and a number of frames are expected");
+            throw core::Error(core::ErrorCode::Usage, "", "--offset", "\"" + text + "\": a camera with footage and a number of frames from 0 on are expected");
         }
         found->offsetFrames = static_cast<int>(offset);
     }
@@ -84,6 +85,9 @@ void makeDataset(const NewArguments& arguments) {
         core::writeDataset(dataset, {}, folder);
     } else {
         core::rewriteDatasetFile(dataset);
+    }
+    if (isNew) {
+        printCameras(dataset.cameras);
     }
     for (const std::string& note : made.notes) {
         std::printf("note: %s\n", note.c_str());

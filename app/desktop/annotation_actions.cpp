@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QDateTime>
+#include <QLocale>
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/range_window.h"
@@ -111,6 +112,7 @@ void bindJointList(MainWindow& window) {
 }
 
 void bindModel(MainWindow& window) {
+    constexpr double kHopelessMm = 15; // no hand of another size is as far off
     widgets::Workbench& bench = window.workbench();
     window.actions().bind(id("annotation.propose"), [&bench] { bench.model.fitOnce(); });
     QObject::connect(&bench.model, &widgets::ModelOfMarks::impossible, &window.statusLine(), &widgets::StatusLine::sayBriefly);
@@ -120,6 +122,13 @@ void bindModel(MainWindow& window) {
             if (bench.joints.contains(proposal.joint))
                 wanted.push_back(proposal);
         }
+        if (fit.rmsMm > kHopelessMm) {
+            window.statusLine().sayBriefly(MainWindow::tr("The hand model misses the marked joints by %1 mm: are units, joints and hands right? Nothing is proposed.")
+                                               .arg(QLocale().toString(fit.rmsMm, 'f', 1)));
+            return;
+        }
+        window.statusLine().sayBriefly(
+            MainWindow::tr("The hand model meets %n marked joint(s) within %1 mm.", nullptr, fit.joints).arg(QLocale().toString(fit.rmsMm, 'f', 1)));
         pushOrSay(window,
                   core::proposeEdit(bench.document.annotations(), bench.session.dataset()->cameras, fit.frame, bench.document.rater(), wanted,
                                     "propose joints of the hand model"),

@@ -60,14 +60,15 @@ struct FileKind {
     QString filter, suffix;
 };
 
-/// Shows a file dialog that does not block; `chosen` gets the path and which of the kinds it is.
-void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds, bool toSave,
+/// Shows a file dialog that does not block, to save a file if a name is proposed; `chosen` gets the path and which of the kinds it is.
+void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds, const QString& proposedName,
                 const std::function<void(const QString& path, std::size_t kind)>& chosen) {
     auto* dialog = new QFileDialog(&window, title);
     QStringList filters;
     for (const FileKind& kind : kinds)
         filters << kind.filter;
     dialog->setNameFilters(filters);
+    const bool toSave = !proposedName.isEmpty();
     dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -76,6 +77,8 @@ void askForFile(MainWindow& window, const QString& title, const std::vector<File
         dialog->setDefaultSuffix(kinds[kindOf(filter)].suffix);
     };
     setSuffix(filters.front());
+    if (toSave)
+        dialog->selectFile(proposedName);
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, setSuffix);
     QObject::connect(dialog, &QFileDialog::fileSelected, &window,
                      [dialog, chosen, kindOf](const QString& path) { chosen(path, kindOf(dialog->selectedNameFilter())); });
@@ -101,19 +104,25 @@ FormatChoice formatChoice(bool toImport) {
     return choice;
 }
 
+/// For the names of files.
+QString sequenceName(MainWindow& window) {
+    const core::Sequence* sequence = window.workbench().session.sequence();
+    return sequence ? QString::fromStdString(sequence->name) : QStringLiteral("handlens");
+}
+
 QString text(std::string_view kind) {
     return QString::fromUtf8(kind.data(), static_cast<int>(kind.size()));
 }
 
 void exportAnnotations(MainWindow& window) {
     const FormatChoice choice = formatChoice(false);
-    askForFile(window, MainWindow::tr("Export annotations"), choice.files, true,
+    askForFile(window, MainWindow::tr("Export annotations"), choice.files, sequenceName(window),
                [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.exportTo(text(choice.kinds[kind]), path); });
 }
 
 void importAnnotations(MainWindow& window) {
     const FormatChoice choice = formatChoice(true);
-    askForFile(window, MainWindow::tr("Import annotations"), choice.files, false,
+    askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
                [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.importFrom(text(choice.kinds[kind]), path); });
 }
 
@@ -124,18 +133,18 @@ void bindFileActions(MainWindow& window) {
     actions.bind(id("file.export"), [&window] { exportAnnotations(window); });
     actions.bind(id("file.import"), [&window] { importAnnotations(window); });
     actions.bind(id("file.report"), [&window] {
-        askForFile(window, MainWindow::tr("Report on the annotations"), {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, true,
+        askForFile(window, MainWindow::tr("Report on the annotations"), {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, MainWindow::tr("report"),
                    [&window](const QString& path, std::size_t) { window.workbench().files.report(path, window.workbench().coverage.badRmsPx()); });
     });
     actions.bind(id("file.savePicture"), [&window] {
-        askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, true,
+        askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, sequenceName(window),
                    [&window](const QString& path, std::size_t) {
                        if (!window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
                            window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
                    });
     });
     actions.bind(id("annotation.jointsFile"), [&window] {
-        askForFile(window, MainWindow::tr("Joints from a file"), {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, false,
+        askForFile(window, MainWindow::tr("Joints from a file"), {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, {},
                    [&window](const QString& path, std::size_t) { window.workbench().files.readJoints(path); });
     });
 }

@@ -47,6 +47,8 @@ int run(int argc, char** argv, const app::CommandLine& line) {
     std::unique_ptr<widgets::PrivateDisplay> display;
     if (line.offscreen)
         display = std::make_unique<widgets::PrivateDisplay>(kScreenWidth, kScreenHeight);
+    else if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        throw core::Error(core::ErrorCode::Unsupported, "", "", "there is no display; --offscreen --script FILE --out FOLDER needs none, and handlens-batch neither");
     widgets::SceneView::prepareApplication();
     QCoreApplication::setOrganizationName(QStringLiteral("handlens"));
     QCoreApplication::setApplicationName(QStringLiteral("handlens"));

@@ -67,6 +67,7 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
 
 MainWindow::~MainWindow() {
     m_playback.stop();
+    qDeleteAll(findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly)); // they look at the actions, which go before them
     hide();
     delete takeCentralWidget(); // the panels look at the workbench, which goes with this object's members
 }
@@ -204,6 +205,7 @@ void MainWindow::connectWork() {
     });
     connect(&fits, &widgets::FitRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
+    connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::sayBriefly); // the panel may be hidden
     connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
     widgets::BenchmarkRunner& benchmarks = m_workbench.benchmarks;

@@ -20,7 +20,9 @@ QString id(const char* text) {
 void bindNames(MainWindow& window) {
     window.actions().bind(id("edit.note"), [&window] {
         window.workspaces().setCurrent(widgets::Workspaces::Kind::Annotate);
-        window.workspaces().jointsPanel()->note()->setFocus(Qt::ShortcutFocusReason);
+        auto* note = window.workspaces().jointsPanel()->note();
+        note->setFocus(Qt::OtherFocusReason); // a shortcut's would select what is there, and the next key replace it
+        note->end(false);
     });
     window.actions().bind(id("edit.rater"), [&window] {
         auto* dialog = new QInputDialog(&window);

@@ -50,7 +50,7 @@ public:
 ShortcutWindow::ShortcutWindow(Actions& actions, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Shortcuts"));
     setAttribute(Qt::WA_DeleteOnClose);
-    resize(760, 600);
+    resize(980, 640);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(widgets::kSpacing);
     auto* message = new widgets::MessageBar(this);
@@ -65,10 +65,12 @@ ShortcutWindow::ShortcutWindow(Actions& actions, QWidget* parent) : QDialog(pare
     auto* table = new QTableView(this);
     table->setModel(proxy);
     widgets::styleTable(*table);
+    table->setWordWrap(true);
     table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(ShortcutModel::Tip, QHeaderView::Stretch);
     table->setItemDelegateForColumn(ShortcutModel::Shortcut, new ShortcutDelegate(table));
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     auto* reset = new QPushButton(tr("Reset all"), this);
     auto* close = new QPushButton(tr("Close"), this);
     close->setDefault(true);

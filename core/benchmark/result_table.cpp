@@ -52,7 +52,9 @@ Row publishedRow(const PublishedRow& published, const std::vector<int>& differen
         const auto index = static_cast<std::size_t>(at - std::begin(kPublishedDifferences));
         row.cells.push_back(at == std::end(kPublishedDifferences) ? Cell{} : errorCell(published.byDifference[index]));
     }
-    row.cells.push_back(errorCell(published.all));
+    // The paper's mean over all pairs is one over its own differences.
+    const bool isSame = std::equal(differences.begin(), differences.end(), std::begin(kPublishedDifferences), std::end(kPublishedDifferences));
+    row.cells.push_back(isSame ? errorCell(published.all) : Cell{});
     row.cells.push_back(published.seconds ? Cell{fixedText(*published.seconds, 0), ""} : Cell{});
     return row;
 }

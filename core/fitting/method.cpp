@@ -39,13 +39,20 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
+/// Shortest text that reads back as the same number.
+std::string shortest(double value) {
+    std::array<char, 32> buffer;
+    const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    (void)code;
+    return {buffer.data(), end};
+}
+
 double number(std::string_view text, std::string_view key, std::string_view value, double low, double high) {
     double result = 0;
     const auto [end, code] = std::from_chars(value.data(), value.data() + value.size(), result);
     if (code != std::errc() || end != value.data() + value.size() || !(result >= low && result <= high)) {
         fail(text, key,
-             "'" + std::string(value) + "' is not a number from " + std::to_string(low) + " to " +
-                 std::to_string(high));
+             "'" + std::string(value) + "' is not a number from " + shortest(low) + " to " + shortest(high));
     }
     return result;
 }
@@ -107,6 +114,29 @@ bool setIdea(BestIdeas& ideas, std::string_view text, std::string_view key, std:
     return false;
 }
 
+std::string optionNames(MethodKind kind) {
+    if (kind == MethodKind::Best) {
+        std::string names = "live, robust";
+        for (const NamedIdea& idea : kIdeas) {
+            names += ", " + std::string(idea.name);
+        }
+        return names + ", epsilon, tangent";
+    }
+    const std::string all = "gate, truncate, epsilon, tangent, iterations, damping, schedule";
+    switch (kind) {
+    case MethodKind::DchThres:
+        return "tau, signed, " + all;
+    case MethodKind::DchDt3:
+        return "lambda, bins, centre, signed, backend, " + all;
+    case MethodKind::DchQuant:
+        return "bins, centre, signed, " + all;
+    case MethodKind::DchQuant2:
+        return "bins, centre, signed, weights, " + all;
+    default:
+        return all;
+    }
+}
+
 void setOption(Method& m, std::string_view text, std::string_view key, std::string_view value) {
     const bool best = m.kind == MethodKind::Best;
     const bool quant = m.kind == MethodKind::DchQuant || m.kind == MethodKind::DchQuant2;
@@ -143,16 +173,8 @@ void setOption(Method& m, std::string_view text, std::string_view key, std::stri
     } else if (key == "schedule" && !best) {
         m.schedule = oneOf(text, key, value, {"rigid", "paper"}) == "paper" ? Schedule::Paper : Schedule::RigidFirst;
     } else {
-        fail(text, key, "is no option of this method");
+        fail(text, key, "is no option of this method, which has " + optionNames(m.kind));
     }
-}
-
-/// Shortest text that reads back as the same number.
-std::string shortest(double value) {
-    std::array<char, 32> buffer;
-    const auto [end, code] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    (void)code;
-    return {buffer.data(), end};
 }
 
 } // namespace

@@ -27,7 +27,7 @@ struct Handler {
 
 const std::vector<Handler>& handlers() {
     static const std::vector<Handler> list{
-        {{"handlens", "Handlens ground truth (JSON)", true, false}, nullptr, nullptr, ""},
+        {{"handlens", "Handlens ground truth (JSON)", true, false, true}, nullptr, nullptr, ""},
         {{"tzionas", "The method authors' NNN.txt, a folder per camera", true, true}, writeTzionasAnnotations, readTzionasAnnotations, "tzionas"},
         {{"coco", "COCO keypoints (JSON)", true, false}, writeCocoAnnotations, readCocoAnnotations, "coco"},
         {{"anipose2d", "Anipose 2D tables, a CSV file per camera", true, true}, writeAnipose2d, readPoseTables, ""},
@@ -36,8 +36,8 @@ const std::vector<Handler>& handlers() {
         {{"trc", "Marker trajectories (TRC)", false, false}, writeTrc, nullptr, ""},
         {{"interhand", "InterHand2.6M-style joints and cameras (JSON)", false, true}, writeInterHand, nullptr, "interhand"},
         {{"freihand", "HanCo-style joints and calibrations in FreiHAND's order (JSON)", false, true}, writeFreiHand, nullptr, "freihand"},
-        {{"csv", "Plain table of 3D joints (CSV)", false, false}, writePointCsv, nullptr, ""},
-        {{"csv-marks", "Plain table of marks (CSV)", true, false}, writeMarkCsv, readMarkCsv, ""},
+        {{"csv", "Plain table of 3D joints (CSV)", false, false, true}, writePointCsv, nullptr, ""},
+        {{"csv-marks", "Plain table of marks (CSV)", true, false, true}, writeMarkCsv, readMarkCsv, ""},
     };
     return list;
 }
@@ -91,21 +91,26 @@ const std::vector<AnnotationFormat>& annotationFormats() {
     return formats;
 }
 
-void exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
-                       const fs::path& path, const AnnotationExportOptions& options) {
+std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
+                              const fs::path& path, const AnnotationExportOptions& options) {
     const Handler& handler = handlerOf(kind);
-    const std::string rater = chosenRater(sequence, set, options.rater);
+    const bool isOfAll = handler.format.namesRaters && !options.rater;
+    const std::string rater = isOfAll ? std::string() : chosenRater(sequence, set, options.rater);
     if (!handler.write) {
         writeGroundTruth(path, dataset, sequence, set, options);
-        return;
+        return rater;
     }
     const JointMap map = mapFor(handler, options.jointMap);
     handler.write({dataset, sequence, set, rater, map, options.triangulation, path});
+    return rater;
 }
 
 ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& sequence, std::string_view kind, const fs::path& path,
                                       const AnnotationImportOptions& options) {
     const Handler& handler = handlerOf(kind);
+    if (!options.camera.empty() && dataset.cameraIndex(options.camera) < 0) {
+        throw Error(ErrorCode::Usage, dataset.folder.string(), "--camera", "\"" + options.camera + "\" is none of its cameras");
+    }
     if (!handler.format.canImport) {
         throw Error(ErrorCode::Unsupported, "", std::string(kind), "can be written, not read");
     }

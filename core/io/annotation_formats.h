@@ -19,19 +19,20 @@ struct AnnotationFormat {
     std::string_view description; ///< English, for lists
     bool canImport = false;
     bool isFolder = false;        ///< the export is a folder with one file per view or frame
+    bool namesRaters = false;     ///< it holds everybody's annotations, with their names
 };
 /// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, trc, interhand, freihand, csv, csv-marks.
 const std::vector<AnnotationFormat>& annotationFormats();
 
 struct AnnotationExportOptions {
     TriangulationOptions triangulation;
-    std::optional<std::string> rater; ///< only this one; formats without raters take the one with most marks otherwise
+    std::optional<std::string> rater; ///< only this one; formats that name no raters take the one with most marks otherwise
     std::filesystem::path jointMap;   ///< JSON that renames joints; empty = the format's own
 };
-/// Writes the annotations of one sequence: beside `path`, then renamed; never half a file. Throws Error(Usage) for an unknown
-/// kind, Error(Io) if it cannot be written.
-void exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
-                       const std::filesystem::path& path, const AnnotationExportOptions& options = {});
+/// Writes the annotations of one sequence: beside `path`, then renamed; never half a file. Returns whose they are, "" for
+/// everybody's. Throws Error(Usage) for an unknown kind, Error(Io) if it cannot be written.
+std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
+                              const std::filesystem::path& path, const AnnotationExportOptions& options = {});
 
 struct AnnotationImportOptions {
     std::string rater = "import";   ///< for formats that name no rater

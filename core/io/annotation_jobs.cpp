@@ -33,8 +33,9 @@ std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame)
     return joints;
 }
 
-void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark) {
-    const MarkKey key{frame, job.options.rater, joint, camera};
+void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark,
+             const std::string& rater) {
+    const MarkKey key{frame, rater.empty() ? job.options.rater : rater, joint, camera};
     if (job.notes.accepts(key) && !job.set.marks.emplace(key, mark).second) {
         throw Error(ErrorCode::BadInput, job.path.string(), "frame " + std::to_string(frame),
                     jointLabel(joint) + " occurs twice in camera \"" + camera + "\"");

@@ -15,7 +15,7 @@ struct ExportJob {
     const Dataset& dataset;
     const Sequence& sequence;
     const AnnotationSet& set;
-    const std::string& rater;    ///< whose marks are written
+    const std::string& rater;    ///< whose marks are written; empty: everybody's, for formats that name raters
     const JointMap& map;
     const TriangulationOptions& triangulation;
     const std::filesystem::path& path;
@@ -25,8 +25,6 @@ struct ExportJob {
 std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& joint, const std::string& camera);
 /// Joints that the rater has marked in any frame, ascending.
 std::vector<JointId> markedJoints(const ExportJob& job);
-/// Frames in which the rater has marks, ascending.
-std::vector<int> markedFrames(const ExportJob& job);
 /// Joints of a frame with a 3D point.
 std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame);
 
@@ -41,8 +39,9 @@ struct ImportJob {
     AnnotationSet& set;
 };
 
-/// Adds a mark if frame and camera are known. Throws Error(BadInput) if there is one already.
-void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark);
+/// Adds a mark if frame and camera are known, of the options' rater unless another is named. Throws Error(BadInput) if there is one
+/// already.
+void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark, const std::string& rater = {});
 /// A 3D point becomes proposed marks in all views that see it: it may be shown and moved, but is no evidence.
 void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld);
 

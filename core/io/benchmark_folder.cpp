@@ -123,7 +123,9 @@ void writeBenchmarkTables(const fs::path& folder, const BenchmarkFolder& content
     writeFileAtomically(folder / "results.csv", resultsCsv(content.results));
     writeFileAtomically(folder / "joints.csv", jointsCsv(content.results));
     writeFileAtomically(folder / "curves.csv", curvesCsv(content.results));
-    writeFileAtomically(folder / "table.md", markdownTable(table));
+    const std::size_t missing = missingFits(content);
+    const std::string note = missing > 0 ? "\nNot finished: " + std::to_string(missing) + " fits are missing.\n" : std::string();
+    writeFileAtomically(folder / "table.md", markdownTable(table) + note);
     writeFileAtomically(folder / "table.tex", latexTable(table));
     writeFileAtomically(folder / "report.html", reportOf(content));
 }

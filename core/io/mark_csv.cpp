@@ -38,10 +38,11 @@ CsvRow pointRow(const ExportJob& job, int frame, const std::string& rater, const
 void writePointCsv(const ExportJob& job) {
     std::string text = csvLine({"sequence", "frame", "rater", "hand", "joint", "x_mm", "y_mm", "z_mm", "sigma_mm", "rms_px", "manual_views",
                                 "outliers", "status", "reason"});
-    for (const int frame : settledFrames(job.set, job.rater)) {
-        for (const auto& [id, joint] :
-             reconstructFrame(job.set, job.dataset.cameras, frame, job.rater, {job.triangulation, false, std::nullopt})) {
-            text += csvLine(pointRow(job, frame, job.rater, id, joint));
+    for (const std::string& rater : job.rater.empty() ? ratersOf(job.set) : std::vector{job.rater}) {
+        for (const int frame : settledFrames(job.set, rater)) {
+            for (const auto& [id, joint] : reconstructFrame(job.set, job.dataset.cameras, frame, rater, {job.triangulation, false, std::nullopt})) {
+                text += csvLine(pointRow(job, frame, rater, id, joint));
+            }
         }
     }
     writeFileAtomically(job.path, text);
@@ -50,7 +51,7 @@ void writePointCsv(const ExportJob& job) {
 void writeMarkCsv(const ExportJob& job) {
     std::string text = csvLine(kMarkHeader);
     for (const auto& [key, mark] : job.set.marks) {
-        if (key.rater == job.rater) {
+        if (job.rater.empty() || key.rater == job.rater) {
             text += csvLine({job.sequence.name, std::to_string(key.frame), key.rater, std::string(sideName(key.joint.hand)), key.joint.joint,
                              key.camera, mark.hasPlace() ? exactText(mark.px.x()) : "", mark.hasPlace() ? exactText(mark.px.y()) : "",
                              std::string(stateName(mark.state)), std::string(placementName(mark.placement))});
@@ -83,7 +84,7 @@ void readMarkCsv(ImportJob& job) {
             throw refuse("has no pixel position");
         }
         const Eigen::Vector2d px = *state == MarkState::Unplaceable ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(*x, *y);
-        addMark(job, static_cast<int>(*frame), {*hand, row[4]}, row[5], Mark{px, *placement, *state});
+        addMark(job, static_cast<int>(*frame), {*hand, row[4]}, row[5], Mark{px, *placement, *state}, row[2]);
     }
 }
 

@@ -30,7 +30,9 @@ void Annotator::pushAndAdvance(const core::Edit& edit) {
         return;
     m_nudged.reset();
     m_document.amend(edit, ++m_step);
-    if (m_autoAdvance && m_reconstructions.selected().status == core::JointStatus::Done && m_joints.contains(m_selection.joint()))
+    const core::JointReconstruction& selected = m_reconstructions.selected();
+    const bool isInDoubt = selected.manualViews > 1 && !selected.hasPoint(); // clicks that disagree: stay, and see why
+    if (m_autoAdvance && selected.status == core::JointStatus::Done && !isInDoubt && m_joints.contains(m_selection.joint()))
         stepJoint(1);
 }
 
@@ -93,9 +95,15 @@ void Annotator::accept() {
 }
 
 void Annotator::acceptAllViews() {
-    if (m_dataset)
-        pushAndAdvance(core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
-                                        m_document.rater(), m_selection.joint(), std::nullopt, m_reconstructions.options()));
+    if (!m_dataset)
+        return;
+    const core::Edit edit = core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(), m_selection.joint(),
+                                             std::nullopt, m_reconstructions.options());
+    if (edit.empty())
+        emit nothingDone(m_reconstructions.selected().hasPoint()
+                             ? tr("Every view that sees %1 has a mark of it.").arg(QString::fromStdString(m_selection.joint().joint))
+                             : tr("Nothing to accept: click %1 in two views first.").arg(QString::fromStdString(m_selection.joint().joint)));
+    pushAndAdvance(edit);
 }
 
 void Annotator::acceptFrame() {

@@ -99,6 +99,7 @@ void MarkPresenter::setProposalsShown(bool shown) {
 }
 
 void MarkPresenter::refresh() {
+    m_namedCamera = m_selection.camera();
     if (!m_dataset)
         return;
     for (int camera = 0; camera < m_grid.count(); ++camera)

@@ -47,6 +47,15 @@ void NoteEdit::keepNote() {
         m_document.push(core::noteEdit(m_document.annotations(), m_frame, note.toStdString()));
 }
 
+/// Escape is ours while a note is written, not a shortcut's.
+bool NoteEdit::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
+    return QLineEdit::event(event);
+}
+
 void NoteEdit::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         showNote();

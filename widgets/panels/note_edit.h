@@ -16,6 +16,7 @@ public:
     NoteEdit(AnnotationDocument& document, const Selection& selection, QWidget* parent = nullptr);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

@@ -23,8 +23,9 @@ QString number(double value, int decimals) {
 RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_pairs(new QComboBox(this)), m_clicks(new QLabel(this)),
       m_table(new QTableView(this)), m_model(new AgreementModel(this)),
-      m_nothing(new QLabel(tr("No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself."), this)),
-      m_consensus(new QLabel(this)), m_round(new QLabel(this)), m_next(new QPushButton(tr("Next"), this)), m_begin(new QPushButton(this)) {
+      m_nothing(new QLabel(this)),
+      m_consensus(new QLabel(this)), m_round(new QLabel(this)), m_next(new QPushButton(tr("Next"), this)), m_begin(new QPushButton(this)),
+      m_compare(new QPushButton(tr("Compare"), this)) {
     build();
     RaterStudy& study = workbench.raters;
     connect(&study, &RaterStudy::compared, this, &RatersPanel::showComparisons);
@@ -51,16 +52,14 @@ void RatersPanel::build() {
     m_nothing->setAlignment(Qt::AlignCenter);
     m_table->setModel(m_model);
     styleTable(*m_table);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_table, m_pairs, m_next, m_begin})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_table, m_pairs, m_next, m_begin, m_compare})
         widget->setFocusPolicy(Qt::NoFocus);
-    auto* refresh = new QPushButton(tr("Compare"), this);
-    refresh->setToolTip(tr("Compares all raters as they stand now"));
-    refresh->setFocusPolicy(Qt::NoFocus);
-    connect(refresh, &QPushButton::clicked, this, [this] { m_workbench.raters.compare(); });
+    m_compare->setToolTip(tr("Compares all raters as they stand now"));
+    connect(m_compare, &QPushButton::clicked, this, [this] { m_workbench.raters.compare(); });
     auto* pairRow = new QHBoxLayout;
     pairRow->addWidget(m_pairs, 1);
     pairRow->addStretch(0);
-    pairRow->addWidget(refresh);
+    pairRow->addWidget(m_compare);
     auto* roundRow = new QHBoxLayout;
     roundRow->addWidget(m_round, 1);
     roundRow->addWidget(m_next);
@@ -143,6 +142,9 @@ void RatersPanel::showRound() {
     m_begin->setToolTip(repeating ? tr("Back to your own marks; both rounds are compared")
                                   : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
     m_next->setVisible(repeating);
+    m_compare->setEnabled(!repeating);
+    m_nothing->setText(repeating ? tr("Your first marks are hidden until the round has ended.")
+                                 : tr("No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself."));
     m_next->setToolTip(tr("To the next joint of the round that is not marked yet"));
     showConsensus();
     m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks())) : QString());

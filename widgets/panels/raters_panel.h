@@ -47,6 +47,7 @@ private:
     QLabel* m_round;
     QPushButton* m_next;
     QPushButton* m_begin;
+    QPushButton* m_compare;
 };
 
 } // namespace widgets

@@ -102,6 +102,11 @@ void CameraView::setMeshLayers(const std::vector<MeshLayer>& layers) {
 void CameraView::setMarks(const std::vector<ViewMark>& marks) {
     m_items->setMarks(marks);
 }
+
+const std::vector<ViewMark>& CameraView::marks() const {
+    return m_items->marks();
+}
+
 void CameraView::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_items->setSkeleton(lines);
 }

@@ -46,6 +46,7 @@ public:
 
     void setMeshLayers(const std::vector<MeshLayer>& layers);
     void setMarks(const std::vector<ViewMark>& marks);
+    const std::vector<ViewMark>& marks() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
     void setEpipolarGuides(const std::vector<EpipolarGuide>& guides);
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);

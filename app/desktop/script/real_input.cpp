@@ -121,6 +121,8 @@ void RealInput::key(const QString& keys, int holdMs) {
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
     const QChar letter = modifiers & Qt::ShiftModifier ? QChar(key) : QChar(key).toLower();
     const QString text = printable ? QString(letter) : QString();
+    if (!QApplication::activePopupWidget() && !QApplication::activeWindow())
+        m_window.activateWindow(); // no window manager gives the keyboard back when a dialog has closed
     const QWidget* popup = QApplication::activePopupWidget();
     const QWidget* active = popup ? popup : QApplication::activeWindow() ? QApplication::activeWindow() : &m_window;
     const QPointer<QWindow> window = active->windowHandle();

@@ -77,7 +77,7 @@ struct Bad {
 const std::vector<Bad> kBadOptions{{"", "", "no such method"},
                                    {"CH", "CH", "no such method"},
                                    {"dch", "dch", "ch, dch-thres, dch-quant, dch-quant2, dch-dt3 and best"},
-                                   {"ch:tau=22.5", "tau", "is no option of this method"},
+                                   {"ch:tau=22.5", "tau", "is no option of this method, which has gate, truncate"},
                                    {"ch:signed=1", "signed", "is no option"},
                                    {"ch:lambda=3", "lambda", "is no option"},
                                    {"ch:live=1", "live", "is no option"},

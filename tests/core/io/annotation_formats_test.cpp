@@ -343,8 +343,9 @@ TEST_F(AnnotationFormats, PointTableHoldsWhatIsShown) {
 
 TEST_F(AnnotationFormats, MarkTableReadsQuotesByteOrderMarksAndComesBackExactly) {
     const auto got = importSample("csv-marks", "marks.csv").set;
-    EXPECT_EQ(mark(got, 4, {Side::Left, "index_mcp"}, "cam0")->px, Vector2d(10.25, 20.5));
-    EXPECT_EQ(mark(got, 4, {Side::Left, "index_mcp"}, "cam1")->state, MarkState::Unplaceable);
+    const auto markOf = [&](const char* camera) { return core::markAt(got, {4, "Müller, A.", {Side::Left, "index_mcp"}, camera}); };
+    EXPECT_EQ(markOf("cam0").value().px, Vector2d(10.25, 20.5));
+    EXPECT_EQ(markOf("cam1").value().state, MarkState::Unplaceable);
     clickHands();
     varyStates(true);
     m_set.marks[{7, "ann", {Side::Left, "wrist"}, "cam4"}] = Mark{Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
@@ -380,7 +381,8 @@ TEST_F(AnnotationFormats, EveryKindWritesAnEmptySequenceAndNoKindWritesOverSomet
 TEST_F(AnnotationFormats, FormatsOfOneRaterTakeTheOneWithMostMarks) {
     click(3, {Side::Left, "wrist"}, {1, 2, 3});
     m_set.marks[{3, "aaa", {Side::Left, "wrist"}, "cam0"}] = Mark{{7, 7}};
-    EXPECT_EQ(import("csv-marks", exported("csv-marks")).set.marks.size(), 8u);
+    EXPECT_EQ(import("deeplabcut", exported("deeplabcut")).set.marks.size(), 8u);
+    EXPECT_EQ(import("csv-marks", exported("csv-marks")).set, m_set) << "names raters, so it holds all";
     m_export.rater = "aaa";
     EXPECT_EQ(import("csv-marks", exported("csv-marks")).set.marks.size(), 1u);
 }
@@ -392,8 +394,7 @@ TEST_F(AnnotationFormats, ProposalsMakeNobodyARaterAndNoFrameLabelled) {
         m_set.marks[{6, "ann", {Side::Left, "wrist"}, camera.name}] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
     }
     const auto coco = core::readJsonFile(exported("coco"));
-    EXPECT_EQ(coco["annotations"].size(), 1u);
-    EXPECT_EQ(coco["images"].size(), 8u) << "the views of frame 3";
+    EXPECT_EQ(std::pair(coco["images"].size(), coco["annotations"].size()), std::pair(std::size_t{8}, std::size_t{1})) << "frame 3";
 }
 
 } // namespace

@@ -80,7 +80,11 @@ TEST_F(FitRunnerTest, MeetsMaskFilesAsItMeetsTheRecordedPose) {
     EXPECT_GT(observed->outlinesPx[0].size(), 10u);
     const QRectF& hands = observed->handsPx[0];
     EXPECT_TRUE(hands.contains(observed->outlinesPx[0][0].p1()));
-    EXPECT_LT(hands.width(), 270 * 2);
+    QRectF outline;
+    for (const QLineF& line : observed->outlinesPx[0])
+        outline |= QRectF(line.p1(), line.p2()).normalized().adjusted(0, 0, 1e-9, 1e-9);
+    EXPECT_TRUE(hands.contains(outline));
+    EXPECT_LT((hands.center() - outline.center()).manhattanLength(), 0.2 * outline.width());
 }
 
 TEST_F(FitRunnerTest, AgainstMasksErrorsAreOverTheMarkedJoints) {

@@ -38,15 +38,23 @@ TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
     reopen();
     EXPECT_DOUBLE_EQ(spaces.grid()->view(1)->adjustment().brightness, 0.25);
     EXPECT_DOUBLE_EQ(spaces.grid()->view(1)->adjustment().gamma, 0.75);
+    bench.selection.setCamera("cam1");
+    auto* brightness = child<QSlider>(*spaces.viewPanel(), 1); // after the mesh's opacity
+    EXPECT_EQ(brightness->value(), 25);
     options.setAdjustmentsFromText("nonsense\n0.5 2 1 cam 3 with blanks\n");
     EXPECT_DOUBLE_EQ(options.adjustment("cam 3 with blanks").contrast, 2);
     EXPECT_DOUBLE_EQ(options.adjustment("cam1").brightness, 0);
+    EXPECT_EQ(brightness->value(), 0) << "the slider says what is shown";
 }
 
 TEST_F(ViewPanelsTest, TheModelOfTheMarksIsALayer) {
     bench.model.setOn(true);
+    for (const core::Bone& bone : bench.session.dataset()->hands[0].skeleton.bones) {
+        for (const int camera : {0, 3, 5})
+            click({core::Side::Left, bone.name}, camera);
+    }
     settle();
-    EXPECT_FALSE(bench.model.fit()) << "two joints a hand are not enough";
+    EXPECT_FALSE(bench.model.fit()) << "two joints of a hand are not enough";
     spaces.layers()->setAnnotatedPose(core::HandPoses{test::tinyMotion(13).back()[0], core::Pose()}, 12);
     settle();
     spaces.grid()->finishDrawing();
@@ -55,6 +63,20 @@ TEST_F(ViewPanelsTest, TheModelOfTheMarksIsALayer) {
     settle();
     spaces.grid()->finishDrawing();
     EXPECT_NE(withModel, spaces.grid()->view(0)->grab().toImage());
+}
+
+TEST_F(ViewPanelsTest, TheSelectedJointIsNamedInTheCurrentViewOnly) {
+    for (const int camera : {0, 3})
+        click(index, camera);
+    settle();
+    for (const char* name : {"cam0", "cam3"}) {
+        bench.selection.setCamera(name);
+        for (const widgets::CameraView* view : spaces.grid()->views()) {
+            const auto& marks = view->marks();
+            const bool isNamed = std::any_of(marks.begin(), marks.end(), [](const widgets::ViewMark& mark) { return mark.named; });
+            EXPECT_EQ(isNamed, view->camera().name == name) << view->camera().name;
+        }
+    }
 }
 
 TEST_F(ViewPanelsTest, EveryPartHasItsName) {
