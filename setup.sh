@@ -11,7 +11,7 @@ packages=(
   libeigen3-dev libopencv-dev libtbb-dev libassimp-dev libmeshoptimizer-dev libffms2-dev
   nlohmann-json3-dev libvalijson-dev libtomlplusplus-dev libmatio-dev libcli11-dev libsqlitecpp-dev libsqlite3-dev
   qtbase5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools libvtk9-dev libvtk9-qt-dev
-  breeze-icon-theme gnuplot-nox xvfb
+  qttranslations5-l10n breeze-icon-theme gnuplot-nox xvfb
   googletest libgtest-dev libgmock-dev libbenchmark-dev libceres-dev
 )
 

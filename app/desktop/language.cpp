@@ -50,7 +50,8 @@ QString applyLanguage(QApplication& application, const QString& language) {
     if (own->load(kPrefix + chosen, kFolder))
         application.installTranslator(own);
     auto* qt = new QTranslator(&application);
-    if (qt->load(QStringLiteral("qtbase_") + chosen, QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
+    const QString folder = QLibraryInfo::location(QLibraryInfo::TranslationsPath); // of Qt's own dialogs; older ones are named qt_
+    if (qt->load(QStringLiteral("qtbase_") + chosen, folder) || qt->load(QStringLiteral("qt_") + chosen, folder))
         application.installTranslator(qt);
     return chosen;
 }

@@ -41,6 +41,33 @@ TEST_F(Script, AnswersEveryStepInOneLine) {
     EXPECT_EQ(bench().selection.frame(), 3);
 }
 
+TEST_F(Script, KeysReachTheWindowAgainWhenADialogHasClosed) {
+    for (const char* dialog : {"F1", "Ctrl+E", "Ctrl+U"}) {
+        EXPECT_EQ(play(std::string("{\"do\":\"key\",\"keys\":\"") + dialog + "\"}\n{\"do\":\"key\",\"keys\":\"Escape\"}\n{\"do\":\"key\",\"keys\":\"Ctrl+2\"}\n"), 0)
+            << errors.str();
+        EXPECT_EQ(window->workspaces().current(), widgets::Workspaces::Kind::Inspect) << dialog;
+        EXPECT_EQ(play("{\"do\":\"key\",\"keys\":\"Ctrl+1\"}\n"), 0);
+    }
+}
+
+TEST_F(Script, EscapeGivesUpWhatWasTypedIntoANote) {
+    const auto type = [this](std::initializer_list<const char*> keys) {
+        std::string lines;
+        for (const char* key : keys)
+            lines += std::string("{\"do\":\"key\",\"keys\":\"") + key + "\"}\n";
+        EXPECT_EQ(play(lines), 0) << errors.str();
+    };
+    const int frame = bench().selection.frame();
+    const auto& notes = bench().document.annotations().notes;
+    type({"Ctrl+M", "A", "B", "Return"});
+    EXPECT_EQ(notes.at(frame), "ab");
+    type({"Ctrl+M", "C", "Return"});
+    EXPECT_EQ(notes.at(frame), "abc") << "what was there is not replaced";
+    type({"Ctrl+M", "X", "Escape", "D"});
+    EXPECT_EQ(notes.at(frame), "abc");
+    EXPECT_EQ(bench().selection.frame(), frame + 1) << "the keyboard is the window's again";
+}
+
 struct BadStep {
     const char* line;
     const char* mentions;

@@ -21,6 +21,7 @@ namespace app {
 namespace {
 
 constexpr int kWheelStep = 120;
+constexpr int kActivationMs = 1000;
 
 core::Error unreachable(const QString& why) {
     return {core::ErrorCode::Usage, {}, {}, why.toStdString()};
@@ -121,8 +122,10 @@ void RealInput::key(const QString& keys, int holdMs) {
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
     const QChar letter = modifiers & Qt::ShiftModifier ? QChar(key) : QChar(key).toLower();
     const QString text = printable ? QString(letter) : QString();
-    if (!QApplication::activePopupWidget() && !QApplication::activeWindow())
-        m_window.activateWindow(); // no window manager gives the keyboard back when a dialog has closed
+    if (!QApplication::activePopupWidget() && !QApplication::activeWindow()) { // no window manager gives the keyboard back after a dialog
+        m_window.activateWindow();
+        waitFor(m_window, [] { return QApplication::activeWindow() != nullptr; }, kActivationMs);
+    }
     const QWidget* popup = QApplication::activePopupWidget();
     const QWidget* active = popup ? popup : QApplication::activeWindow() ? QApplication::activeWindow() : &m_window;
     const QPointer<QWindow> window = active->windowHandle();
