@@ -83,11 +83,9 @@ void makeDataset(const NewArguments& arguments) {
     dataset.sequences.push_back(made.sequence);
     if (isNew) {
         core::writeDataset(dataset, {}, folder);
+        printCameras(dataset.cameras);
     } else {
         core::rewriteDatasetFile(dataset);
-    }
-    if (isNew) {
-        printCameras(dataset.cameras);
     }
     for (const std::string& note : made.notes) {
         std::printf("note: %s\n", note.c_str());

@@ -91,6 +91,10 @@ const std::vector<AnnotationFormat>& annotationFormats() {
     return formats;
 }
 
+const AnnotationFormat& annotationFormat(std::string_view kind) {
+    return handlerOf(kind).format;
+}
+
 std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
                               const fs::path& path, const AnnotationExportOptions& options) {
     const Handler& handler = handlerOf(kind);

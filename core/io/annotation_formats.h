@@ -23,6 +23,8 @@ struct AnnotationFormat {
 };
 /// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, trc, interhand, freihand, csv, csv-marks.
 const std::vector<AnnotationFormat>& annotationFormats();
+/// The format of that kind. Throws Error(Usage), naming those that there are, for another.
+const AnnotationFormat& annotationFormat(std::string_view kind);
 
 struct AnnotationExportOptions {
     TriangulationOptions triangulation;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/annotation_files.h"
 
-#include <algorithm>
 #include <memory>
 
 #include "core/annotation/edits.h"
@@ -51,9 +50,7 @@ void AnnotationFiles::exportTo(const QString& kind, const QString& path) {
     start(tr("Exporting"), false, [this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
                  set = m_document.annotations(), rater = m_document.rater()](const JobContext&) -> Job::Delivery {
         core::AnnotationExportOptions options;
-        const auto& formats = core::annotationFormats();
-        const auto format = std::find_if(formats.begin(), formats.end(), [&](const auto& one) { return kind == QLatin1String(one.kind.data()); });
-        if (format != formats.end() && !format->namesRaters)
+        if (!core::annotationFormat(kind.toStdString()).namesRaters)
             options.rater = rater;
         core::exportAnnotations(*dataset, sequence, set, kind.toStdString(), path.toStdString(), options);
         return [this, path] { emit exported(path); };
