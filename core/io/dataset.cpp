@@ -34,6 +34,22 @@ std::string viewKindName(ViewKind kind) {
     return "none";
 }
 
+std::vector<InstantRange> missingFromJson(const json& view) {
+    std::vector<InstantRange> missing;
+    for (const json& range : view.value("missing", json::array())) {
+        missing.push_back({range[0].get<int>(), range[1].get<int>()});
+    }
+    return missing;
+}
+
+ordered_json toJson(const ViewSource& view) {
+    ordered_json value{{"camera", view.camera}, {"kind", viewKindName(view.kind)}, {"path", view.path}, {"offsetFrames", view.offsetFrames}};
+    for (const InstantRange& range : view.missing) {
+        value["missing"].push_back(ordered_json::array({range.first, range.count}));
+    }
+    return value;
+}
+
 Sequence sequenceFromJson(const json& value) {
     Sequence sequence;
     sequence.name = value["name"].get<std::string>();
@@ -44,26 +60,28 @@ Sequence sequenceFromJson(const json& value) {
     sequence.annotations = value.value("annotations", "");
     for (const json& view : value["views"]) {
         sequence.views.push_back({view["camera"].get<std::string>(), kViewKinds.at(view["kind"].get<std::string>()),
-                                  view.value("path", ""), view.value("offsetFrames", 0)});
+                                  view.value("path", ""), view.value("offsetFrames", 0), missingFromJson(view)});
     }
+    sequence.notes = value.value("notes", std::vector<std::string>());
     return sequence;
 }
 
 ordered_json toJson(const Sequence& sequence) {
     ordered_json views = ordered_json::array();
     for (const ViewSource& view : sequence.views) {
-        views.push_back({{"camera", view.camera},
-                         {"kind", viewKindName(view.kind)},
-                         {"path", view.path},
-                         {"offsetFrames", view.offsetFrames}});
+        views.push_back(toJson(view));
     }
-    return {{"name", sequence.name},
-            {"frameCount", sequence.frameCount},
-            {"framesPerSecond", sequence.framesPerSecond},
-            {"motion", sequence.motion},
-            {"annotations", sequence.annotations},
-            {"masks", sequence.masks},
-            {"views", views}};
+    ordered_json value{{"name", sequence.name},
+                       {"frameCount", sequence.frameCount},
+                       {"framesPerSecond", sequence.framesPerSecond},
+                       {"motion", sequence.motion},
+                       {"annotations", sequence.annotations},
+                       {"masks", sequence.masks},
+                       {"views", views}};
+    if (!sequence.notes.empty()) {
+        value["notes"] = sequence.notes;
+    }
+    return value;
 }
 
 ordered_json toJson(const Dataset& dataset) {
@@ -93,6 +111,19 @@ void readHands(Dataset& dataset, const json& document, const std::string& file) 
     }
 }
 
+/// The missing instants of a view: increasing, apart, and not beyond the sequence's end.
+void checkMissing(const ViewSource& view, int frameCount, const std::string& file, const std::string& field) {
+    int from = 0;
+    for (std::size_t i = 0; i < view.missing.size(); ++i) {
+        const InstantRange& range = view.missing[i];
+        if (range.first < from || range.count < 1 || range.count > frameCount - range.first) {
+            throw Error(ErrorCode::BadInput, file, field + ".missing[" + std::to_string(i) + "]",
+                        "must be [first instant, count], after the ranges before it and within the sequence's " + std::to_string(frameCount) + " frames");
+        }
+        from = range.first + range.count;
+    }
+}
+
 /// Names that are used twice, views of no camera, kinds that cannot be.
 void checkSequences(const Dataset& dataset, const std::string& file) {
     std::set<std::string> names;
@@ -116,6 +147,7 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
             if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty()) {
                 throw Error(ErrorCode::BadInput, file, viewField + ".path", "is missing");
             }
+            checkMissing(view, sequence.frameCount, file, viewField);
             if (view.kind == ViewKind::Rendered && sequence.motion.empty()) {
                 throw Error(ErrorCode::BadInput, file, viewField + ".kind", "there is no motion to render from");
             }

@@ -15,14 +15,24 @@ enum class ViewKind {
     None,     ///< no picture: a plain backdrop
     Rendered, ///< drawn from the recorded motion by the core's rasteriser
     Images,   ///< one image file per frame, `path` with {frame} or {frame:06}
-    Video     ///< a video file; frame i of the sequence is its frame i + offsetFrames
+    Video     ///< a video file; instant i of the sequence is its frame i + offsetFrames, less the instants missing before i
+};
+
+/// Consecutive instants of a sequence.
+struct InstantRange {
+    int first = 0;
+    int count = 1;
+    bool operator==(const InstantRange&) const = default;
 };
 
 struct ViewSource {
     std::string camera;
     ViewKind kind = ViewKind::Rendered;
     std::string path; ///< relative to the dataset's folder
-    int offsetFrames = 0;
+    int offsetFrames = 0; ///< frame of the video, or number of the image, at the sequence's first instant
+    /// Instants without a picture in this view, increasing and apart. A video's next frame belongs to the instant after them;
+    /// an image's number stays offsetFrames + instant.
+    std::vector<InstantRange> missing{};
 };
 
 /// One recording: all cameras at the same instants. Frames count from 0.
@@ -34,6 +44,7 @@ struct Sequence {
     std::string masks;       ///< pattern with {camera} and {frame}; empty if there are none
     std::string motion;      ///< relative path of the recorded poses; empty if there are none
     std::string annotations; ///< relative path of the SQLite file; it may not exist yet
+    std::vector<std::string> notes{}; ///< what a person should know about the footage, said when the sequence was made
 };
 
 /// A dataset folder, opened: cameras and hands are read, motions and pictures are read on demand.

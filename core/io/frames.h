@@ -45,9 +45,11 @@ std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& folder, const s
 struct VideoInfo {
     int frames = 0;
     ImageSize size;
-    double framesPerSecond = 0;
+    double framesPerSecond = 0;         ///< 0 = unknown
+    std::vector<double> timesSec{};     ///< when each frame is shown; empty if the file does not tell
+    int rotationDegrees = 0;            ///< clockwise turn with which a player shows the recorded pixels: 0, 90, 180 or 270
 };
-/// Throws Error if it is no video that can be read.
+/// Throws Error if it is not a video that can be read.
 VideoInfo readVideoInfo(const std::filesystem::path& file);
 
 } // namespace core
