@@ -46,11 +46,11 @@ std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const 
 }
 
 void addRealisticParts(const Dataset& dataset, const Sequence& sequence, BenchmarkSequence& result) {
-    if (sequence.masks.empty()) {
+    if (!hasMasks(sequence)) {
         throwLacks(dataset, sequence, "has no masks, which the realistic setup takes its silhouettes from");
     }
-    result.masks = [folder = dataset.folder, pattern = sequence.masks, cameras = dataset.cameras](int frame) {
-        return readFrameMasks(folder, pattern, cameras, frame);
+    result.masks = [folder = dataset.folder, sequence, cameras = dataset.cameras](int frame) {
+        return readFrameMasks(folder, sequence, cameras, frame);
     };
     result.annotatedJoints = readAnnotatedJoints(dataset, sequence);
     if (result.annotatedJoints.empty()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/dataset.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -42,8 +43,34 @@ std::vector<InstantRange> missingFromJson(const json& view) {
     return missing;
 }
 
+ViewSource viewFromJson(const json& value) {
+    ViewSource view{value["camera"].get<std::string>(), kViewKinds.at(value["kind"].get<std::string>()), value.value("path", ""),
+                    value.value("offsetFrames", 0), missingFromJson(value)};
+    view.rotateDegrees = value.value("rotate", 0);
+    if (value.contains("white")) {
+        view.levels = GreyLevels{value.value("black", 0), value["white"].get<int>()};
+    }
+    view.masks = value.value("masks", "");
+    view.masksOffset = value.value("masksOffset", 0);
+    return view;
+}
+
+/// What is not as usual is written only where it is so.
 ordered_json toJson(const ViewSource& view) {
     ordered_json value{{"camera", view.camera}, {"kind", viewKindName(view.kind)}, {"path", view.path}, {"offsetFrames", view.offsetFrames}};
+    if (view.rotateDegrees != 0) {
+        value["rotate"] = view.rotateDegrees;
+    }
+    if (view.levels) {
+        value["black"] = view.levels->black;
+        value["white"] = view.levels->white;
+    }
+    if (!view.masks.empty()) {
+        value["masks"] = view.masks;
+    }
+    if (view.masksOffset != 0) {
+        value["masksOffset"] = view.masksOffset;
+    }
     for (const InstantRange& range : view.missing) {
         value["missing"].push_back(ordered_json::array({range.first, range.count}));
     }
@@ -59,8 +86,7 @@ Sequence sequenceFromJson(const json& value) {
     sequence.motion = value.value("motion", "");
     sequence.annotations = value.value("annotations", "");
     for (const json& view : value["views"]) {
-        sequence.views.push_back({view["camera"].get<std::string>(), kViewKinds.at(view["kind"].get<std::string>()),
-                                  view.value("path", ""), view.value("offsetFrames", 0), missingFromJson(view)});
+        sequence.views.push_back(viewFromJson(view));
     }
     sequence.notes = value.value("notes", std::vector<std::string>());
     return sequence;
@@ -124,7 +150,21 @@ void checkMissing(const ViewSource& view, int frameCount, const std::string& fil
     }
 }
 
-/// Names that are used twice, views of no camera, kinds that cannot be.
+/// Throws Error if the view makes no sense in itself.
+void checkView(const ViewSource& view, const Sequence& sequence, const std::string& file, const std::string& field) {
+    if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty()) {
+        throw Error(ErrorCode::BadInput, file, field + ".path", "is missing");
+    }
+    if (view.kind == ViewKind::Rendered && sequence.motion.empty()) {
+        throw Error(ErrorCode::BadInput, file, field + ".kind", "there is no motion to render from");
+    }
+    checkMissing(view, sequence.frameCount, file, field);
+    if (view.levels && view.levels->white <= view.levels->black) {
+        throw Error(ErrorCode::BadInput, file, field + ".white", "must be above black");
+    }
+}
+
+/// Names that are used twice, views of an unknown camera, kinds that cannot be.
 void checkSequences(const Dataset& dataset, const std::string& file) {
     std::set<std::string> names;
     for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
@@ -142,15 +182,9 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
             const std::string viewField = field + ".views[" + std::to_string(v) + "]";
             if (dataset.cameraIndex(view.camera) < 0 || !seen.insert(view.camera).second) {
                 throw Error(ErrorCode::BadInput, file, viewField + ".camera",
-                            "\"" + view.camera + "\" is no camera of this dataset, or named twice");
+                            "\"" + view.camera + "\" is not a camera of this dataset, or is named twice");
             }
-            if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty()) {
-                throw Error(ErrorCode::BadInput, file, viewField + ".path", "is missing");
-            }
-            checkMissing(view, sequence.frameCount, file, viewField);
-            if (view.kind == ViewKind::Rendered && sequence.motion.empty()) {
-                throw Error(ErrorCode::BadInput, file, viewField + ".kind", "there is no motion to render from");
-            }
+            checkView(view, sequence, file, viewField);
         }
     }
 }
@@ -176,6 +210,20 @@ int Dataset::cameraIndex(const std::string& cameraName) const {
         }
     }
     return -1;
+}
+
+std::string maskPattern(const Sequence& sequence, const std::string& camera) {
+    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(), [&](const ViewSource& one) { return one.camera == camera; });
+    return view == sequence.views.end() || view->masks.empty() ? sequence.masks : view->masks;
+}
+
+bool hasMasks(const Sequence& sequence) {
+    return !sequence.masks.empty() || std::any_of(sequence.views.begin(), sequence.views.end(), [](const ViewSource& view) { return !view.masks.empty(); });
+}
+
+int countViews(const Sequence& sequence) {
+    return static_cast<int>(
+        std::count_if(sequence.views.begin(), sequence.views.end(), [](const ViewSource& view) { return view.kind != ViewKind::None; }));
 }
 
 Dataset readDataset(const fs::path& folder) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,13 @@ struct InstantRange {
     bool operator==(const InstantRange&) const = default;
 };
 
+/// The raw levels of a picture of more than 8 bits that are shown black and white.
+struct GreyLevels {
+    int black = 0;
+    int white = 65535; ///< above black
+    bool operator==(const GreyLevels&) const = default;
+};
+
 struct ViewSource {
     std::string camera;
     ViewKind kind = ViewKind::Rendered;
@@ -33,6 +41,10 @@ struct ViewSource {
     /// Instants without a picture in this view, increasing and apart. A video's next frame belongs to the instant after them;
     /// an image's number stays offsetFrames + instant.
     std::vector<InstantRange> missing{};
+    int rotateDegrees = 0;                          ///< how far the recorded pictures are turned clockwise: 0, 90, 180 or 270
+    std::optional<GreyLevels> levels = std::nullopt; ///< of pictures of more than 8 bits; none: by the bit depth of the first one
+    std::string masks = {};                         ///< mask pattern of this view alone; empty: the sequence's
+    int masksOffset = 0;                            ///< number in the mask's file name at the sequence's first instant
 };
 
 /// One recording: all cameras at the same instants. Frames count from 0.
@@ -41,7 +53,7 @@ struct Sequence {
     int frameCount = 0;
     double framesPerSecond = 50;
     std::vector<ViewSource> views;
-    std::string masks;       ///< pattern with {camera} and {frame}; empty if there are none
+    std::string masks;       ///< pattern with {camera} and {frame}; empty if there are none (or each view has its own)
     std::string motion;      ///< relative path of the recorded poses; empty if there are none
     std::string annotations; ///< relative path of the SQLite file; it may not exist yet
     std::vector<std::string> notes{}; ///< what a person should know about the footage, said when the sequence was made
@@ -62,6 +74,13 @@ struct Dataset {
     /// Index of the camera, or -1.
     int cameraIndex(const std::string& cameraName) const;
 };
+
+/// The pattern of this camera's masks: the view's own, else the sequence's; empty if there are none.
+std::string maskPattern(const Sequence& sequence, const std::string& camera);
+/// True if any camera has a mask pattern.
+bool hasMasks(const Sequence& sequence);
+/// How many cameras have a picture: a video, images or a rendered view.
+int countViews(const Sequence& sequence);
 
 /// Recorded poses of all hands, one entry per frame.
 using Motion = std::vector<HandPoses>;

@@ -164,12 +164,20 @@ cv::Mat FrameSource::read(int camera, int frame) const {
     return image;
 }
 
-std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& folder, const std::string& pattern, const std::vector<Camera>& cameras,
-                                    int frame) {
+fs::path maskFile(const fs::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame) {
+    const std::string pattern = maskPattern(sequence, camera);
+    int number = frame;
+    for (const ViewSource& view : sequence.views) {
+        number += view.camera == camera ? view.masksOffset : 0;
+    }
+    return pattern.empty() ? fs::path() : datasetFolder / fillPattern(pattern, camera, number);
+}
+
+std::vector<cv::Mat> readFrameMasks(const fs::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras, int frame) {
     std::vector<cv::Mat> masks;
     for (const Camera& camera : cameras) {
-        const std::filesystem::path file = folder / fillPattern(pattern, camera.name, frame);
-        masks.push_back(std::filesystem::exists(file) ? readMask(file) : cv::Mat());
+        const fs::path file = maskFile(datasetFolder, sequence, camera.name, frame);
+        masks.push_back(!file.empty() && fs::exists(file) ? readMask(file) : cv::Mat());
     }
     return masks;
 }

@@ -36,9 +36,12 @@ private:
 /// `pattern` with {camera}, {frame} and {frame:06} replaced.
 std::string fillPattern(const std::string& pattern, const std::string& camera, int frame);
 
-/// Silhouettes of a frame, one per camera, from the mask files that the pattern names below `folder`; empty for a camera without a
-/// file. Throws Error(BadInput) if one cannot be read.
-std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& folder, const std::string& pattern, const std::vector<Camera>& cameras,
+/// The mask file of one camera at a frame, whether or not it exists; empty if the camera has no mask pattern.
+std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame);
+
+/// Silhouettes of a frame, one per camera, from the sequence's mask files; empty for a camera without a file.
+/// Throws Error(BadInput) if one cannot be read.
+std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras,
                                     int frame);
 
 /// What a video file holds.

@@ -67,7 +67,7 @@ std::vector<cv::Mat> targetMasks(const FitSource& source, const FitRequest& requ
     const core::Dataset& dataset = *source.dataset;
     std::vector<cv::Mat> masks;
     if (request.target == FitTarget::Masks) {
-        masks = core::readFrameMasks(dataset.folder, source.sequence.masks, dataset.cameras, request.test);
+        masks = core::readFrameMasks(dataset.folder, source.sequence, dataset.cameras, request.test);
         if (std::all_of(masks.begin(), masks.end(), [](const cv::Mat& mask) { return mask.empty(); }))
             throw refused(QT_TRANSLATE_NOOP("widgets::FitPair", "There is no mask file of the test frame."));
         return masks;

@@ -50,7 +50,7 @@ public:
     bool isRunning() const { return m_job.isRunning(); }
     /// What the open sequence has to take silhouettes from.
     bool hasMotion() const { return m_motion && !m_motion->empty(); }
-    bool hasMasks() const { return !m_sequence.masks.empty(); }
+    bool hasMasks() const { return core::hasMasks(m_sequence); }
 
     /// The last finished run of this sequence, or null.
     const std::shared_ptr<const FitOutcome>& outcome() const { return m_outcome; }
