@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace core {
+
+/// The number that makes `pattern` (with {frame} or {frame:06}) into `name`; -1 if they are the same without one, nothing if no number does.
+std::optional<int> numberIn(const std::string& pattern, const std::string& name);
+
+/// The parts of a path, folders first, without "." and "..".
+std::vector<std::string> pathParts(const std::filesystem::path& path);
+
+/// parts[from] to the last, with slashes between.
+std::string joinParts(const std::vector<std::string>& parts, std::size_t from);
+
+} // namespace core

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "core/io/dataset.h"
+
+namespace core {
+
+/// True if the view's video or any of its pictures exists.
+bool hasAnyPicture(const Dataset& dataset, const Sequence& sequence, const ViewSource& view);
+/// True if any mask of that camera, or of any camera if `camera` is empty, exists.
+bool hasAnyMask(const Dataset& dataset, const Sequence& sequence, const std::string& camera);
+
+/// What keeps a view's footage from being what the sequence needs: fewer frames, another size, unreadable. Empty if nothing does.
+std::string footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view);
+
+/// The size of a picture that is turned by that many degrees.
+ImageSize turnedSize(ImageSize size, int rotateDegrees);
+
+/// "640 x 480"
+std::string sizeText(ImageSize size);
+
+} // namespace core
