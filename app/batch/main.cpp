@@ -35,8 +35,10 @@ void addVerbs(CLI::App& program) {
     app::addImportVerb(program);
     app::addInfoVerb(program);
     app::addJointsVerb(program);
+    app::addMasksVerb(program);
     app::addMergeVerb(program);
     app::addNewVerb(program);
+    app::addRelinkVerb(program);
     app::addRenderVerb(program);
     app::addReportVerb(program);
     app::addTriangulateVerb(program);

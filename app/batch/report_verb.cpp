@@ -9,6 +9,7 @@
 #include "app/batch/verbs.h"
 #include "core/error.h"
 #include "core/io/annotation_report.h"
+#include "core/io/dataset_paths.h"
 
 namespace app {
 
@@ -22,7 +23,7 @@ struct ReportArguments {
 
 void report(const ReportArguments& arguments) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
-    const std::filesystem::path out = arguments.out.empty() ? dataset.folder / "report.html" : std::filesystem::path(arguments.out);
+    const std::filesystem::path out = arguments.out.empty() ? core::pathInside(dataset.folder, "report.html", "report.html") : std::filesystem::path(arguments.out);
     core::AnnotationReportOptions options;
     options.badRmsPx = arguments.badPx;
     options.quality.triangulation.sigmaPx = arguments.sigmaPx;

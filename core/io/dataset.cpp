@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/cameras_file.h"
+#include "core/io/dataset_paths.h"
 #include "core/io/hand_file.h"
 #include "core/io/json_file.h"
 #include "core/io/motion_file.h"
@@ -127,7 +128,7 @@ void readHands(Dataset& dataset, const json& document, const std::string& file) 
     for (const json& hand : document["hands"]) {
         const std::string field = "hands[" + std::to_string(dataset.hands.size()) + "]";
         dataset.handFiles.push_back(hand["file"].get<std::string>());
-        dataset.hands.push_back(readHandModel(dataset.folder / dataset.handFiles.back()));
+        dataset.hands.push_back(readHandModel(pathInside(dataset.folder, dataset.handFiles.back(), field + ".file")));
         if (hand["side"] != sideName(dataset.hands.back().side)) {
             throw Error(ErrorCode::BadInput, file, field + ".side", "the file holds the other hand");
         }
@@ -161,6 +162,20 @@ void checkView(const ViewSource& view, const Sequence& sequence, const std::stri
     checkMissing(view, sequence.frameCount, file, field);
     if (view.levels && view.levels->white <= view.levels->black) {
         throw Error(ErrorCode::BadInput, file, field + ".white", "must be above black");
+    }
+}
+
+/// The files of the dataset itself lie in its folder (footage and masks, which are only read, may lie elsewhere).
+void checkPaths(const Dataset& dataset, const fs::path& folder) {
+    pathInside(folder, "dataset.json", "");
+    pathInside(folder, dataset.camerasFile, "cameras");
+    for (std::size_t h = 0; h < dataset.handFiles.size(); ++h) {
+        pathInside(folder, dataset.handFiles[h], "hands[" + std::to_string(h) + "].file");
+    }
+    for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
+        const std::string field = "sequences[" + std::to_string(s) + "]";
+        pathInside(folder, dataset.sequences[s].motion, field + ".motion");
+        annotationPathInside(folder, dataset.sequences[s].annotations, field + ".annotations");
     }
 }
 
@@ -237,19 +252,21 @@ Dataset readDataset(const fs::path& folder) {
     dataset.folder = folder;
     dataset.name = document["name"].get<std::string>();
     dataset.camerasFile = document["cameras"].get<std::string>();
-    dataset.cameras = readCameras(folder / dataset.camerasFile);
+    dataset.cameras = readCameras(pathInside(folder, dataset.camerasFile, "cameras"));
     readHands(dataset, document, file.string());
     for (const json& sequence : document["sequences"]) {
         dataset.sequences.push_back(sequenceFromJson(sequence));
     }
     checkSequences(dataset, file.string());
+    checkPaths(dataset, folder);
     return dataset;
 }
 
 void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, const fs::path& folder) {
+    checkSequences(dataset, (folder / "dataset.json").string());
+    checkPaths(dataset, folder);
     PendingFolder pending(folder);
     writeCameras(pending.path() / dataset.camerasFile, dataset.cameras);
-    checkSequences(dataset, (folder / "dataset.json").string());
     for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
         const fs::path file = pending.path() / dataset.handFiles.at(h);
         ensureFolder(file.parent_path());
@@ -272,6 +289,7 @@ void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, co
 void rewriteDatasetFile(const Dataset& dataset) {
     const fs::path file = dataset.folder / "dataset.json";
     checkSequences(dataset, file.string());
+    checkPaths(dataset, dataset.folder);
     writeJsonFile(file, toJson(dataset));
 }
 
@@ -279,7 +297,7 @@ Motion readMotion(const Dataset& dataset, const Sequence& sequence) {
     if (sequence.motion.empty()) {
         return {};
     }
-    return readMotionFile(dataset.folder / sequence.motion, dataset.hands, sequence.frameCount);
+    return readMotionFile(pathInside(dataset.folder, sequence.motion, "motion"), dataset.hands, sequence.frameCount);
 }
 
 } // namespace core

@@ -2,11 +2,13 @@
 #include "core/io/dataset_annotations.h"
 
 #include "core/io/annotation_store.h"
+#include "core/io/dataset_paths.h"
 
 namespace core {
 
 std::filesystem::path annotationFile(const Dataset& dataset, const Sequence& sequence) {
-    return dataset.folder / (sequence.annotations.empty() ? "annotations/" + sequence.name + ".sqlite" : sequence.annotations);
+    const std::string relative = sequence.annotations.empty() ? "annotations/" + sequence.name + ".sqlite" : sequence.annotations;
+    return annotationPathInside(dataset.folder, relative, "annotations of sequence \"" + sequence.name + "\"");
 }
 
 AnnotationSet readAnnotations(const Dataset& dataset, const Sequence& sequence) {

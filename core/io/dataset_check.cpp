@@ -14,6 +14,7 @@
 #include "core/io/dataset_annotations.h"
 #include "core/io/cameras_file.h"
 #include "core/io/dataset.h"
+#include "core/io/dataset_paths.h"
 #include "core/io/frames.h"
 #include "core/io/hand_file.h"
 #include "core/io/image_file.h"
@@ -144,10 +145,10 @@ void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence
 /// The files that dataset.json names, each by itself, so that one broken file does not hide the next.
 void checkParts(Findings& findings, const fs::path& folder) {
     const nlohmann::json document = readOwnFile(folder / "dataset.json", "dataset");
-    attempt(findings, [&] { readCameras(folder / document["cameras"].get<std::string>()); });
+    attempt(findings, [&] { readCameras(pathInside(folder, document["cameras"].get<std::string>(), "cameras")); });
     for (const nlohmann::json& hand : document["hands"]) {
         const std::string file = hand["file"].get<std::string>();
-        attempt(findings, [&] { checkSurface(findings, readHandModel(folder / file), file); });
+        attempt(findings, [&] { checkSurface(findings, readHandModel(pathInside(folder, file, "hands")), file); });
     }
 }
 

@@ -57,6 +57,21 @@ fs::path pathInside(const fs::path& datasetFolder, const std::string& relative, 
     return datasetFolder / relative;
 }
 
+fs::path annotationPathInside(const fs::path& datasetFolder, const std::string& relative, const std::string& field) {
+    const fs::path file = pathInside(datasetFolder, relative, field);
+    const fs::path name = fs::path(relative).filename(), parent = fs::path(relative).parent_path();
+    for (const std::string& companion : {name.string() + "-wal", name.string() + "-shm", name.string() + "-journal", "." + name.string() + ".lock",
+                                         name.stem().string() + ".backups"}) {
+        pathInside(datasetFolder, (parent / companion).string(), field);
+    }
+    return file;
+}
+
+fs::path cacheFile(const fs::path& datasetFolder, const std::string& name) {
+    const std::string relative = ".cache/" + name;
+    return leavesFolder(datasetFolder, relative).empty() ? datasetFolder / relative : fs::path();
+}
+
 std::string pathFromDataset(const fs::path& datasetFolder, const fs::path& path) {
     const fs::path normal = fs::absolute(path).lexically_normal();
     const fs::path relative = normal.lexically_relative(fs::absolute(datasetFolder).lexically_normal());

@@ -5,8 +5,12 @@
 #include <mutex>
 #include <optional>
 
+#include <opencv2/core.hpp>
+
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
+#include "core/io/dataset_paths.h"
+#include "core/io/grey_levels.h"
 #include "core/io/image_file.h"
 #include "core/io/video_file.h"
 
@@ -25,8 +29,9 @@ struct PosedHands {
 /// The view of one camera; a video is opened at its first frame.
 struct View {
     ViewSource source;
-    std::mutex mutex; ///< guards `video`
+    std::mutex mutex; ///< guards what follows
     std::unique_ptr<VideoFile> video;
+    std::optional<GreyLevels> guessedLevels; ///< by the first picture, where the dataset says none
 };
 
 std::string padded(int value, int width) {
@@ -39,6 +44,16 @@ void replaceAll(std::string& text, const std::string& what, const std::string& b
     for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
         text.replace(at, what.size(), by);
     }
+}
+
+/// Turned clockwise by a multiple of 90 degrees.
+cv::Mat turned(const cv::Mat& picture, int degrees) {
+    if (degrees == 0 || picture.empty()) {
+        return picture;
+    }
+    cv::Mat result;
+    cv::rotate(picture, result, degrees == 90 ? cv::ROTATE_90_CLOCKWISE : degrees == 180 ? cv::ROTATE_180 : cv::ROTATE_90_COUNTERCLOCKWISE);
+    return result;
 }
 
 } // namespace
@@ -68,7 +83,8 @@ struct FrameSource::Impl {
     std::shared_ptr<const PosedHands> posedAt(int frame);
     cv::Mat rendered(const Camera& camera, int frame);
     cv::Mat fromVideo(View& view, int frame);
-    cv::Mat fromImage(const View& view, int frame) const;
+    cv::Mat fromImage(View& view, int frame) const;
+    GreyLevels levelsOf(View& view, const cv::Mat& picture) const;
 };
 
 std::shared_ptr<const PosedHands> FrameSource::Impl::posedAt(int frame) {
@@ -97,14 +113,29 @@ cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
 cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
     const std::lock_guard lock(view.mutex);
     if (!view.video) {
-        const fs::path index = folder / ".cache" / (sequenceName + "-" + view.source.camera + ".ffindex");
+        const fs::path index = cacheFile(folder, sequenceName + "-" + view.source.camera + ".ffindex");
         view.video = std::make_unique<VideoFile>(folder / view.source.path, index);
     }
     return view.video->read(frame + view.source.offsetFrames);
 }
 
-cv::Mat FrameSource::Impl::fromImage(const View& view, int frame) const {
-    return readImage(folder / fillPattern(view.source.path, view.source.camera, frame + view.source.offsetFrames));
+cv::Mat FrameSource::Impl::fromImage(View& view, int frame) const {
+    const cv::Mat picture = readRawImage(folder / fillPattern(view.source.path, view.source.camera, frame + view.source.offsetFrames));
+    return picture.depth() == CV_8U ? picture : toEightBits(picture, levelsOf(view, picture));
+}
+
+/// Whatever picture is asked for first, all are shown with the levels of the recording's first one.
+GreyLevels FrameSource::Impl::levelsOf(View& view, const cv::Mat& picture) const {
+    if (view.source.levels) {
+        return *view.source.levels;
+    }
+    const std::lock_guard lock(view.mutex);
+    if (!view.guessedLevels) {
+        const fs::path first = folder / fillPattern(view.source.path, view.source.camera, view.source.offsetFrames);
+        std::error_code ignored;
+        view.guessedLevels = levelsByDepth(fs::exists(first, ignored) ? readRawImage(first) : picture);
+    }
+    return *view.guessedLevels;
 }
 
 FrameSource::FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion) : m_impl(std::make_unique<Impl>()) {
@@ -156,6 +187,7 @@ cv::Mat FrameSource::read(int camera, int frame) const {
         image = m_impl->fromVideo(view, frame);
         break;
     }
+    image = turned(image, view.source.rotateDegrees);
     if (image.cols != calibrated.size.width || image.rows != calibrated.size.height) {
         throw Error(ErrorCode::BadInput, (m_impl->folder / view.source.path).string(), "size",
                     std::to_string(image.cols) + " x " + std::to_string(image.rows) + ", but " + calibrated.name + " is calibrated for " +

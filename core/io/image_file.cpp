@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/image_file.h"
 
+#include <algorithm>
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/error.h"
 #include "core/io/atomic_file.h"
+#include "core/io/grey_levels.h"
 #include "core/io/text_file.h"
 
 namespace core {
@@ -22,16 +25,33 @@ cv::Mat decode(const std::filesystem::path& file, int flags) {
         image.release(); // said below
     }
     if (image.empty()) {
-        throw Error(ErrorCode::BadInput, file.string(), "", "is no picture that can be read");
+        throw Error(ErrorCode::BadInput, file.string(), "", "is not a readable picture");
     }
     return image;
 }
 
 } // namespace
 
-cv::Mat readImage(const std::filesystem::path& file) { return decode(file, cv::IMREAD_COLOR); }
+cv::Mat readRawImage(const std::filesystem::path& file) {
+    const cv::Mat image = decode(file, cv::IMREAD_COLOR | cv::IMREAD_ANYDEPTH);
+    return image.depth() == CV_8U || image.depth() == CV_16U ? image : decode(file, cv::IMREAD_COLOR);
+}
 
-cv::Mat readMask(const std::filesystem::path& file) { return decode(file, cv::IMREAD_GRAYSCALE) > 0; }
+cv::Mat readImage(const std::filesystem::path& file, const std::optional<GreyLevels>& levels) {
+    const cv::Mat image = readRawImage(file);
+    return image.depth() == CV_16U ? toEightBits(image, levels ? *levels : levelsByDepth(image)) : image;
+}
+
+cv::Mat readMask(const std::filesystem::path& file) {
+    const cv::Mat image = decode(file, cv::IMREAD_UNCHANGED);
+    std::vector<cv::Mat> channels;
+    cv::split(image, channels);
+    cv::Mat mask = channels.front() != 0;
+    for (std::size_t c = 1; c < std::min<std::size_t>(channels.size(), 3); ++c) { // the fourth is opacity
+        mask |= channels[c] != 0;
+    }
+    return mask;
+}
 
 void writePng(const std::filesystem::path& file, const cv::Mat& image) {
     std::vector<uchar> bytes;
