@@ -30,6 +30,9 @@ void convert(CalibrationArguments arguments) {
     const std::vector<core::Camera> cameras = core::readCalibration(arguments.file, arguments.options);
     core::writeCalibration(arguments.out, arguments.to, cameras);
     printCameras(cameras);
+    for (const std::string& note : core::calibrationNotes(arguments.file, arguments.options, cameras)) {
+        std::printf("note: %s\n", note.c_str());
+    }
 }
 
 std::set<std::string> kindNames(bool toWrite) {

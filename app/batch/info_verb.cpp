@@ -28,8 +28,8 @@ void printForPeople(const core::Dataset& dataset) {
         std::printf("  camera %s: %d x %d%s\n", camera.name.c_str(), camera.size.width, camera.size.height, camera.fisheye ? ", fisheye" : "");
     }
     for (const core::Sequence& sequence : dataset.sequences) {
-        std::printf("  sequence %s: %d frames, %g per second, %zu views%s\n", sequence.name.c_str(), sequence.frameCount, sequence.framesPerSecond,
-                    sequence.views.size(), sequence.motion.empty() ? "" : ", with motion");
+        std::printf("  sequence %s: %d frames, %g per second, %d %s%s\n", sequence.name.c_str(), sequence.frameCount, sequence.framesPerSecond,
+                    core::countViews(sequence), core::countViews(sequence) == 1 ? "view" : "views", sequence.motion.empty() ? "" : ", with motion");
     }
 }
 
@@ -48,7 +48,7 @@ nlohmann::ordered_json toJson(const core::Dataset& dataset) {
     }
     for (const core::Sequence& sequence : dataset.sequences) {
         sequences.push_back({{"name", sequence.name}, {"frames", sequence.frameCount}, {"framesPerSecond", sequence.framesPerSecond},
-                             {"views", sequence.views.size()}, {"motion", !sequence.motion.empty()}});
+                             {"views", core::countViews(sequence)}, {"motion", !sequence.motion.empty()}});
     }
     return {{"name", dataset.name}, {"hands", hands}, {"cameras", cameras}, {"sequences", sequences}};
 }

@@ -28,11 +28,11 @@ const CalibrationKind& kindNamed(std::string_view name) {
             return kind;
         }
     }
-    throw Error(ErrorCode::Usage, "", "kind", "\"" + std::string(name) + "\" is no known kind of calibration");
+    throw Error(ErrorCode::Usage, "", "kind", "\"" + std::string(name) + "\" is not a known kind of calibration");
 }
 
 Error unknownKind(const fs::path& path) {
-    return Error(ErrorCode::Unsupported, path.string(), "", "is no calibration of a known kind (if it is one, say which with --from)");
+    return Error(ErrorCode::Unsupported, path.string(), "", "is not a calibration of a known kind (if it is one, say which with --from)");
 }
 
 std::string sniffJson(const fs::path& file) {
@@ -77,6 +77,9 @@ std::string sniffFolder(const fs::path& folder) {
     if (!calibrationFiles(folder, {".mat"}).empty()) {
         return "dannce";
     }
+    if (isHandpose3d(folder)) {
+        return "handpose3d";
+    }
     const std::vector<fs::path> files = calibrationFiles(folder, {".yml", ".yaml", ".xml"});
     if (files.empty()) {
         throw unknownKind(folder);
@@ -114,6 +117,9 @@ std::vector<Camera> readKind(const fs::path& path, const std::string& kind, cons
     }
     if (kind == "hanco") {
         return readHanCo(path);
+    }
+    if (kind == "handpose3d") {
+        return readHandpose3d(path);
     }
     return readTzionasCameras(path, options.size);
 }
@@ -158,6 +164,7 @@ const std::vector<CalibrationKind>& calibrationKinds() {
         {"dannce", "a folder of DANNCE's *_params.mat", 1, false},
         {"interhand", "InterHand2.6M camera JSON", 1, false},
         {"hanco", "HanCo calibration JSON (in metres)", 1000, false},
+        {"handpose3d", "a folder of handpose3d's c0.dat and rot_trans_c0.dat (the unit is not said; usually centimetres)", 10, false},
         {"tzionas", "Cameras.txt of the method's authors", 1, false}};
     return kinds;
 }
@@ -181,6 +188,9 @@ std::string sniffCalibration(const fs::path& path) {
     }
     if (extension == ".txt") {
         return "tzionas";
+    }
+    if (extension == ".dat" && isHandpose3d(path)) {
+        return "handpose3d";
     }
     throw unknownKind(path);
 }

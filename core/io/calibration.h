@@ -18,7 +18,7 @@ struct CalibrationKind {
     double mmPerUnit = 1;         ///< the unit that such files are usually in
     bool canWrite = false;
 };
-/// All kinds: handlens, anipose, opencv, easymocap, jarvis, dannce, interhand, hanco, tzionas.
+/// All kinds: handlens, anipose, opencv, easymocap, jarvis, dannce, interhand, hanco, handpose3d, tzionas.
 const std::vector<CalibrationKind>& calibrationKinds();
 
 struct CalibrationOptions {
@@ -42,5 +42,12 @@ void writeCalibration(const std::filesystem::path& file, std::string_view kind, 
 /// The point nearest to all optical axes (mm), where the cameras look; nothing if they are parallel or there is only one.
 /// For a check after an import: its distance from the cameras tells a wrong unit or a transposed rotation at a glance.
 std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras);
+
+/// What is odd about the length unit of cameras that were read with `mmPerUnit` (readCalibration's, resolved), with the --mm-per-unit that would
+/// mend it, English; empty if nothing is. Cameras that are less than 100 mm (or more than 200 m) from where they look are of another unit.
+std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit = 1);
+
+/// unitNote for cameras that readCalibration made of `path`, and a word on kinds whose files do not say their unit.
+std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options, const std::vector<Camera>& cameras);
 
 } // namespace core

@@ -32,6 +32,12 @@ std::vector<Camera> readInterHand(const std::filesystem::path& file, const std::
 /// HanCo / FreiHAND JSON: K and M, lists of matrices.
 std::vector<Camera> readHanCo(const std::filesystem::path& file);
 
+/// Text files of TemugeB/handpose3d, two per camera: c0.dat (intrinsic, distortion) and rot_trans_c0.dat (R, T, world to camera; the first block
+/// of each), or camera0_intrinsics.dat and camera0_rot_trans.dat. `path`: their folder, or one of the files, which stands for its folder.
+std::vector<Camera> readHandpose3d(const std::filesystem::path& path);
+/// True if there is such a pair.
+bool isHandpose3d(const std::filesystem::path& path);
+
 /// Files of a folder with one of these extensions, sorted by natural order; the path itself if it is a file.
 std::vector<std::filesystem::path> calibrationFiles(const std::filesystem::path& path, const std::vector<std::string>& extensions);
 
