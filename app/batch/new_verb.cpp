@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/camera_text.h"
+#include "app/batch/footage_options.h"
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
+#include "core/io/attach_masks.h"
 #include "core/io/calibration.h"
 #include "core/io/new_sequence.h"
 
@@ -19,40 +21,11 @@ struct NewArguments {
     std::string cameras, size, hands, sequence, add, out;
     core::CalibrationOptions calibration;
     double mmPerUnit = 0, framesPerSecond = 0;
-    std::vector<std::string> videos, images, offsets;
+    FootageArguments footage;
+    std::vector<std::string> masks;
 };
 
-/// "cam0=path" in two.
-std::pair<std::string, std::string> splitAssignment(const std::string& text, const std::string& option) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
-        throw core::Error(core::ErrorCode::Usage, "", option, "CAMERA=VALUE is expected, not \"" + text + "\"");
-    }
-    return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-std::vector<core::Footage> footageOf(const NewArguments& arguments) {
-    std::vector<core::Footage> footage;
-    for (const auto& [list, option] : {std::pair(&arguments.videos, "--video"), std::pair(&arguments.images, "--images")}) {
-        for (const std::string& text : *list) {
-            const auto [camera, path] = splitAssignment(text, option);
-            footage.push_back({camera, path, 0});
-        }
-    }
-    for (const std::string& text : arguments.offsets) {
-        const auto [camera, frames] = splitAssignment(text, "--offset");
-        const auto found = std::find_if(footage.begin(), footage.end(), [&, name = camera](const core::Footage& one) { return one.camera == name; });
-        char* end = nullptr;
-        const long offset = std::strtol(frames.c_str(), &end, 10);
-        if (found == footage.end() || *end != '\0' || offset < 0 || offset > 10'000'000) {
-            throw core::Error(core::ErrorCode::Usage, "", "--offset", "\"" + text + "\": a camera with footage and a number of frames from 0 on are expected");
-        }
-        found->offsetFrames = static_cast<int>(offset);
-    }
-    return footage;
-}
-
-core::Dataset emptyDataset(const NewArguments& arguments) {
+core::CalibrationOptions calibrationOptions(const NewArguments& arguments) {
     core::CalibrationOptions options = arguments.calibration;
     if (!arguments.size.empty()) {
         options.size = parseImageSize(arguments.size, "--size");
@@ -60,9 +33,13 @@ core::Dataset emptyDataset(const NewArguments& arguments) {
     if (arguments.mmPerUnit > 0) {
         options.mmPerUnit = arguments.mmPerUnit;
     }
+    return options;
+}
+
+core::Dataset emptyDataset(const NewArguments& arguments) {
     core::Dataset dataset;
     dataset.name = std::filesystem::path(arguments.out).filename().string();
-    dataset.cameras = core::readCalibration(arguments.cameras, options);
+    dataset.cameras = core::readCalibration(arguments.cameras, calibrationOptions(arguments));
     if (!arguments.hands.empty()) {
         const core::Dataset other = core::readDataset(arguments.hands);
         dataset.hands = other.hands;
@@ -71,26 +48,54 @@ core::Dataset emptyDataset(const NewArguments& arguments) {
     return dataset;
 }
 
-void makeDataset(const NewArguments& arguments) {
+/// The sequence's masks, if any are given; returns notes.
+std::vector<std::string> addMasks(core::Dataset& dataset, const NewArguments& arguments) {
+    std::vector<core::MaskSource> sources;
+    for (const std::string& text : arguments.masks) {
+        sources.push_back(core::parseMaskSource(dataset, text));
+    }
+    return sources.empty() ? std::vector<std::string>() : core::attachMasks(dataset, arguments.sequence, sources);
+}
+
+void print(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) {
+        std::printf("note: %s\n", note.c_str());
+    }
+}
+
+void requireOneTarget(const NewArguments& arguments) {
     const bool isNew = arguments.add.empty();
     if (isNew == arguments.out.empty() || isNew == arguments.cameras.empty()) {
         throw core::Error(core::ErrorCode::Usage, "", "--out", "give either --cameras and --out, or --add");
     }
+    if (!isNew && (!arguments.footage.scales.empty() || !arguments.footage.crops.empty())) {
+        throw core::Error(core::ErrorCode::Usage, "", arguments.footage.scales.empty() ? "--crop" : "--scale",
+                          "changes the cameras, which all sequences of a dataset share: make a new dataset with --cameras and --out");
+    }
+}
+
+void makeDataset(const NewArguments& arguments) {
+    requireOneTarget(arguments);
+    const bool isNew = arguments.add.empty();
     const std::string& folder = isNew ? arguments.out : arguments.add;
     core::Dataset dataset = isNew ? emptyDataset(arguments) : core::readDataset(folder);
+    dataset.folder = folder;
     const std::optional<double> rate = arguments.framesPerSecond > 0 ? std::optional(arguments.framesPerSecond) : std::nullopt;
-    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments), folder, rate);
+    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage), folder, rate);
     dataset.sequences.push_back(made.sequence);
+    dataset.cameras = made.cameras;
+    const std::vector<std::string> maskNotes = addMasks(dataset, arguments);
     if (isNew) {
         core::writeDataset(dataset, {}, folder);
         printCameras(dataset.cameras);
+        print(core::calibrationNotes(arguments.cameras, calibrationOptions(arguments), dataset.cameras));
     } else {
         core::rewriteDatasetFile(dataset);
     }
-    for (const std::string& note : made.notes) {
-        std::printf("note: %s\n", note.c_str());
-    }
-    std::printf("%s: sequence \"%s\" with %d frames, %zu cameras\n", folder.c_str(), made.sequence.name.c_str(), made.sequence.frameCount, dataset.cameras.size());
+    print(made.notes);
+    print(maskNotes);
+    std::printf("%s: sequence \"%s\" with %d frames, %d of %zu cameras have footage\n", folder.c_str(), made.sequence.name.c_str(), made.sequence.frameCount,
+                core::countViews(made.sequence), dataset.cameras.size());
 }
 
 } // namespace
@@ -103,9 +108,8 @@ void addNewVerb(CLI::App& program) {
     verb->add_option("--size", arguments->size, "Image size WxH, if the calibration holds none");
     verb->add_option("--mm-per-unit", arguments->mmPerUnit, "Length of the calibration's unit in mm")->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->calibration.section, "Which capture of an InterHand calibration");
-    verb->add_option("--video", arguments->videos, "CAMERA=FILE; can be repeated");
-    verb->add_option("--images", arguments->images, "CAMERA=FOLDER of numbered images, or a pattern such as cam0/{frame:06}.png; can be repeated");
-    verb->add_option("--offset", arguments->offsets, "CAMERA=FRAMES: the footage's frame at the sequence's first instant");
+    addFootageOptions(*verb, arguments->footage);
+    verb->add_option("--masks", arguments->masks, "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; can be repeated");
     verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")->check(CLI::PositiveNumber);
     verb->add_option("--hands", arguments->hands, "A dataset whose hand models are taken");
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->default_val("1");

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/io/dataset_paths.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
 
@@ -22,6 +23,8 @@ struct Measured {
     int frames = 0;     ///< from there on
     ImageSize size;
     double framesPerSecond = 0; ///< 0 = unknown
+    Orientation orientation{};  ///< as the file's tag says
+    int rotateDegrees = 0;      ///< as decided
 };
 
 bool isImage(const fs::path& file) {
@@ -47,7 +50,8 @@ NumberedName splitName(const std::string& name) {
 
 Measured measureVideo(const Footage& footage) {
     const VideoInfo info = readVideoInfo(footage.path);
-    return {ViewKind::Video, footage.path.string(), footage.offsetFrames, info.frames - footage.offsetFrames, info.size, info.framesPerSecond};
+    return {ViewKind::Video, footage.path.string(), footage.offsetFrames, info.frames - footage.offsetFrames, info.size, info.framesPerSecond,
+            {info.rotationDegrees, false}};
 }
 
 Measured measureImages(const Footage& footage, const std::string& pattern, int first) {
@@ -55,6 +59,7 @@ Measured measureImages(const Footage& footage, const std::string& pattern, int f
     Measured measured{ViewKind::Images, pattern, first + footage.offsetFrames, 0, {}, 0};
     const cv::Mat image = readImage(fileAt(measured.firstFrame)); // throws if there is none
     measured.size = {image.cols, image.rows};
+    measured.orientation = readOrientation(fileAt(measured.firstFrame));
     while (fs::exists(fileAt(measured.firstFrame + measured.frames))) {
         ++measured.frames;
     }
@@ -74,16 +79,40 @@ Measured measure(const Footage& footage) {
     return measureVideo(footage);
 }
 
-void checkSize(const Measured& measured, const Camera& camera) {
-    if (measured.size != camera.size) {
-        throw Error(ErrorCode::BadInput, measured.path, "size",
-                    std::to_string(measured.size.width) + " x " + std::to_string(measured.size.height) + ", but " + camera.name + " is calibrated for " +
-                        std::to_string(camera.size.width) + " x " + std::to_string(camera.size.height));
+/// Black and white points: as asked for, or measured in a few pictures of the sequence.
+std::optional<GreyLevels> levelsFor(const Footage& footage, const Measured& measured, int frameCount) {
+    if (footage.pictures.levels && measured.kind != ViewKind::Images) {
+        throw Error(ErrorCode::Usage, measured.path, "levels", "black and white points are for images, not for a video");
     }
+    if (measured.kind != ViewKind::Images || footage.pictures.levels) {
+        return footage.pictures.levels;
+    }
+    constexpr int kPictures = 5;
+    std::vector<fs::path> files;
+    for (int i = 0; i < kPictures; ++i) {
+        files.push_back(fillPattern(measured.path, footage.camera, measured.firstFrame + i * (frameCount - 1) / (kPictures - 1)));
+    }
+    return measureFileLevels(files);
 }
 
-std::string relativeTo(const fs::path& folder, const std::string& path) {
-    return fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal()).generic_string();
+std::string levelsNote(const ViewSource& view) {
+    return view.camera + ": its pictures have more than 8 bits; level " + std::to_string(view.levels->black) + " is shown black, " +
+           std::to_string(view.levels->white) + " white (--levels " + view.camera + "=BLACK,WHITE)";
+}
+
+/// How the pictures of each view are read, and what is to be said about it.
+void setPictures(NewSequence& result, const std::vector<Footage>& footage, const std::map<std::string, Measured>& measured) {
+    for (const Footage& one : footage) {
+        for (ViewSource& view : result.sequence.views) {
+            if (view.camera == one.camera) {
+                view.rotateDegrees = measured.at(one.camera).rotateDegrees;
+                view.levels = levelsFor(one, measured.at(one.camera), result.sequence.frameCount);
+                if (view.levels) {
+                    result.notes.push_back(levelsNote(view));
+                }
+            }
+        }
+    }
 }
 
 /// Footage of different length or speed may not be of the same instants.
@@ -130,20 +159,24 @@ ImagePattern findImagePattern(const fs::path& folder) {
 
 NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage, const fs::path& datasetFolder,
                          std::optional<double> framesPerSecond) {
+    NewSequence result;
+    result.cameras = cameras;
     std::map<std::string, Measured> measured;
     for (const Footage& one : footage) {
         const auto camera = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& candidate) { return candidate.name == one.camera; });
         if (camera == cameras.end() || measured.count(one.camera) > 0) {
-            throw Error(ErrorCode::Usage, one.path.string(), "camera \"" + one.camera + "\"", "is no camera of the calibration, or is named twice");
+            throw Error(ErrorCode::Usage, one.path.string(), "camera \"" + one.camera + "\"", "is not a camera of the calibration, or is named twice");
         }
-        const Measured found = measure(one);
-        checkSize(found, *camera);
+        Measured found = measure(one);
+        const PictureSetup setup = setUpPictures(*camera, found.path, found.size, found.orientation, one.pictures);
+        result.cameras[static_cast<std::size_t>(camera - cameras.begin())] = setup.camera;
+        result.notes.insert(result.notes.end(), setup.notes.begin(), setup.notes.end());
+        found.rotateDegrees = setup.rotateDegrees;
         measured[one.camera] = found;
     }
     if (measured.empty()) {
         throw Error(ErrorCode::Usage, "", "footage", "no video and no images are given");
     }
-    NewSequence result;
     result.sequence.name = name;
     result.sequence.annotations = "annotations/" + name + ".sqlite";
     result.sequence.frameCount = measured.begin()->second.frames;
@@ -159,10 +192,12 @@ NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cam
     for (const Camera& camera : cameras) {
         const auto found = measured.find(camera.name);
         const bool has = found != measured.end();
-        result.sequence.views.push_back(has ? ViewSource{camera.name, found->second.kind, relativeTo(datasetFolder, found->second.path), found->second.firstFrame}
+        result.sequence.views.push_back(has ? ViewSource{camera.name, found->second.kind, pathFromDataset(datasetFolder, found->second.path), found->second.firstFrame}
                                             : ViewSource{camera.name, ViewKind::None, "", 0});
     }
+    setPictures(result, footage, measured);
     noteDifferences(result, measured);
+    result.sequence.notes = result.notes;
     return result;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/io/dataset.h"
+#include "core/io/picture_setup.h"
 
 namespace core {
 
@@ -15,17 +16,20 @@ struct Footage {
     std::string camera;
     std::filesystem::path path; ///< a video; a pattern of images with {frame}; or a folder of numbered images
     int offsetFrames = 0;       ///< the footage's frame at the sequence's first instant
+    PictureOptions pictures{};  ///< how its pictures are to be read
 };
 
 /// A sequence made of footage, and what a person should know about it.
 struct NewSequence {
     Sequence sequence;
     std::vector<std::string> notes; ///< such as: cam1 has 41 frames more than the others
+    std::vector<Camera> cameras;    ///< as given; those of scaled or cropped footage fit it
 };
 
 /// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Paths are written relative to
 /// `datasetFolder` (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not given, else 50.
-/// Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size that the camera is calibrated for.
+/// Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size that the camera is calibrated for
+/// (turned, scaled and cropped as `pictures` says).
 NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage,
                          const std::filesystem::path& datasetFolder, std::optional<double> framesPerSecond = {});
 

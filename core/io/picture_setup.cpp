@@ -6,6 +6,8 @@
 
 #include "core/error.h"
 #include "core/io/footage_presence.h"
+#include "core/io/grey_levels.h"
+#include "core/io/image_file.h"
 
 namespace core {
 
@@ -79,6 +81,21 @@ std::string optionText(const Camera& camera, const PictureOptions& options) {
 }
 
 } // namespace
+
+std::optional<GreyLevels> measureFileLevels(const std::vector<std::filesystem::path>& files) {
+    std::vector<cv::Mat> pictures;
+    std::error_code ignored;
+    for (const std::filesystem::path& file : files) {
+        if (!std::filesystem::exists(file, ignored)) {
+            continue;
+        }
+        pictures.push_back(readRawImage(file));
+        if (pictures.front().depth() == CV_8U) {
+            return std::nullopt;
+        }
+    }
+    return measureLevels(pictures);
+}
 
 std::string orientationNote(const std::string& camera, const Orientation& tag, int rotateDegrees) {
     if (tag.isMirrored) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,9 @@ struct PictureSetup {
 /// integers: cx' = (cx - left + 0.5) * scale - 0.5) and leave the distortion, which acts before it, as it is.
 /// Throws Error(BadInput) if the sizes do not fit; it names the option that would make them fit where that can be told.
 PictureSetup setUpPictures(const Camera& camera, const std::string& file, ImageSize recorded, const Orientation& tag, const PictureOptions& options);
+
+/// Black and white points of pictures of more than 8 bits, measured in some of these files (those that exist); nothing if the first one has 8.
+std::optional<GreyLevels> measureFileLevels(const std::vector<std::filesystem::path>& files);
 
 /// What is to be said about a camera whose files ask for another orientation than they are stored in; empty if they do not.
 /// `rotateDegrees`: how they are turned.
