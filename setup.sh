@@ -8,11 +8,12 @@ cd "$(dirname "${BASH_SOURCE[0]}")"
 
 packages=(
   g++ cmake ninja-build pkg-config
-  libeigen3-dev libopencv-dev libtbb-dev libassimp-dev libmeshoptimizer-dev libffms2-dev
+  libeigen3-dev libopencv-dev libtbb-dev libassimp-dev libmeshoptimizer-dev
+  libavformat-dev libavcodec-dev libavutil-dev libswscale-dev
   nlohmann-json3-dev libvalijson-dev libtomlplusplus-dev libmatio-dev libcli11-dev libsqlitecpp-dev libsqlite3-dev
   qtbase5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools libvtk9-dev libvtk9-qt-dev
   qttranslations5-l10n breeze-icon-theme gnuplot-nox xvfb
-  googletest libgtest-dev libgmock-dev libbenchmark-dev libceres-dev
+  googletest libgtest-dev libgmock-dev libbenchmark-dev libceres-dev ffmpeg
 )
 
 install_missing_packages() {

@@ -113,7 +113,7 @@ cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
 cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
     const std::lock_guard lock(view.mutex);
     if (!view.video) {
-        const fs::path index = cacheFile(folder, sequenceName + "-" + view.source.camera + ".ffindex");
+        const fs::path index = cacheFile(folder, sequenceName + "-" + view.source.camera + ".videoindex");
         view.video = std::make_unique<VideoFile>(folder / view.source.path, index);
     }
     return view.video->read(frame + view.source.offsetFrames);

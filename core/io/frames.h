@@ -53,7 +53,7 @@ struct VideoInfo {
     std::vector<double> timesSec{};     ///< when each frame is shown; empty if the file does not tell
     int rotationDegrees = 0;            ///< clockwise turn with which a player shows the recorded pixels: 0, 90, 180 or 270
 };
-/// Throws Error if it is not a video that can be read.
-VideoInfo readVideoInfo(const std::filesystem::path& file);
+/// Throws Error if it is not a readable video. `indexFile` as for VideoFile; the index takes long to make for a long video.
+VideoInfo readVideoInfo(const std::filesystem::path& file, const std::filesystem::path& indexFile = {});
 
 } // namespace core

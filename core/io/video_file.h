@@ -10,11 +10,12 @@
 
 namespace core {
 
-/// A video with exact access to every frame (FFMS2): it is indexed once, so that B-frames and odd time stamps never shift a frame.
-/// Not for several threads at once.
+/// A video with exact access to every frame: frame n is the n-th picture of decoding from the start, in the order of presentation, in
+/// whatever order frames are read. It is indexed once. Not for several threads at once.
 class VideoFile {
 public:
-    /// `indexFile` is where the index is kept between runs; empty, not writable or stale, the video is indexed anew.
+    /// `indexFile` is where the index is kept between runs; empty, not writable, damaged or stale, the video is indexed anew.
+    /// Throws Error: NotFound, or BadInput if it is not a readable video.
     VideoFile(std::filesystem::path file, const std::filesystem::path& indexFile);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;

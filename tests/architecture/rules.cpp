@@ -35,7 +35,7 @@ const std::vector<Fence>& fences() {
         {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/|tests/).*")},
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/.*")},
-        {"FFMS2", std::regex("ffms\\.h"), std::regex("core/io/.*")},
+        {"libav", std::regex("lib(av|sw)[a-z]+/.*"), std::regex("core/io/.*")},
         {"matio", std::regex("matio\\.h"), std::regex("core/io/.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
         {"spdlog", std::regex("spdlog/.*"), std::regex("(widgets/|app/).*")},

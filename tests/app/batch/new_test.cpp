@@ -80,7 +80,7 @@ TEST_F(New, RefusesFootageThatDoesNotFit) {
     refuse({"--images", "cam9=" + shots}, "cam9");
     refuse({"--images", "cam0"}, "CAMERA=VALUE");
     refuse({"--video", "cam0=" + (m_folder / "none.mp4").string()}, "no such video");
-    refuse({"--video", "cam0=" + m_cameras}, "no video");
+    refuse({"--video", "cam0=" + m_cameras}, "not a readable video");
     refuse({"--images", "cam0=" + shots, "--offset", "cam1=3"}, "--offset");
     refuse({"--images", "cam0=" + shots, "--images", "cam1=" + (m_folder / "shots1").string(), "--offset", "cam1=40"}, "no such file");
     core::writePng(m_folder / "shots1/img_95.png", cv::Mat(24, 33, CV_8UC3, cv::Scalar::all(0)));

@@ -97,7 +97,7 @@ TEST_F(Frames, KeepTheIndexOfAVideoAndSurviveABrokenOne) {
     }
     view(0) = {"cam0", core::ViewKind::Video, "a.avi", 0};
     EXPECT_EQ(numberIn(source().read(0, 3)), 3);
-    const fs::path index = m_folder / ".cache/first-cam0.ffindex";
+    const fs::path index = m_folder / ".cache/first-cam0.videoindex";
     ASSERT_TRUE(fs::exists(index));
     EXPECT_EQ(numberIn(source().read(0, 4)), 4);
     test::writeText(index, "no index");
@@ -155,11 +155,11 @@ TEST_F(Frames, SayWhatIsMissingOrWrong) {
     view(0) = {"cam0", core::ViewKind::Images, "none_{frame}.png", 0};
     view(1) = {"cam1", core::ViewKind::Video, "text.avi", 0};
     view(2) = {"cam2", core::ViewKind::Images, "large.png", 0};
-    test::writeText(m_folder / "text.avi", "this is no video");
+    test::writeText(m_folder / "text.avi", "some text");
     core::writePng(m_folder / "large.png", numbered(0, {65, 48}));
     const core::FrameSource frames = source();
     test::expectError([&] { frames.read(0, 3); }, NotFound, "none_3.png", "no such file");
-    test::expectError([&] { frames.read(1, 0); }, BadInput, "text.avi", "no video");
+    test::expectError([&] { frames.read(1, 0); }, BadInput, "text.avi", "not a readable video");
     test::expectError([&] { frames.read(2, 0); }, BadInput, "large.png", "65 x 48, but cam2 is calibrated for 64 x 48");
     test::expectError([&] { frames.read(2, 5); }, NotFound, "frame 5", "0 to 4");
     test::expectError([&] { frames.read(2, -1); }, NotFound, "frame -1", "0 to 4");

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include <opencv2/core/mat.hpp>
+
+struct AVFrame;
+struct SwsContext;
+
+namespace core {
+
+/// Turns decoded pictures of any pixel format and depth into 8-bit BGR.
+class PictureConverter {
+public:
+    PictureConverter();
+    ~PictureConverter();
+
+    /// CV_8UC3 of the picture's size; empty if its pixel format is not supported. Colours as the stream says; where it does not,
+    /// BT.709 for pictures wider than 1024 or at least 600 pixels high, else BT.601.
+    cv::Mat toBgr(const AVFrame& picture);
+
+private:
+    struct Deleter {
+        void operator()(SwsContext* context) const;
+    };
+    bool prepare(const AVFrame& picture);
+
+    std::unique_ptr<SwsContext, Deleter> m_context;
+    std::array<int, 5> m_prepared{}; ///< size, format, colours and range that the context is for
+};
+
+} // namespace core
