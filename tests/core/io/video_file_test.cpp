@@ -198,19 +198,36 @@ TEST_F(Video, OfMoreThanEightBitsIsShownInEight) {
     }
 }
 
-TEST_F(Video, SaysWhenItsFramesAreShownAndHowItIsTurned) {
+TEST_F(Video, SaysWhenItsFramesAreShown) {
     const core::VideoInfo info = core::VideoFile(encode("a.mp4", "-c:v libx264 -bf 3 -pix_fmt yuv420p"), {}).info();
     EXPECT_EQ(info.framesPerSecond, 25);
     ASSERT_EQ(info.timesSec.size(), 60u);
     EXPECT_NEAR(info.timesSec[59] - info.timesSec[0], 59 / 25.0, 1e-3);
     EXPECT_EQ(info.rotationDegrees, 0);
-    for (const int turn : {90, 180, 270}) {
-        const fs::path turned = m_folder / ("turned" + std::to_string(turn) + ".mp4");
-        ASSERT_EQ(std::system(("ffmpeg -loglevel quiet -y -i " + (m_folder / "a.mp4").string() + " -c copy -metadata:s:v:0 rotate=" + std::to_string(turn) + " " + turned.string()).c_str()), 0);
-        EXPECT_EQ(core::readVideoInfo(turned).rotationDegrees, turn);
-        EXPECT_EQ(core::readVideoInfo(turned).size, (core::ImageSize{test::kNumberedWidth, test::kNumberedHeight})) << "as recorded";
-    }
     EXPECT_EQ(core::readVideoInfo(encode("d.mpg", "-c:v mpeg2video")).framesPerSecond, 25);
+}
+
+/// ffmpeg turns pictures by itself: the oracle.
+TEST_F(Video, SaysHowAPlayerTurnsIt) {
+    const std::string file = encode("a.mp4", "-c:v mpeg4 -qscale:v 2", 3).string(), ffmpeg = "ffmpeg -loglevel quiet -y -i ";
+    std::vector<int> turns;
+    for (const char* tag : {"90", "180", "270"}) {
+        const std::string turned = m_folder / ("turned" + std::string(tag) + ".mp4"), shown = m_folder / "shown.bgr";
+        ASSERT_EQ(std::system((ffmpeg + file + " -c copy -metadata:s:v:0 rotate=" + tag + " " + turned).c_str()), 0);
+        ASSERT_EQ(std::system((ffmpeg + turned + " -frames:v 1 -f rawvideo -pix_fmt bgr24 " + shown).c_str()), 0);
+        core::VideoFile video(turned, {});
+        EXPECT_EQ(video.info().size, (core::ImageSize{test::kNumberedWidth, test::kNumberedHeight})) << "as recorded";
+        turns.push_back(video.info().rotationDegrees);
+        ASSERT_TRUE(turns.back() == 90 || turns.back() == 180 || turns.back() == 270) << turns.back();
+        cv::Mat picture;
+        cv::rotate(video.read(0), picture, std::map<int, int>{{90, cv::ROTATE_90_CLOCKWISE}, {180, cv::ROTATE_180}, {270, cv::ROTATE_90_COUNTERCLOCKWISE}}[turns.back()]);
+        std::string bytes = test::readText(shown);
+        ASSERT_EQ(bytes.size(), picture.total() * 3);
+        const cv::Mat wanted(picture.size(), CV_8UC3, bytes.data());
+        EXPECT_LT(cv::norm(picture, wanted, cv::NORM_L1) / static_cast<double>(picture.total()), 15) << tag;
+    }
+    EXPECT_EQ(turns[0] + turns[2], 360);
+    EXPECT_EQ(turns[1], 180);
 }
 
 TEST_F(Video, MustBeOne) {
