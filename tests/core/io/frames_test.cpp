@@ -164,7 +164,7 @@ TEST_F(Frames, SayWhatIsMissingOrWrong) {
     test::expectError([&] { frames.read(2, 5); }, NotFound, "frame 5", "0 to 4");
     test::expectError([&] { frames.read(2, -1); }, NotFound, "frame -1", "0 to 4");
     test::writeText(m_folder / "none_0.png", "");
-    test::expectError([&] { frames.read(0, 0); }, BadInput, "none_0.png", "no picture");
+    test::expectError([&] { frames.read(0, 0); }, BadInput, "none_0.png", "not a readable picture");
 }
 
 TEST_F(Frames, EndWhereTheVideoEnds) {
