@@ -12,9 +12,11 @@
 #include "core/error.h"
 #include "core/io/annotation_store.h"
 #include "core/io/dataset_annotations.h"
+#include "core/io/calibration.h"
 #include "core/io/cameras_file.h"
 #include "core/io/dataset.h"
 #include "core/io/dataset_paths.h"
+#include "core/io/footage_presence.h"
 #include "core/io/frames.h"
 #include "core/io/hand_file.h"
 #include "core/io/image_file.h"
@@ -121,6 +123,7 @@ void checkFootage(const Dataset& dataset, const Sequence& sequence, const ViewSo
             }
         }
     }
+    size = turnedSize(size, view.rotateDegrees);
     if (size != camera.size) {
         throw Error(ErrorCode::BadInput, path.string(), "size", "is not the size that " + camera.name + " is calibrated for");
     }
@@ -162,6 +165,9 @@ void checkDataset(Findings& findings, const fs::path& folder) {
         return; // the sequences make no sense without cameras and hands
     }
     const Dataset dataset = readDataset(folder);
+    if (const std::string unit = unitNote(dataset.cameras); !unit.empty()) {
+        findings.push_back({true, dataset.camerasFile + ": " + unit});
+    }
     for (const Sequence& sequence : dataset.sequences) {
         attempt(findings, [&] {
             const Motion motion = readMotion(dataset, sequence);
@@ -169,6 +175,9 @@ void checkDataset(Findings& findings, const fs::path& folder) {
             checkVisible(findings, dataset, sequence, motion);
         });
         attempt(findings, [&] { checkAnnotations(findings, dataset, sequence); });
+        for (const std::string& note : orientationNotes(dataset, sequence)) {
+            findings.push_back({true, note});
+        }
         for (const ViewSource& view : sequence.views) {
             attempt(findings, [&] { checkFootage(dataset, sequence, view); });
         }

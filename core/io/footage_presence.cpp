@@ -6,6 +6,8 @@
 #include "core/error.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
+#include "core/io/image_orientation.h"
+#include "core/io/picture_setup.h"
 
 namespace core {
 
@@ -56,7 +58,35 @@ std::string imagesProblem(const Dataset& dataset, const Sequence& sequence, cons
     return sizeProblem({image.cols, image.rows}, view, camera);
 }
 
+/// As the tag of the video, or of the first picture that exists, says.
+Orientation tagOf(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
+    if (view.kind == ViewKind::Video) {
+        return {readVideoInfo(dataset.folder / view.path).rotationDegrees, false};
+    }
+    for (int instant = 0; view.kind == ViewKind::Images && instant < sequence.frameCount; ++instant) {
+        const fs::path file = pictureFile(dataset, view, instant);
+        if (fs::exists(file)) {
+            return readOrientation(file);
+        }
+    }
+    return {};
+}
+
 } // namespace
+
+std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence& sequence) {
+    std::vector<std::string> notes;
+    for (const ViewSource& view : sequence.views) {
+        try {
+            const std::string note = orientationNote(view.camera, tagOf(dataset, sequence, view), view.rotateDegrees);
+            if (!note.empty() && std::find(sequence.notes.begin(), sequence.notes.end(), note) == sequence.notes.end()) {
+                notes.push_back(note);
+            }
+        } catch (const Error&) { // said where the footage itself is checked
+        }
+    }
+    return notes;
+}
 
 bool hasAnyPicture(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
     std::error_code ignored;

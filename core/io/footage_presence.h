@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/io/dataset.h"
 
@@ -14,6 +15,10 @@ bool hasAnyMask(const Dataset& dataset, const Sequence& sequence, const std::str
 
 /// What keeps a view's footage from being what the sequence needs: fewer frames, another size, unreadable. Empty if nothing does.
 std::string footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view);
+
+/// What is to be said about views whose files ask for another orientation than the dataset gives them, or than they are stored in, unless the
+/// sequence's own notes say it. Footage that cannot be read is left to others.
+std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence& sequence);
 
 /// The size of a picture that is turned by that many degrees.
 ImageSize turnedSize(ImageSize size, int rotateDegrees);
