@@ -23,6 +23,7 @@ constexpr auto kHold = ActionKind::Hold;
 // clang-format off
 const std::vector<ActionRow> kRows = {
     {"file.open", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a dataset..."), "Ctrl+O", "document-open-folder", ""},
+    {"file.new", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Make a &new dataset..."), "Ctrl+N", "document-new", QT_TRANSLATE_NOOP("app::ActionTable", "Of a calibration and videos or folders of images")},
     {"file.demo", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Open the &demo"), "Ctrl+Shift+O", "", ""},
     {"file.import", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Import annotations..."), "Ctrl+I", "document-import", "", kPlain, true},
     {"file.export", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Export annotations..."), "Ctrl+E", "document-export", QT_TRANSLATE_NOOP("app::ActionTable", "Writes the annotations of this sequence: everybody's where the format names raters, else yours")},

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include <QDateTime>
 #include <QLocale>
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/range_window.h"
+#include "app/desktop/second_round.h"
 #include "core/annotation/edits.h"
 #include "widgets/jobs/navigation.h"
 
@@ -137,31 +137,9 @@ void bindModel(MainWindow& window) {
 }
 
 void bindRaters(MainWindow& window) {
-    constexpr double kShare = 0.1;
-    Actions& actions = window.actions();
-    widgets::RaterStudy& study = window.workbench().raters;
     widgets::Workspaces& spaces = window.workspaces();
-    const auto showPanel = [&spaces] { spaces.raisePanel(spaces.ratersPanel()); };
-    const auto toggleRound = [&study, showPanel] {
-        showPanel();
-        if (study.isRepeating())
-            study.endRepeating();
-        else
-            study.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch()));
-    };
-    QObject::connect(&study, &widgets::RaterStudy::nothingToRepeat, &window, [&window] {
-        window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
-    });
-    const auto next = [&window, &study] {
-        if (!study.goToNextTask())
-            window.statusLine().sayBriefly(study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
-                                                               : MainWindow::tr("No second round is under way."));
-    };
-    actions.bind(id("annotation.raters"), showPanel);
-    actions.bind(id("annotation.repeat"), toggleRound);
-    actions.bind(id("annotation.repeatNext"), next);
-    QObject::connect(spaces.ratersPanel(), &widgets::RatersPanel::roundRequested, &window, toggleRound);
-    QObject::connect(spaces.ratersPanel(), &widgets::RatersPanel::nextTaskRequested, &window, next);
+    window.actions().bind(id("annotation.raters"), [&spaces] { spaces.raisePanel(spaces.ratersPanel()); });
+    bindSecondRound(window);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 
 #include "app/desktop/main_window.h"
@@ -139,7 +140,9 @@ void bindFileActions(MainWindow& window) {
     actions.bind(id("file.savePicture"), [&window] {
         askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, sequenceName(window),
                    [&window](const QString& path, std::size_t) {
-                       if (!window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
+                       if (window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
+                           window.statusLine().sayBriefly(MainWindow::tr("Saved to %1").arg(QDir::toNativeSeparators(path)));
+                       else
                            window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
                    });
     });

@@ -16,7 +16,9 @@ namespace {
 const QString kFolder = QStringLiteral(":/translations");
 const QString kPrefix = QStringLiteral("handlens_");
 
-QString bestMatch(const QString& wanted) {
+} // namespace
+
+std::optional<QString> knownLanguage(const QString& wanted) {
     const QStringList languages = availableLanguages();
     if (languages.contains(wanted))
         return wanted;
@@ -27,24 +29,24 @@ QString bestMatch(const QString& wanted) {
         if (language.startsWith(plain + QLatin1Char('_')))
             return language;
     }
-    return QStringLiteral("en");
+    return std::nullopt;
 }
 
-} // namespace
-
 QStringList availableLanguages() {
+    initResources();
     QStringList languages{QStringLiteral("en")};
     for (const QString& file : QDir(kFolder).entryList({kPrefix + QStringLiteral("*.qm")})) {
         const QString language = file.mid(kPrefix.size()).chopped(3);
         if (!languages.contains(language))
             languages << language;
     }
+    languages.sort();
     return languages;
 }
 
 QString applyLanguage(QApplication& application, const QString& language) {
     initResources();
-    const QString chosen = bestMatch(language.isEmpty() ? QLocale::system().name() : language);
+    const QString chosen = knownLanguage(language.isEmpty() ? QLocale::system().name() : language).value_or(QStringLiteral("en"));
     QLocale::setDefault(chosen == QLatin1String("en") ? QLocale(QLocale::English, QLocale::UnitedKingdom) : QLocale(chosen));
     auto* own = new QTranslator(&application);
     if (own->load(kPrefix + chosen, kFolder))

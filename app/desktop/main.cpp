@@ -39,11 +39,21 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
             std::cerr << "handlens: " << error.toStdString() << std::endl;
             return 1;
         }
+        const core::Sequence& sequence = *window.workbench().session.sequence();
+        if (line.frame >= sequence.frameCount) {
+            std::cerr << "handlens: --frame: sequence \"" << sequence.name << "\" has frames 0-" << sequence.frameCount - 1 << ", not " << line.frame << std::endl;
+            return 2;
+        }
     }
     return app::playScript(window, QString::fromStdString(line.script), QString::fromStdString(line.out), std::cout, std::cerr);
 }
 
 int run(int argc, char** argv, const app::CommandLine& line) {
+    if (!line.language.empty() && !app::knownLanguage(QString::fromStdString(line.language))) {
+        std::cerr << "handlens: --language: the window does not speak \"" << line.language << "\"; it speaks "
+                  << app::availableLanguages().join(QStringLiteral(", ")).toStdString() << std::endl;
+        return 2;
+    }
     std::unique_ptr<widgets::PrivateDisplay> display;
     if (line.offscreen)
         display = std::make_unique<widgets::PrivateDisplay>(kScreenWidth, kScreenHeight);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <QCloseEvent>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -11,11 +12,15 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QStandardPaths>
+#include <QStatusTipEvent>
 #include <QVBoxLayout>
 
 #include "app/desktop/annotation_actions.h"
+#include "app/desktop/dataset_actions.h"
 #include "app/desktop/file_actions.h"
 #include "app/desktop/menus.h"
+#include "app/desktop/new_dataset_window.h"
+#include "app/desktop/number_keys.h"
 #include "app/desktop/panel_actions.h"
 #include "app/desktop/resources.h"
 #include "app/desktop/window_actions.h"
@@ -29,10 +34,21 @@ namespace {
 constexpr int kRecentDatasets = 8;
 const char* const kRecentKey = "recentDatasets";
 
+/// Files and folders that are no dataset: videos, folders of images.
+QStringList droppedFootage(const QMimeData* data) {
+    QStringList paths;
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile())
+            paths << QFileInfo(url.toLocalFile()).absoluteFilePath();
+    }
+    return paths;
+}
+
+/// The dataset that was dropped, as its folder or its file.
 QString droppedFolder(const QMimeData* data) {
     for (const QUrl& url : data->urls()) {
         const QFileInfo file(url.toLocalFile());
-        if (file.isDir())
+        if (file.isDir() && QFileInfo::exists(file.filePath() + QStringLiteral("/dataset.json")))
             return file.absoluteFilePath();
         if (file.fileName() == QLatin1String("dataset.json"))
             return file.absolutePath();
@@ -56,7 +72,10 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     bindAnnotationActions(*this);
     bindPanelActions(*this);
     bindFileActions(*this);
+    bindDatasetActions(*this);
+    new NumberKeys(*this);
     buildMenus(*this);
+    m_mayAsk = options.hints;
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
@@ -78,6 +97,8 @@ void MainWindow::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_message = new widgets::MessageBar(central);
+    m_question = new widgets::MessageBar(central);
+    m_banner = new widgets::MessageBar(central);
     m_framesBar = new widgets::FramesBar(m_workbench.selection, m_workbench.document, m_workbench.coverage,
                                          m_workbench.joints, central);
     m_pages = new QStackedWidget(central);
@@ -87,7 +108,8 @@ void MainWindow::build() {
         new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_workspaces);
-    column->addWidget(m_message);
+    for (widgets::MessageBar* bar : {m_banner, m_message, m_question})
+        column->addWidget(bar);
     column->addWidget(m_framesBar);
     column->addWidget(m_pages, 1);
     column->addWidget(m_statusLine);
@@ -103,6 +125,7 @@ void MainWindow::build() {
     m_empty->setRecentDatasets(m_settings.value(kRecentKey).toStringList());
     connect(m_empty, &widgets::EmptyState::openRequested, this, &MainWindow::askForDataset);
     connect(m_empty, &widgets::EmptyState::demoRequested, this, &MainWindow::openDemo);
+    connect(m_empty, &widgets::EmptyState::newRequested, m_actions.action(QStringLiteral("file.new")), &QAction::trigger);
     connect(m_empty, &widgets::EmptyState::recentRequested, this,
             [this](const QString& folder) { openDataset(folder); });
 }
@@ -130,6 +153,7 @@ void MainWindow::connectSession() {
     });
     connect(&session, &widgets::DatasetSession::openFailed, this, [this](const QString& message) {
         m_statusLine->hideWork();
+        m_wantedFrame = 0;
         showMessage(tr("This could not be opened. %1").arg(message));
         if (m_workbench.session.sequence())
             m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
@@ -137,7 +161,6 @@ void MainWindow::connectSession() {
     connect(&session, &widgets::DatasetSession::datasetOpened, this, [this] {
         const core::Dataset& dataset = *m_workbench.session.dataset();
         m_framesBar->setDataset(dataset);
-        m_statusLine->setCameraCount(static_cast<int>(dataset.cameras.size()));
         remember(QString::fromStdString(dataset.folder.string()));
     });
     connect(&m_workbench, &widgets::Workbench::ready, this, [this] {
@@ -151,6 +174,7 @@ void MainWindow::connectSession() {
             showHints();
         refreshTitle();
         refreshTestFrames();
+        sayIfFrameIsMissing();
     });
     connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::drawChanged, this, &MainWindow::refreshTestFrames);
     connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this,
@@ -160,11 +184,13 @@ void MainWindow::connectSession() {
 void MainWindow::connectDocument() {
     widgets::AnnotationDocument& document = m_workbench.document;
     connect(&document, &widgets::AnnotationDocument::saveFailed, this, [this](const QString& message) {
+        m_saveFailed = true;
         showMessage(tr("Not saved yet, but nothing is lost: it is tried again every few seconds. %1").arg(message));
     });
     connect(&document, &widgets::AnnotationDocument::saved, this, [this] {
         m_mayLoseEdits = false;
-        showMessage({});
+        if (std::exchange(m_saveFailed, false))
+            showMessage({});
     });
     connect(&document, &widgets::AnnotationDocument::refused, this, &MainWindow::showMessage);
     connect(&document, &widgets::AnnotationDocument::opened, this, [this] {
@@ -181,9 +207,7 @@ void MainWindow::connectDocument() {
     connect(&files, &widgets::AnnotationFiles::exported, this, [this](const QString& path) {
         m_statusLine->sayBriefly(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
     });
-    connect(&files, &widgets::AnnotationFiles::reported, this, [this](const QString& path) {
-        m_statusLine->sayBriefly(tr("Report written to %1").arg(QDir::toNativeSeparators(path)));
-    });
+    connect(&files, &widgets::AnnotationFiles::reported, this, &MainWindow::offerReport);
     connect(&files, &widgets::AnnotationFiles::jointsRead, this, [this](const std::vector<std::string>& names) {
         if (m_workbench.session.dataset())
             m_workbench.joints.setNames(names, *m_workbench.session.dataset());
@@ -226,6 +250,7 @@ void MainWindow::connectWork() {
 
 void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
     m_playback.stop();
+    m_wantedFrame = frame;
     m_workbench.session.openDataset(QFileInfo(folder).absoluteFilePath(), sequence, frame);
 }
 
@@ -247,6 +272,30 @@ void MainWindow::openDemo() {
 
 void MainWindow::showMessage(const QString& text) {
     m_message->setMessage(text);
+}
+
+void MainWindow::ask(const QString& question, const std::vector<widgets::MessageAction>& answers) {
+    m_question->offer(question, answers);
+}
+
+/// A frame that was asked for and does not exist: the last one is shown instead.
+void MainWindow::sayIfFrameIsMissing() {
+    const core::Sequence& sequence = *m_workbench.session.sequence();
+    const int wanted = std::exchange(m_wantedFrame, 0);
+    if (wanted >= sequence.frameCount && sequence.frameCount > 0)
+        showMessage(tr("There is no frame %1: sequence \"%2\" has frames 0-%3. The last one is shown.")
+                        .arg(wanted)
+                        .arg(QString::fromStdString(sequence.name))
+                        .arg(sequence.frameCount - 1));
+}
+
+void MainWindow::offerReport(const QString& path) {
+    const QString text = tr("Report written to %1").arg(QDir::toNativeSeparators(path));
+    m_statusLine->sayBriefly(text);
+    ask(text, {{tr("Open"), [this, path] {
+                    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath())))
+                        showMessage(tr("No program opened %1.").arg(QDir::toNativeSeparators(path)));
+                }}});
 }
 
 void MainWindow::showHints() {
@@ -299,6 +348,16 @@ void MainWindow::refreshTestFrames() {
     m_framesBar->setTestFrames(m_workspaces->benchmarkPage()->testFrames());
 }
 
+/// What a part of the window tells, such as where a picture was saved.
+bool MainWindow::event(QEvent* event) {
+    if (event->type() == QEvent::StatusTip) {
+        if (const QString tip = static_cast<QStatusTipEvent*>(event)->tip(); !tip.isEmpty())
+            m_statusLine->sayBriefly(tip);
+        return true;
+    }
+    return QMainWindow::event(event);
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_playback.stop();
     if (!m_workbench.document.saveNow() && !std::exchange(m_mayLoseEdits, true)) {
@@ -314,7 +373,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!droppedFolder(event->mimeData()).isEmpty())
+    if (!droppedFootage(event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
@@ -322,6 +381,8 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString folder = droppedFolder(event->mimeData());
     if (!folder.isEmpty())
         openDataset(folder);
+    else
+        NewDatasetWindow::open(*this, droppedFootage(event->mimeData()));
 }
 
 } // namespace app

@@ -24,7 +24,7 @@ namespace app {
 /// What the window is told when it is made.
 struct WindowOptions {
     std::string rater; ///< empty: the one of the settings
-    bool hints = true; ///< whether hints may be shown
+    bool hints = true; ///< whether hints may be shown, and questions asked before something surprising is done
 };
 
 /// The window: it builds the parts and wires them; all that it shows and does is theirs.
@@ -40,6 +40,17 @@ public:
     void openDemo();
     /// Says at the top of the window what went wrong; an empty text takes it away.
     void showMessage(const QString& text);
+    /// Asks or offers something at the top of the window; a button for each answer.
+    void ask(const QString& question, const std::vector<widgets::MessageAction>& answers);
+    /// False where nobody can answer: what is asked for is then done at once.
+    bool mayAsk() const { return m_mayAsk; }
+    /// What is said or asked there now; empty if nothing.
+    QString message() const { return m_message->message(); }
+    QString question() const { return m_question->message(); }
+    /// A bar of its own for what lasts, such as a second round.
+    widgets::MessageBar& banner() { return *m_banner; }
+    /// Whether the tabs of the workspaces can be chosen.
+    void setWorkspacesEnabled(bool enabled) { m_workspaceBar->setEnabled(enabled); }
     void showHints();
 
     widgets::Workbench& workbench() { return m_workbench; }
@@ -54,6 +65,7 @@ public:
     QWidget* part(const QString& name);
 
 protected:
+    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -64,6 +76,8 @@ private:
     void connectSession();
     void connectDocument();
     void connectWork();
+    void sayIfFrameIsMissing();
+    void offerReport(const QString& path);
     void remember(const QString& folder);
     void restoreLayout();
     void refreshTitle();
@@ -74,6 +88,8 @@ private:
     Actions m_actions;
     widgets::Playback m_playback;
     widgets::MessageBar* m_message = nullptr;
+    widgets::MessageBar* m_question = nullptr;
+    widgets::MessageBar* m_banner = nullptr;
     widgets::FramesBar* m_framesBar = nullptr;
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
@@ -82,6 +98,9 @@ private:
     QTabBar* m_workspaceBar = nullptr;
     widgets::Hints* m_hints = nullptr;
     bool m_mayHint = true;
+    bool m_mayAsk = true;
+    bool m_saveFailed = false;   ///< the message says so
+    int m_wantedFrame = 0;       ///< that openDataset was asked for
     bool m_mayLoseEdits = false; ///< closing was asked for once while edits could not be saved
 };
 

@@ -8,7 +8,7 @@ namespace core {
 namespace {
 
 RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const std::vector<Camera>& cameras, double badRmsPx,
-                       const TriangulationOptions& options) {
+                       const TriangulationOptions& options, const PictureGaps& gaps) {
     RaterSummary summary;
     summary.rater = rater;
     for (const auto& [key, mark] : set.marks) {
@@ -18,7 +18,7 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
     }
     for (const int frame : settledFrames(set, rater)) {
         ++summary.frames;
-        for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options)) {
+        for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options, gaps)) {
             summary.doneByFrame[frame] += coverage.done;
             summary.joints.done += coverage.done;
             summary.joints.partial += coverage.partial;
@@ -50,7 +50,7 @@ void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& jo
 
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands, double badRmsPx,
-                                       const QualityOptions& options, std::stop_token stop) {
+                                       const QualityOptions& options, std::stop_token stop, const PictureGaps& gaps) {
     AnnotationSummary summary;
     summary.sequence = sequence;
     summary.frameCount = frameCount;
@@ -68,7 +68,7 @@ AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCou
             }
             checker.check(set, frame);
         }
-        summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation));
+        summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation, gaps));
         summary.raters.back().findings = checker.findings();
         addPoints(checker.points(), joints, summary);
         points[rater] = checker.points();

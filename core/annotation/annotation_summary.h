@@ -53,6 +53,7 @@ struct AnnotationSummary {
 /// requested is returned.
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands,
-                                       double badRmsPx = 2, const QualityOptions& options = {}, std::stop_token stop = {});
+                                       double badRmsPx = 2, const QualityOptions& options = {}, std::stop_token stop = {},
+                                       const PictureGaps& gaps = {});
 
 } // namespace core

@@ -50,11 +50,23 @@ struct FrameCheck {
     }
 };
 
+/// Clicks that give no point: how far they are off each other's curves, if that can be said.
+void reportNoPoint(const FrameCheck& check, const JointId& id, const JointReconstruction& joint) {
+    const std::string text = jointLabel(id) + ": no point from " + std::to_string(joint.manualViews) + " views: ";
+    if (joint.gaps.empty()) {
+        check.report(id, QualityKind::Disagreement, 0, text + joint.result.reason);
+        return;
+    }
+    const CurveGap& gap = joint.gaps.front();
+    check.report(id, QualityKind::Disagreement, gap.px,
+                 text + "the click in " + gap.camera + " is " + number(gap.px) + " px off " + gap.curveOf + "'s curve", gap.camera);
+    check.findings.back().curveOf = gap.curveOf;
+}
+
 void checkDisagreement(const FrameCheck& check) {
     for (const auto& [id, joint] : check.joints) {
         if (!joint.hasPoint() && joint.manualViews >= 2) {
-            check.report(id, QualityKind::Disagreement, 0, jointLabel(id) + ": no point from " + std::to_string(joint.manualViews) +
-                                                               " views: " + joint.result.reason);
+            reportNoPoint(check, id, joint);
         }
         for (const ViewReconstruction& view : joint.views) {
             if (view.outlier) {

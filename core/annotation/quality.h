@@ -14,7 +14,7 @@ namespace core {
 
 /// What a check found.
 enum class QualityKind {
-    Disagreement, ///< a click is an outlier, or two or more views give no point; value: px (0 without a point)
+    Disagreement, ///< a click is an outlier, or two or more views give no point; value: px (without a point, off the other view's curve)
     BoneLength,   ///< value: percent away from the sequence's median
     JointAngle,   ///< the hand model would have to bend beyond its limits; value: degrees beyond
     FingerOrder,  ///< knuckles not in order, or two fingers exchanged; value: mm out of order
@@ -31,6 +31,7 @@ struct QualityFinding {
     double value = 0;
     std::string text;   ///< English, for people
     std::string camera; ///< if it is about one view, else empty
+    std::string curveOf{}; ///< camera on whose curve the click in `camera` should lie, where clicks give no point
     bool operator==(const QualityFinding&) const = default;
 };
 

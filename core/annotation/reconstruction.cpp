@@ -77,18 +77,28 @@ std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vec
     return views;
 }
 
+/// Marks the views that have a picture; all of them if none has.
+void findPictures(std::vector<ViewReconstruction>& views, const std::set<std::string>& withoutPicture) {
+    const bool any = std::any_of(views.begin(), views.end(),
+                                 [&](const ViewReconstruction& view) { return !withoutPicture.contains(view.camera); });
+    for (ViewReconstruction& view : views) {
+        view.hasPicture = !any || !withoutPicture.contains(view.camera);
+    }
+}
+
 void countViews(JointReconstruction& joint) {
-    std::size_t settled = 0; // placed, or known not to be placeable
+    bool isBegun = false, isOpen = false;
     for (const ViewReconstruction& view : joint.views) {
+        const bool isSettled = view.mark && view.mark->isSettled(); // placed, or known not to be placeable
+        isBegun |= isSettled;
+        isOpen |= view.hasPicture && !isSettled;
+        joint.countedViews += view.hasPicture;
         if (view.mark) {
-            settled += view.mark->isSettled();
             joint.placedViews += view.mark->isPlaced();
             joint.manualViews += view.mark->isEvidence();
         }
     }
-    joint.status = settled == 0                    ? JointStatus::None
-                   : settled == joint.views.size() ? JointStatus::Done
-                                                   : JointStatus::Partial;
+    joint.status = !isBegun ? JointStatus::None : isOpen ? JointStatus::Partial : JointStatus::Done;
 }
 
 void lookFromEveryView(JointReconstruction& joint, const std::vector<Camera>& cameras, const Evidence& evidence) {
@@ -168,7 +178,7 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
 }
 
 bool wantsClick(const ViewReconstruction& view) {
-    return !view.mark || (view.mark->hasPlace() && !view.mark->isEvidence());
+    return view.hasPicture && (!view.mark || (view.mark->hasPlace() && !view.mark->isEvidence()));
 }
 
 /// Ranks the views that would see the point by the uncertainty after one more click there.
@@ -214,6 +224,7 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
                                 const std::string& rater, const JointId& jointId, const ReconstructionOptions& options) {
     JointReconstruction joint;
     joint.views = viewsOf(set, cameras, frame, rater, jointId);
+    findPictures(joint.views, options.withoutPicture);
     countViews(joint);
     const Evidence evidence = collect(joint.views, false);
     joint.result = triangulate(cameras, evidence.observations, options.triangulation);
@@ -224,6 +235,9 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
             if (guess.point) {
                 joint.proposal = guess.point->pointInWorld;
             }
+        }
+        if (joint.result.reason == kViewsDisagree) {
+            joint.gaps = worstCurveGaps(cameras, evidence.observations);
         }
         if (options.details && evidence.observations.size() == 1) {
             rankSecondView(joint, cameras, evidence, options);
@@ -264,8 +278,6 @@ std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> f
     return {raters.begin(), raters.end()};
 }
 
-namespace {
-
 bool isBad(const JointReconstruction& joint, double badRmsPx) {
     if (!joint.hasPoint()) {
         return joint.manualViews >= 2;
@@ -273,6 +285,8 @@ bool isBad(const JointReconstruction& joint, double badRmsPx) {
     const TriangulatedPoint& point = *joint.result.point;
     return point.rmsPx > badRmsPx || std::find(point.inlier.begin(), point.inlier.end(), false) != point.inlier.end();
 }
+
+namespace {
 
 bool hasOccluded(const JointReconstruction& joint) {
     return std::any_of(joint.views.begin(), joint.views.end(), [](const ViewReconstruction& view) {
@@ -283,9 +297,10 @@ bool hasOccluded(const JointReconstruction& joint) {
 } // namespace
 
 std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                                        const std::string& rater, double badRmsPx, const TriangulationOptions& options) {
+                                        const std::string& rater, double badRmsPx, const TriangulationOptions& options,
+                                        const PictureGaps& gaps) {
     std::map<Side, HandCoverage> coverage;
-    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
+    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt, gaps.at(frame)})) {
         HandCoverage& hand = coverage[id.hand];
         hand.done += joint.status == JointStatus::Done;
         hand.partial += joint.status == JointStatus::Partial;

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,13 +11,15 @@
 #include <Eigen/Core>
 
 #include "core/annotation/annotation_set.h"
+#include "core/annotation/curve_gap.h"
+#include "core/annotation/picture_gaps.h"
 #include "core/geometry/camera.h"
 #include "core/geometry/triangulation.h"
 
 namespace core {
 
 /// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is. Proposals do not
-/// count.
+/// count, and views without a picture need no mark.
 enum class JointStatus { None, Partial, Done };
 std::string_view statusName(JointStatus status); ///< "none", "partial", "done"
 
@@ -37,6 +40,7 @@ struct ViewReconstruction {
     bool outlier = false;                          ///< errorPx is above outlierFactor * sigmaPx: not used
     std::optional<double> leaveOneOutPx;           ///< manual mark to the point found without it; needs two other inliers
     std::optional<PixelEllipse> ellipse95;         ///< projection of the 95 % ellipsoid of the covariance
+    bool hasPicture = true;                        ///< false where nobody can see anything: no mark is expected
 };
 
 /// A view worth clicking next.
@@ -56,6 +60,10 @@ struct JointReconstruction {
     std::optional<Eigen::Vector3d> proposal;
     int manualViews = 0;
     int placedViews = 0;                    ///< manual and auto
+    int countedViews = 0;                   ///< views with a picture: those that a mark is expected in
+    /// Where the views disagree so that there is no point: the two clicks that lie farthest off each other's curves, the larger
+    /// distance first; empty if no view sees the ray of another one's click.
+    std::vector<CurveGap> gaps;
 
     bool hasPoint() const { return result.point.has_value(); }
 };
@@ -65,6 +73,8 @@ struct ReconstructionOptions {
     bool details = true; ///< leave-one-out, ellipses, next views, suspect; without them several times faster
     /// Roughly where the joint is (such as the mean of its hand), mm: ranks the next view when only one is clicked.
     std::optional<Eigen::Vector3d> nearInWorld;
+    /// Cameras that have no picture of the frame: they need no mark, and none is asked for there. If it names all, all count.
+    std::set<std::string> withoutPicture{};
 };
 
 /// Expected distance of a point from its true place, mm: the square root of the covariance's trace.
@@ -78,6 +88,8 @@ std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::
 JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                 const std::string& rater, const JointId& joint,
                                 const ReconstructionOptions& options = {});
+/// It deserves a look: rmsPx above the threshold, an outlier, or no point from two or more manual views.
+bool isBad(const JointReconstruction& joint, double badRmsPx);
 /// Every joint that has at least one mark of that rater in that frame.
 std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                                         int frame, const std::string& rater,
@@ -90,12 +102,12 @@ std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> f
 struct HandCoverage {
     int done = 0;
     int partial = 0;
-    int bad = 0;      ///< among them: rmsPx above the threshold, an outlier, or no point from two or more manual views
+    int bad = 0;      ///< among them: isBad
     int occluded = 0; ///< among them: a mark whose place is estimated
     bool operator==(const HandCoverage&) const = default;
 };
 std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                         const std::string& rater, double badRmsPx,
-                                        const TriangulationOptions& options = {});
+                                        const TriangulationOptions& options = {}, const PictureGaps& gaps = {});
 
 } // namespace core

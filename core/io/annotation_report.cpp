@@ -7,6 +7,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/dataset_annotations.h"
 #include "core/io/gnuplot.h"
+#include "core/io/sequence_pictures.h"
 #include "core/benchmark/html_text.h"
 #include "core/numeric/number_text.h"
 
@@ -229,7 +230,7 @@ bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& 
     std::vector<AnnotationSummary> sequences;
     for (const Sequence& sequence : dataset.sequences) {
         sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence), dataset.cameras,
-                                                 dataset.hands, options.badRmsPx, options.quality, stop));
+                                                 dataset.hands, options.badRmsPx, options.quality, stop, pictureGaps(dataset, sequence)));
         if (stop.stop_requested()) {
             return false;
         }

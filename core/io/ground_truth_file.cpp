@@ -9,6 +9,7 @@
 #include "core/io/cameras_file.h"
 #include "core/io/import_notes.h"
 #include "core/io/json_file.h"
+#include "core/io/sequence_pictures.h"
 
 namespace core {
 
@@ -45,9 +46,9 @@ std::vector<std::string> jointNamesOf(const Dataset& dataset, const AnnotationSe
 }
 
 ordered_json handsJson(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-                       const TriangulationOptions& options) {
+                       const ReconstructionOptions& options) {
     ordered_json hands = ordered_json::object();
-    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
+    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, options)) {
         if (joint.status == JointStatus::None) {
             continue; // proposals only
         }
@@ -85,12 +86,14 @@ void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
     for (const auto& [frame, note] : set.notes) {
         framesToWrite.insert(frame);
     }
+    const PictureGaps gaps = pictureGaps(dataset, sequence);
     ordered_json frames = ordered_json::array();
     for (const int frame : framesToWrite) {
+        const ReconstructionOptions reconstruction{options.triangulation, false, std::nullopt, gaps.at(frame)};
         ordered_json raters = ordered_json::array();
         for (const std::string& rater : ratersOf(set, frame)) {
             if (!options.rater || *options.rater == rater) {
-                if (auto hands = handsJson(set, dataset.cameras, frame, rater, options.triangulation); !hands.empty()) {
+                if (auto hands = handsJson(set, dataset.cameras, frame, rater, reconstruction); !hands.empty()) {
                     raters.push_back({{"rater", rater}, {"hands", std::move(hands)}});
                 }
             }

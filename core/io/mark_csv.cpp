@@ -5,6 +5,7 @@
 #include "core/io/annotation_jobs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
+#include "core/io/sequence_pictures.h"
 
 // Plain tables for spreadsheets and scripts: one line per joint with its 3D point, or one line per mark.
 namespace core {
@@ -38,9 +39,11 @@ CsvRow pointRow(const ExportJob& job, int frame, const std::string& rater, const
 void writePointCsv(const ExportJob& job) {
     std::string text = csvLine({"sequence", "frame", "rater", "hand", "joint", "x_mm", "y_mm", "z_mm", "sigma_mm", "rms_px", "manual_views",
                                 "outliers", "status", "reason"});
+    const PictureGaps gaps = pictureGaps(job.dataset, job.sequence);
     for (const std::string& rater : job.rater.empty() ? ratersOf(job.set) : std::vector{job.rater}) {
         for (const int frame : settledFrames(job.set, rater)) {
-            for (const auto& [id, joint] : reconstructFrame(job.set, job.dataset.cameras, frame, rater, {job.triangulation, false, std::nullopt})) {
+            const ReconstructionOptions options{job.triangulation, false, std::nullopt, gaps.at(frame)};
+            for (const auto& [id, joint] : reconstructFrame(job.set, job.dataset.cameras, frame, rater, options)) {
                 text += csvLine(pointRow(job, frame, rater, id, joint));
             }
         }

@@ -147,10 +147,17 @@ TEST_F(Program, ASecondWindowOpensReadOnlyAndSaysSo) {
     const auto first = core::AnnotationStore::open(annotations());
     const auto answers = play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
                                {{"do", "select"}, {"hand", "left"}, {"joint", "index_mcp"}},
-                               {{"do", "click"}, {"camera", "cam0"}, {"px", {100, 200}}},
                                {{"do", "print"}, {"what", "joint"}, {"hand", "left"}, {"joint", "index_mcp"}},
                                {{"do", "shot"}, {"of", "window"}, {"path", "window.png"}}});
-    EXPECT_TRUE(answers[3]["views"].empty());
+    EXPECT_TRUE(answers[2]["views"].empty());
+    EXPECT_TRUE(first.annotations().marks.empty());
+    QProcess process;
+    start(process, {{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}}, {{"do", "click"}, {"camera", "cam0"}, {"px", {100, 200}}}});
+    ASSERT_TRUE(process.waitForFinished(kPatienceMs));
+    EXPECT_EQ(process.exitCode(), 1);
+    const json refused = json::parse(process.readAllStandardOutput().trimmed().split('\n').last().toStdString());
+    EXPECT_FALSE(refused["ok"].get<bool>());
+    EXPECT_NE(refused["error"].get<std::string>().find("reading only"), std::string::npos) << refused;
     EXPECT_TRUE(first.annotations().marks.empty());
 }
 
@@ -183,6 +190,24 @@ TEST_F(Program, SpeaksGerman) {
     const QImage german(text(m_folder / "out" / "german.png")), english(text(m_folder / "out" / "english.png"));
     EXPECT_FALSE(german.isNull());
     EXPECT_NE(german, english);
+}
+
+TEST_F(Program, AFrameOrALanguageThatThereIsNotEndsInOneSentence) {
+    writeDataset();
+    const std::pair<QStringList, const char*> wishes[] = {{{QStringLiteral("--frame"), QStringLiteral("9999")}, "frames 0-29"},
+                                                          {{QStringLiteral("--language"), QStringLiteral("tlh")}, "de, el, en, zh_CN"}};
+    for (const auto& [arguments, mentions] : wishes) {
+        QProcess process;
+        start(process, {{{"do", "timing"}}}, arguments);
+        ASSERT_TRUE(process.waitForFinished(kPatienceMs));
+        EXPECT_EQ(process.exitCode(), 2);
+        const QByteArray said = process.readAllStandardError();
+        EXPECT_TRUE(said.startsWith("handlens: " + arguments.front().toUtf8())) << said.constData();
+        EXPECT_TRUE(said.contains(mentions)) << said.constData();
+        EXPECT_EQ(said.count('\n'), 1) << said.constData();
+        EXPECT_TRUE(process.readAllStandardOutput().isEmpty()) << "no step was played";
+    }
+    play({{{"do", "timing"}}}, {QStringLiteral("--language"), QStringLiteral("de_AT")});
 }
 
 TEST_F(Program, BadDatasetsEndInOneSentence) {

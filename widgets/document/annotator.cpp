@@ -9,7 +9,9 @@ namespace widgets {
 
 Annotator::Annotator(AnnotationDocument& document, Selection& selection, Reconstructions& reconstructions, JointList& joints,
                      QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_reconstructions(reconstructions), m_joints(joints) {}
+    : QObject(parent), m_document(document), m_selection(selection), m_reconstructions(reconstructions), m_joints(joints) {
+    connect(&document, &AnnotationDocument::opened, this, [this] { m_finished.clear(); });
+}
 
 core::MarkKey Annotator::keyFor(const std::string& camera, const core::JointId& joint) const {
     return {m_selection.frame(), m_document.rater(), joint, camera};
@@ -25,23 +27,73 @@ const core::ViewReconstruction* Annotator::selectedIn(const std::string& camera)
     return at == views.end() ? nullptr : &*at;
 }
 
+/// Remembers that the selected joint is done as it is now: whatever follows corrects it.
+void Annotator::noteIfFinished() {
+    if (m_reconstructions.selected().status == core::JointStatus::Done)
+        m_finished.insert(keyFor({}, m_selection.joint()));
+}
+
 void Annotator::pushAndAdvance(const core::Edit& edit) {
+    m_placeFinished = false;
     if (edit.empty())
         return;
     m_nudged.reset();
+    noteIfFinished();
+    const bool isCorrection = m_finished.contains(keyFor({}, m_selection.joint()));
     m_document.amend(edit, ++m_step);
     const core::JointReconstruction& selected = m_reconstructions.selected();
     const bool isInDoubt = selected.manualViews > 1 && !selected.hasPoint(); // clicks that disagree: stay, and see why
-    if (m_autoAdvance && selected.status == core::JointStatus::Done && !isInDoubt && m_joints.contains(m_selection.joint()))
+    if (isCorrection || isInDoubt || selected.status != core::JointStatus::Done)
+        return;
+    noteIfFinished();
+    m_placeFinished = true;
+    if (m_autoAdvance && m_joints.contains(m_selection.joint()))
         stepJoint(1);
+}
+
+/// True, and why is said, where nobody can see the joint.
+bool Annotator::refusesPlace(const std::string& camera, const Eigen::Vector2d& px) {
+    const auto* view = selectedIn(camera);
+    const int index = m_dataset ? m_dataset->cameraIndex(camera) : -1;
+    if (!view || index < 0)
+        return false;
+    if (!view->hasPicture) {
+        emit nothingDone(tr("Nothing was placed: %1 has no picture of this frame.").arg(QString::fromStdString(camera)));
+        return true;
+    }
+    if (core::isInside(m_dataset->cameras[static_cast<std::size_t>(index)].size, px))
+        return false;
+    emit nothingDone(tr("Nothing was placed: this is outside the picture of %1.").arg(QString::fromStdString(camera)));
+    return true;
+}
+
+/// The nearest pixel centre's place within the picture: from 0 to size - 1.
+Eigen::Vector2d Annotator::withinPicture(const std::string& camera, const Eigen::Vector2d& px) const {
+    const int index = m_dataset ? m_dataset->cameraIndex(camera) : -1;
+    if (index < 0)
+        return px;
+    const core::ImageSize& size = m_dataset->cameras[static_cast<std::size_t>(index)].size;
+    return px.cwiseMin(Eigen::Vector2d(size.width - 1, size.height - 1)).cwiseMax(0);
+}
+
+/// Without the marks in views that have no picture of the frame.
+core::Edit Annotator::whereThereArePictures(core::Edit edit) const {
+    std::erase_if(edit.marks, [this](const core::MarkChange& change) {
+        const auto* view = selectedIn(change.key.camera);
+        return view && !view->hasPicture;
+    });
+    return edit;
 }
 
 void Annotator::place(const std::string& camera, const Eigen::Vector2d& px) {
     if (!m_document.isOpen() || m_selection.joint().joint.empty())
         return;
+    m_lastPlaced = {};
+    if (refusesPlace(camera, px))
+        return;
     m_selection.setCamera(camera);
     m_jointBeforePlace = m_selection.joint();
-    m_lastPlaced = core::placeEdit(m_document.annotations(), currentKey(), px);
+    m_lastPlaced = core::placeEdit(m_document.annotations(), currentKey(), withinPicture(camera, px));
     pushAndAdvance(m_lastPlaced);
 }
 
@@ -50,13 +102,15 @@ void Annotator::withdrawPlace() {
         return;
     m_document.amend(core::inverse(m_lastPlaced), m_step);
     m_lastPlaced = {};
+    if (m_placeFinished)
+        m_finished.erase(keyFor({}, m_jointBeforePlace));
     m_selection.setJoint(m_jointBeforePlace);
 }
 
 void Annotator::drag(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px) {
     m_selection.setCamera(camera);
     m_selection.setJoint(joint);
-    m_document.preview(core::placeEdit(m_document.annotations(), keyFor(camera, joint), px));
+    m_document.preview(core::placeEdit(m_document.annotations(), keyFor(camera, joint), withinPicture(camera, px)));
 }
 
 void Annotator::drop(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px) {
@@ -64,7 +118,12 @@ void Annotator::drop(const std::string& camera, const core::JointId& joint, cons
     m_selection.setCamera(camera);
     m_selection.setJoint(joint);
     m_lastPlaced = {};
-    pushAndAdvance(core::placeEdit(m_document.annotations(), keyFor(camera, joint), px));
+    if (refusesPlace(camera, px))
+        return;
+    noteIfFinished();
+    m_nudged.reset();
+    m_document.amend(core::placeEdit(m_document.annotations(), keyFor(camera, joint), withinPicture(camera, px)), ++m_step);
+    noteIfFinished();
 }
 
 void Annotator::cancelDrag() {
@@ -77,7 +136,7 @@ void Annotator::accept() {
     const auto canAccept = [&](const std::string& camera) {
         const auto* view = selectedIn(camera);
         const bool isFree = view && !(view->mark && view->mark->isSettled());
-        return isFree && view->reprojectionPx && view->reprojectionInside;
+        return isFree && view->hasPicture && view->reprojectionPx && view->reprojectionInside;
     };
     const auto current = std::find(m_cameraOrder.begin(), m_cameraOrder.end(), m_selection.camera());
     auto order = m_cameraOrder;
@@ -97,8 +156,8 @@ void Annotator::accept() {
 void Annotator::acceptAllViews() {
     if (!m_dataset)
         return;
-    const core::Edit edit = core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(), m_selection.joint(),
-                                             std::nullopt, m_reconstructions.options());
+    const core::Edit edit = whereThereArePictures(core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
+                                                                   m_selection.joint(), std::nullopt, m_reconstructions.options()));
     if (edit.empty())
         emit nothingDone(m_reconstructions.selected().hasPoint()
                              ? tr("Every view that sees %1 has a mark of it.").arg(QString::fromStdString(m_selection.joint().joint))
@@ -107,9 +166,13 @@ void Annotator::acceptAllViews() {
 }
 
 void Annotator::acceptFrame() {
-    if (m_dataset)
-        pushAndAdvance(core::acceptFrameEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
-                                             m_document.rater(), m_reconstructions.options()));
+    if (!m_dataset)
+        return;
+    const core::Edit edit = whereThereArePictures(core::acceptFrameEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
+                                                                        m_document.rater(), m_reconstructions.options()));
+    if (edit.empty())
+        emit nothingDone(tr("Nothing to accept in this frame: no joint with a 3D point has a view left that sees it."));
+    pushAndAdvance(edit);
 }
 
 void Annotator::remove() {
@@ -117,13 +180,18 @@ void Annotator::remove() {
     if (edit.empty())
         emit nothingDone(tr("There is no mark of %1 in this view.").arg(QString::fromStdString(m_selection.joint().joint)));
     m_nudged.reset();
+    noteIfFinished();
     m_document.push(edit);
 }
 
 void Annotator::removeInAllViews() {
+    const core::Edit edit = core::deleteRangeEdit(m_document.annotations(), m_document.rater(), m_selection.frame(), m_selection.frame(),
+                                                  std::vector{m_selection.joint()});
+    if (edit.empty())
+        emit nothingDone(tr("There is no mark of %1 in this frame.").arg(QString::fromStdString(m_selection.joint().joint)));
     m_nudged.reset();
-    m_document.push(core::deleteRangeEdit(m_document.annotations(), m_document.rater(), m_selection.frame(),
-                                          m_selection.frame(), std::vector{m_selection.joint()}));
+    noteIfFinished();
+    m_document.push(edit);
 }
 
 void Annotator::toggleOccluded() {
@@ -152,6 +220,7 @@ void Annotator::toggleUnplaceable() {
     if (m_selection.camera().empty())
         return;
     const auto mark = core::markAt(m_document.annotations(), currentKey());
+    noteIfFinished();
     if (mark && mark->state == core::MarkState::Unplaceable)
         m_document.push(core::removeEdit(m_document.annotations(), currentKey()));
     else
@@ -167,10 +236,17 @@ void Annotator::nudge(const Eigen::Vector2d& byPx) {
         emit nothingDone(tr("There is no mark of %1 in this view.").arg(QString::fromStdString(key.joint.joint)));
         return;
     }
+    const Eigen::Vector2d from = isShownElsewhere ? *view->reprojectionPx : mark->px;
+    const Eigen::Vector2d to = withinPicture(key.camera, from + byPx);
+    if (to == from) {
+        emit nothingDone(tr("The mark is at the edge of the picture."));
+        return;
+    }
+    noteIfFinished();
     if (m_nudged != key)
         ++m_step;
     m_nudged = key;
-    m_document.amend(core::placeEdit(m_document.annotations(), key, (isShownElsewhere ? *view->reprojectionPx : mark->px) + byPx), m_step);
+    m_document.amend(core::placeEdit(m_document.annotations(), key, to), m_step);
 }
 
 void Annotator::stepFrame(int frames) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,15 +30,17 @@ public:
     /// The cameras that are shown, in their order: what Q and E step through.
     void setCameraOrder(std::vector<std::string> cameras) { m_cameraOrder = std::move(cameras); }
     const std::vector<std::string>& cameraOrder() const { return m_cameraOrder; }
-    /// Whether the next joint is selected when every view of this one is placed or not placeable.
+    /// Whether the next joint is selected when a step has finished this one for the first time (every view is placed or not
+    /// placeable). Corrections - drags, nudges, marks of a joint that was finished before - never select another joint.
     void setAutoAdvance(bool on) { m_autoAdvance = on; }
     bool autoAdvance() const { return m_autoAdvance; }
 
-    /// Puts the selected joint there as a manual mark, and makes that view the current one.
+    /// Puts the selected joint there as a manual mark, and makes that view the current one. A place outside the picture is refused.
     void place(const std::string& camera, const Eigen::Vector2d& px);
     /// Takes the place() before back without a trace: it was half of a double click.
     void withdrawPlace();
-    /// A drag shows its effect at once, and becomes one step when it ends.
+    /// A drag shows its effect at once, at the nearest place within the picture, and becomes one step when it ends; one that ends
+    /// outside the picture changes nothing.
     void drag(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px);
     void drop(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px);
     void cancelDrag();
@@ -51,7 +54,7 @@ public:
     void removeInAllViews();
     void toggleOccluded();
     void toggleUnplaceable();
-    /// Moves the mark in the current view by image pixels; a row of nudges is one step.
+    /// Moves the mark in the current view by image pixels, up to the picture's edge; a row of nudges is one step.
     void nudge(const Eigen::Vector2d& byPx);
 
     void stepFrame(int frames);
@@ -68,6 +71,10 @@ signals:
 private:
     core::MarkKey currentKey() const;
     void pushAndAdvance(const core::Edit& edit);
+    bool refusesPlace(const std::string& camera, const Eigen::Vector2d& px);
+    Eigen::Vector2d withinPicture(const std::string& camera, const Eigen::Vector2d& px) const;
+    core::Edit whereThereArePictures(core::Edit edit) const;
+    void noteIfFinished();
     const core::ViewReconstruction* selectedIn(const std::string& camera) const;
 
     AnnotationDocument& m_document;
@@ -80,6 +87,8 @@ private:
     core::Edit m_lastPlaced;
     core::JointId m_jointBeforePlace;
     int m_step = 0;
+    std::set<core::MarkKey> m_finished; ///< joints that were done at some time (no camera in the key)
+    bool m_placeFinished = false;       ///< the last place() finished its joint
     bool m_autoAdvance = true;
 };
 

@@ -36,10 +36,16 @@ QString number(double value, int decimals) {
     return QLocale().toString(value, 'f', decimals);
 }
 
+QString noPointText(const core::CurveGap& gap) {
+    return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "no 3D point: click in %1 is %2")).arg(QString::fromStdString(gap.camera), curveGapText(gap));
+}
+
 QString textOf(const core::QualityFinding& found) {
     const double size = std::abs(found.value);
     switch (found.kind) {
     case core::QualityKind::Disagreement:
+        if (!found.curveOf.empty())
+            return noPointText({found.camera, found.curveOf, size, {}, {}});
         return found.camera.empty() ? text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "no 3D point from its clicks"))
                                     : text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "click in %1 is %2 px off"))
                                           .arg(QString::fromStdString(found.camera), number(size, 1));
@@ -65,7 +71,7 @@ double severityOf(const core::QualityFinding& found, double badRmsPx) {
     const double size = std::abs(found.value);
     switch (found.kind) {
     case core::QualityKind::Disagreement:
-        return found.camera.empty() ? kNoPointSeverity : kOutlierSeverity + size / badRmsPx;
+        return found.camera.empty() || !found.curveOf.empty() ? kNoPointSeverity : kOutlierSeverity + size / badRmsPx;
     case core::QualityKind::BoneLength:
         return size / (100 * limits.boneLengthShare);
     case core::QualityKind::JointAngle:
@@ -91,7 +97,9 @@ std::vector<QualityFinding> findingsOf(const Reconstructions& reconstructions, i
     for (const auto& [joint, found] : reconstructions.joints()) {
         addOutliers(findings, joint, found, frame, badRmsPx);
         if (!found.hasPoint()) {
-            if (found.manualViews >= 2)
+            if (!found.gaps.empty())
+                findings.push_back({frame, joint, found.gaps.front().camera, noPointText(found.gaps.front()), kNoPointSeverity});
+            else if (found.manualViews >= 2)
                 findings.push_back({frame, joint, {},
                                     text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "no 3D point: %1")).arg(reasonText(found.result.reason)),
                                     kNoPointSeverity});

@@ -17,7 +17,19 @@ Reconstructions::Reconstructions(const AnnotationDocument& document, const Selec
 
 void Reconstructions::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
+    m_gaps = {};
     rebuild();
+}
+
+void Reconstructions::setPictureGaps(core::PictureGaps gaps) {
+    if (gaps == m_gaps)
+        return;
+    m_gaps = std::move(gaps);
+    rebuild();
+}
+
+core::ReconstructionOptions Reconstructions::optionsAt(int frame, bool details) const {
+    return {m_options, details, std::nullopt, m_gaps.at(frame)};
 }
 
 const core::JointReconstruction* Reconstructions::find(const core::JointId& joint) const {
@@ -28,8 +40,7 @@ const core::JointReconstruction* Reconstructions::find(const core::JointId& join
 core::JointReconstruction Reconstructions::compute(int frame, const core::JointId& joint) const {
     if (!m_dataset)
         return {};
-    core::ReconstructionOptions options;
-    options.triangulation = m_options;
+    core::ReconstructionOptions options = optionsAt(frame, true);
     options.nearInWorld = nearPoint(joint.hand);
     return core::reconstruct(m_document.annotations(), m_dataset->cameras, frame, m_document.rater(), joint, options);
 }
@@ -37,11 +48,8 @@ core::JointReconstruction Reconstructions::compute(int frame, const core::JointI
 void Reconstructions::rebuild() {
     m_joints.clear();
     if (m_dataset) {
-        core::ReconstructionOptions options;
-        options.triangulation = m_options;
-        options.details = false;
         m_joints = core::reconstructFrame(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
-                                          m_document.rater(), options);
+                                          m_document.rater(), optionsAt(m_selection.frame(), false));
     }
     refreshSelected();
     emit changed();
@@ -57,9 +65,7 @@ void Reconstructions::update(const core::Edit& edit) {
     }
     if (touched.empty())
         return;
-    core::ReconstructionOptions options;
-    options.triangulation = m_options;
-    options.details = false;
+    const core::ReconstructionOptions options = optionsAt(m_selection.frame(), false);
     for (const core::JointId& joint : touched) {
         auto found = core::reconstruct(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
                                        m_document.rater(), joint, options);

@@ -21,7 +21,10 @@ class Reconstructions : public QObject {
 public:
     Reconstructions(const AnnotationDocument& document, const Selection& selection, QObject* parent = nullptr);
 
+    /// Another dataset: every camera counts until setPictureGaps() says otherwise.
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
+    /// Where the open sequence has no picture: views that need no mark.
+    void setPictureGaps(core::PictureGaps gaps);
 
     /// Every joint with at least one mark in the frame.
     const std::map<core::JointId, core::JointReconstruction>& joints() const { return m_joints; }
@@ -41,11 +44,13 @@ private:
     void update(const core::Edit& edit);
     void selectJoint();
     void refreshSelected();
+    core::ReconstructionOptions optionsAt(int frame, bool details) const;
     std::optional<Eigen::Vector3d> nearPoint(core::Side hand) const;
 
     const AnnotationDocument& m_document;
     const Selection& m_selection;
     std::shared_ptr<const core::Dataset> m_dataset;
+    core::PictureGaps m_gaps;
     core::TriangulationOptions m_options;
     std::map<core::JointId, core::JointReconstruction> m_joints;
     core::JointReconstruction m_selected;

@@ -24,7 +24,10 @@ class Coverage : public QObject {
 public:
     Coverage(const AnnotationDocument& document, JobPool& pool, QObject* parent = nullptr);
 
+    /// Another dataset: every camera counts until setPictureGaps() says otherwise.
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
+    /// Where the open sequence has no picture: views that need no mark.
+    void setPictureGaps(core::PictureGaps gaps);
     /// A joint is bad when its error is above this, px.
     void setBadRmsPx(double px);
     double badRmsPx() const { return m_badRmsPx; }
@@ -42,6 +45,7 @@ private:
     const AnnotationDocument& m_document;
     Job m_job;
     std::shared_ptr<const core::Dataset> m_dataset;
+    core::PictureGaps m_gaps;
     FrameCoverage m_frames;
     double m_badRmsPx = 2.0;
 };

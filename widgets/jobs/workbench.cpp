@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/io/sequence_pictures.h"
+
 namespace widgets {
 
 namespace {
@@ -72,6 +74,9 @@ void Workbench::takeSequence(int frame) {
     const core::Sequence& sequence = *session.sequence();
     frames.setSequence(session.dataset(), &sequence, session.motion());
     fits.setSequence(session.dataset(), &sequence, session.motion());
+    const core::PictureGaps gaps = core::pictureGaps(*session.dataset(), sequence);
+    reconstructions.setPictureGaps(gaps);
+    coverage.setPictureGaps(gaps);
     restoreChoices();
     selection.setFrameCount(sequence.frameCount);
     selection.setFrame(frame);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QColor>
+#include <QFont>
 #include <QLocale>
 
 #include "widgets/document/advice.h"
@@ -15,9 +16,18 @@ namespace {
 
 const QColor kBadColour(0xE5, 0x5B, 0x5B);
 
-QString stateText(const core::JointReconstruction* found) {
-    const core::JointStatus status = found ? found->status : core::JointStatus::None;
-    switch (status) {
+/// Nothing is placed, but somebody or something has proposed where it is.
+bool isProposed(const core::JointReconstruction* found) {
+    return found && found->status == core::JointStatus::None &&
+           std::any_of(found->views.begin(), found->views.end(), [](const auto& view) { return view.mark && view.mark->isProposal(); });
+}
+
+QString stateText(const core::JointReconstruction* found, double badRmsPx) {
+    if (found && core::isBad(*found, badRmsPx))
+        return JointTableModel::tr("bad");
+    if (isProposed(found))
+        return JointTableModel::tr("proposed");
+    switch (found ? found->status : core::JointStatus::None) {
     case core::JointStatus::Done:
         return JointTableModel::tr("done");
     case core::JointStatus::Partial:
@@ -28,8 +38,15 @@ QString stateText(const core::JointReconstruction* found) {
     return JointTableModel::tr("none", "state of a joint without marks");
 }
 
-bool hasOutlier(const core::JointReconstruction& found) {
-    return std::any_of(found.views.begin(), found.views.end(), [](const auto& view) { return view.outlier; });
+/// What the numbers leave open: where the marks come from, and why there is no point.
+QString toolTip(const core::JointReconstruction& found) {
+    QString text = placedInWords(found);
+    if (found.hasPoint())
+        return text;
+    text += QLatin1Char('\n') + reasonText(found.result.reason);
+    for (const core::CurveGap& gap : found.gaps)
+        text += QStringLiteral("\n%1: %2").arg(QString::fromStdString(gap.camera), curveGapText(gap));
+    return text;
 }
 
 } // namespace
@@ -72,16 +89,14 @@ int JointTableModel::rowOf(const core::JointId& joint) const {
 }
 
 bool JointTableModel::isBad(const core::JointReconstruction* found) const {
-    if (!found)
-        return false;
-    if (!found->hasPoint())
-        return found->manualViews >= 2;
-    return found->result.point->rmsPx > m_badRmsPx || hasOutlier(*found);
+    return found && core::isBad(*found, m_badRmsPx);
 }
 
 QVariant JointTableModel::value(const core::JointReconstruction* found, int column) const {
-    if (column == Views)
-        return found ? found->manualViews : 0;
+    if (column == Views) {
+        const auto counts = [](const core::ViewReconstruction& view) { return view.hasPicture && view.mark && view.mark->isPlaced(); };
+        return found ? static_cast<int>(std::count_if(found->views.begin(), found->views.end(), counts)) : 0;
+    }
     if (!found || !found->hasPoint())
         return {};
     if (column == ErrorPx)
@@ -93,11 +108,11 @@ QVariant JointTableModel::text(const core::JointId& joint, const core::JointReco
     if (column == Joint)
         return shortJointText(joint);
     if (column == State)
-        return stateText(found);
+        return stateText(found, m_badRmsPx);
     const QVariant number = value(found, column);
     if (!number.isValid() || (column == Views && number.toInt() == 0))
         return QString();
-    return column == Views ? QLocale().toString(number.toInt()) : QLocale().toString(number.toDouble(), 'f', 2);
+    return column == Views ? placedText(*found) : QLocale().toString(number.toDouble(), 'f', 2);
 }
 
 QVariant JointTableModel::data(const QModelIndex& index, int role) const {
@@ -115,7 +130,12 @@ QVariant JointTableModel::data(const QModelIndex& index, int role) const {
     case Qt::ForegroundRole:
         return isBad(found) ? QVariant(kBadColour) : QVariant();
     case Qt::ToolTipRole:
-        return found && !found->hasPoint() ? QVariant(reasonText(found->result.reason)) : QVariant();
+        return found ? QVariant(toolTip(*found)) : QVariant();
+    case Qt::FontRole: {
+        QFont font;
+        font.setItalic(true);
+        return isProposed(found) ? QVariant(font) : QVariant();
+    }
     case ValueRole:
         return value(found, index.column());
     case BadRole:
@@ -135,10 +155,10 @@ QVariant JointTableModel::headerData(int section, Qt::Orientation orientation, i
         return names[section];
     }
     if (role == Qt::ToolTipRole) {
-        const QString tips[ColumnCount] = {tr("Joint, in the order in which you work"), tr("Views with a click of yours"),
+        const QString tips[ColumnCount] = {tr("Joint, in the order in which you work"), tr("Views that you clicked + views that you accepted"),
                                            tr("Root mean square distance from click to reprojection, over the views used"),
                                            tr("Uncertainty of the 3D joint (standard deviation)"),
-                                           tr("Done: every view is placed or cannot be placed")};
+                                           tr("Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point")};
         return tips[section];
     }
     return {};

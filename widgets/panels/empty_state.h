@@ -20,6 +20,8 @@ public:
 signals:
     void openRequested();
     void demoRequested();
+    /// A dataset is to be made.
+    void newRequested();
     void recentRequested(const QString& folder);
 
 private:

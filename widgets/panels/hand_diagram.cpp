@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "widgets/document/advice.h"
 #include "widgets/document/edit_text.h"
 #include "widgets/panels/hand_drawing.h"
 #include "widgets/panels/state_colours.h"
@@ -75,9 +76,14 @@ void HandDiagram::paintDot(QPainter& painter, const core::JointId& joint, QPoint
         painter.setBrush(Qt::NoBrush);
         shape(8);
     }
-    const bool bad = found && (found->hasPoint() ? found->result.point->rmsPx > m_badRmsPx : found->manualViews >= 2);
+    const bool bad = found && core::isBad(*found, m_badRmsPx);
     const QColor colour = fingerColour(joint.joint);
-    painter.setPen(QPen(bad ? kBadColour : mixed(colour, Qt::black, 0.25), bad ? 2.0 : 1.2));
+    QPen ring(bad ? kBadColour : mixed(colour, Qt::black, 0.25), bad ? 2.0 : 1.2);
+    if (found && found->status == core::JointStatus::None) { // nobody has placed it, but it is proposed
+        ring.setColor(colour);
+        ring.setDashPattern({1.9, 1.35});
+    }
+    painter.setPen(ring);
     QColor fill = palette().color(QPalette::Window);
     if (found && found->status == core::JointStatus::Done)
         fill = colour;
@@ -123,7 +129,9 @@ bool HandDiagram::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const auto joint = jointAt(help->pos());
-        QToolTip::showText(help->globalPos(), joint ? jointText(*joint) : QString(), this);
+        const core::JointReconstruction* found = joint ? m_reconstructions.find(*joint) : nullptr;
+        const QString marks = found ? QLatin1Char('\n') + placedInWords(*found) : QString();
+        QToolTip::showText(help->globalPos(), joint ? jointText(*joint) + marks : QString(), this);
         return true;
     }
     return QWidget::event(event);

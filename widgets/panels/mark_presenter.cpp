@@ -9,6 +9,7 @@
 #include <QLocale>
 
 #include "core/geometry/epipolar_curve.h"
+#include "widgets/document/advice.h"
 #include "widgets/panels/camera_colours.h"
 #include "widgets/panels/joint_bones.h"
 #include "widgets/views/joint_colours.h"
@@ -49,6 +50,12 @@ std::optional<ViewMark> markOf(const core::JointId& joint, const core::ViewRecon
     mark.px = toPoint(*view.reprojectionPx);
     mark.origin = MarkOrigin::Proposed;
     return mark;
+}
+
+/// How far the click in that camera is off another one's curve, where clicks give no point; else null.
+const core::CurveGap* gapIn(const core::JointReconstruction& found, const std::string& camera) {
+    const auto gap = std::find_if(found.gaps.begin(), found.gaps.end(), [&](const core::CurveGap& one) { return one.camera == camera; });
+    return gap == found.gaps.end() ? nullptr : &*gap;
 }
 
 std::vector<SkeletonLine> skeletonOf(const std::vector<ViewMark>& marks) {
@@ -149,6 +156,10 @@ std::vector<ViewMark> MarkPresenter::marksIn(int camera) const {
         if (!mark)
             return;
         marks.push_back(*mark);
+        if (const core::CurveGap* gap = gapIn(found, found.views[static_cast<std::size_t>(camera)].camera)) {
+            marks.back().curvePx = toPoint(gap->nearestPx);
+            marks.back().outlier = true;
+        }
         marks.back().selected = isSelected;
         marks.back().label = QString::fromStdString(joint.joint);
         marks.back().named = isSelected && m_grid.view(camera)->camera().name == m_selection.camera();
@@ -197,11 +208,18 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
     if (camera >= static_cast<int>(selected.views.size()))
         return title;
     const core::ViewReconstruction& view = selected.views[static_cast<std::size_t>(camera)];
+    if (!view.hasPicture)
+        title.detail = tr("no picture");
+    const core::CurveGap* gap = gapIn(selected, name);
     if (view.mark && view.mark->state == core::MarkState::Unplaceable)
         title.error = tr("cannot be placed");
     else if (view.errorPx)
         title.error = tr("%1 px").arg(QLocale().toString(*view.errorPx, 'f', 1));
-    title.warning = view.outlier || (!selected.suspect.empty() && selected.suspect == name);
+    else if (gap)
+        title.error = curveGapText(*gap);
+    else if (view.mark && view.mark->placement != core::Placement::Manual)
+        title.error = view.mark->isPlaced() ? tr("accepted") : tr("proposed");
+    title.warning = view.outlier || gap || (!selected.suspect.empty() && selected.suspect == name);
     return title;
 }
 

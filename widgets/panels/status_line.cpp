@@ -71,15 +71,11 @@ void StatusLine::sayBriefly(const QString& text) {
     m_briefText = text;
     m_brief.start();
     refresh();
+    emit said(text);
 }
 
 void StatusLine::setIdleText(const QString& text) {
     m_idleText = text;
-    refresh();
-}
-
-void StatusLine::setCameraCount(int cameras) {
-    m_cameras = cameras;
     refresh();
 }
 
@@ -91,7 +87,8 @@ void StatusLine::refresh() {
     }
     const auto& found = m_reconstructions.selected();
     m_summary->setText(summaryText(m_selection.joint(), found));
-    const QString advice = m_briefText.isEmpty() ? adviceText(m_selection.joint(), found, m_cameras) : m_briefText;
+    m_summary->setToolTip(placedInWords(found));
+    const QString advice = m_briefText.isEmpty() ? adviceText(m_selection.joint(), found) : m_briefText;
     m_advice->setText(advice);
     m_advice->setToolTip(advice);
 }

@@ -26,7 +26,6 @@ public:
     void sayBriefly(const QString& text);
     /// While nothing is open.
     void setIdleText(const QString& text);
-    void setCameraCount(int cameras);
 
     /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.
     void showWork(const QString& name, double fraction);
@@ -34,6 +33,8 @@ public:
 
 signals:
     void stopRequested();
+    /// sayBriefly() was asked to say this.
+    void said(const QString& text);
 
 private:
     void refresh();
@@ -53,7 +54,6 @@ private:
     QElapsedTimer m_workTime;
     QString m_briefText;
     QString m_idleText;
-    int m_cameras = 0;
 };
 
 } // namespace widgets

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/panels/mark_legend.h"
 #include "widgets/panels/state_colours.h"
 
 namespace widgets {
@@ -37,6 +38,7 @@ ViewPanel::ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& 
     column->addWidget(makeMeshGroup());
     column->addWidget(makeImageGroup());
     column->addWidget(makeCameraGroup(), 1);
+    column->addWidget(new MarkLegend(this));
     connect(&layers, &LayerPresenter::lookChanged, this, &ViewPanel::showLook);
     connect(&workbench.selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
     connect(&options, &ViewOptions::adjustmentsLoaded, this, &ViewPanel::showAdjustment);

@@ -6,7 +6,9 @@
 #include <QDataStream>
 #include <QVBoxLayout>
 
+#include "widgets/jobs/footage_finder.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/views/message_bar.h"
 
 namespace widgets {
 
@@ -31,10 +33,7 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
     connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
     connect(&workbench, &Workbench::shownCamerasChanged, this, &Workspaces::showOrder);
     connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
-    connect(&workbench.frames, &FrameLoader::pictureFailed, this, [this](int camera, const QString& message) {
-        if (camera < m_grid->count())
-            m_grid->view(camera)->setMessage(message);
-    });
+    connect(&workbench.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
     connect(&workbench.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
     connect(m_options, &ViewOptions::adjustmentsChanged, this,
             [this] { m_workbench.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
@@ -144,6 +143,18 @@ void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
     m_grid->view(camera)->setImage(picture);
     if (camera == m_grid->current())
         m_scene->setCameraImage(picture.image());
+}
+
+/// Says why there is no picture; footage that is not there any more can be looked for.
+void Workspaces::showFailure(int camera, const QString& message) {
+    const auto& dataset = m_workbench.session.dataset();
+    if (!dataset || camera >= m_grid->count())
+        return;
+    CameraView* view = m_grid->view(camera);
+    std::vector<MessageAction> actions;
+    if (isFootageGone(*dataset, *m_workbench.session.sequence(), view->camera().name))
+        actions.push_back({tr("Find..."), [this] { emit footageWanted(); }});
+    view->setMessage(message, actions);
 }
 
 void Workspaces::showCurrentCamera() {

@@ -60,6 +60,8 @@ public:
 
 signals:
     void currentChanged(widgets::Workspaces::Kind kind);
+    /// Footage is missing, and a person wants to say where it is.
+    void footageWanted();
     /// A right click in a view; `joint` has an empty name if there is no mark.
     void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
 
@@ -69,6 +71,7 @@ private:
     void connectGrid();
     void takeSequence();
     void showOrder();
+    void showFailure(int camera, const QString& message);
     void showPicture(int camera, const ImagePyramid& picture);
     void showCurrentCamera();
     void openPair(const QString& sequence, const FitRequest& request);

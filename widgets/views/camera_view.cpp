@@ -137,7 +137,11 @@ void CameraView::setTitle(const ViewTitle& title) {
 }
 
 void CameraView::setMessage(const QString& text) {
-    m_messageBar->setMessage(text);
+    setMessage(text, {});
+}
+
+void CameraView::setMessage(const QString& text, const std::vector<MessageAction>& actions) {
+    m_messageBar->offer(text, actions, MessageBar::Tone::Warning);
     layOut();
 }
 

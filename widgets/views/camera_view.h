@@ -21,6 +21,7 @@ class CameraViewItems;
 class CameraViewMouse;
 class Loupe;
 class MessageBar;
+struct MessageAction;
 
 /// One camera's image with everything that lies on it. It only shows and reports: it never changes an annotation. All
 /// positions, in setters and signals, are recorded image pixels with centres at integers, in double precision.
@@ -59,6 +60,8 @@ public:
     void setTitle(const ViewTitle& title);
     /// A bar at the top of the picture that says what is wrong and what to do; empty hides it.
     void setMessage(const QString& text);
+    /// The same with buttons that do something about it.
+    void setMessage(const QString& text, const std::vector<MessageAction>& actions);
     QString message() const;
 
     /// While true, nothing but the image is shown (a key is held).

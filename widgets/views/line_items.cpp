@@ -11,6 +11,7 @@ namespace widgets {
 
 namespace {
 
+const QColor kGapRed(0xFF, 0x3B, 0x30);
 const QPointF kHalf(0.5, 0.5);   // from image pixels to the scene
 constexpr double kMarginPx = 60; // in image px: covers pens and dots at every zoom that shows the whole image
 
@@ -121,7 +122,10 @@ void ReprojectionItem::setMarks(const std::vector<ViewMark>& marks) {
     m_lines.clear();
     for (const ViewMark& mark : marks) {
         if (mark.reprojectionPx && mark.origin != MarkOrigin::Proposed) {
-            m_lines.push_back({mark.px, *mark.reprojectionPx, fingerColour(mark.joint.joint)});
+            m_lines.push_back({mark.px, *mark.reprojectionPx, fingerColour(mark.joint.joint), false});
+        }
+        if (mark.curvePx) {
+            m_lines.push_back({mark.px, *mark.curvePx, kGapRed, true});
         }
     }
     updateBounds();
@@ -145,9 +149,9 @@ void ReprojectionItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*,
     painter->setRenderHint(QPainter::Antialiasing);
     for (const Line& line : m_lines) {
         const QPointF from = line.fromPx + kHalf, to = end(line) + kHalf;
-        painter->setPen(cosmetic(QColor(0, 0, 0, 150), 2.6));
+        painter->setPen(cosmetic(QColor(0, 0, 0, 150), line.isGap ? 3.5 : 2.6));
         painter->drawLine(from, to);
-        painter->setPen(cosmetic(line.colour, 1.1));
+        painter->setPen(cosmetic(line.colour, line.isGap ? 2 : 1.1));
         painter->drawLine(from, to);
         painter->setPen(cosmetic(line.colour, 3));
         painter->drawPoint(to);

@@ -60,7 +60,8 @@ private:
     std::optional<UncertaintyEllipse> m_ellipse;
 };
 
-/// Thin lines from clicks to the reprojections of their 3D joints, drawn `factor` times as long as they are.
+/// Thin lines from clicks to the reprojections of their 3D joints, drawn `factor` times as long as they are; where clicks give no
+/// joint, red lines to the curves that they contradict.
 class ReprojectionItem : public LineItem {
 public:
     using LineItem::LineItem;
@@ -72,8 +73,9 @@ private:
     struct Line {
         QPointF fromPx, toPx;
         QColor colour;
+        bool isGap = false; ///< to a curve: never lengthened
     };
-    QPointF end(const Line& line) const { return line.fromPx + (line.toPx - line.fromPx) * m_factor; }
+    QPointF end(const Line& line) const { return line.fromPx + (line.toPx - line.fromPx) * (line.isGap ? 1 : m_factor); }
     void updateBounds();
 
     std::vector<Line> m_lines;

@@ -18,6 +18,8 @@ namespace {
 // All in screen pixels.
 constexpr double kRadius = 4.5; // of the ring's line; with its width the ring measures 11
 constexpr double kLineWidth = 2;
+constexpr double kAcceptedWidth = 1.1;
+constexpr double kBadgeRadius = 2;
 constexpr double kOutline = 1; // dark, on both sides of the line
 constexpr double kHaloRadius = 8;
 constexpr double kCrossReach = 19;
@@ -49,14 +51,25 @@ void drawOutlined(QPainter& painter, QPen pen, Draw&& draw) {
 }
 
 QPen ringPen(const ViewMark& mark) {
-    QPen pen(fingerColour(mark.joint.joint), kLineWidth);
+    QPen pen(fingerColour(mark.joint.joint), mark.origin == MarkOrigin::Auto && !mark.occluded ? kAcceptedWidth : kLineWidth);
     pen.setCapStyle(Qt::FlatCap);
     if (mark.occluded) {
         pen.setDashPattern({0.7, 0.85}); // dotted, in units of the width
-    } else if (mark.origin != MarkOrigin::Manual) {
+    } else if (mark.origin == MarkOrigin::Proposed) {
         pen.setDashPattern({1.9, 1.35});
     }
     return pen;
+}
+
+/// A dot at the ring's upper right corner: nobody clicked this mark, but somebody accepted it.
+void drawBadge(QPainter& painter, const QColor& colour) {
+    const QPointF corner(kRadius + 1, -kRadius - 1);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kDark);
+    painter.drawEllipse(corner, kBadgeRadius + kOutline, kBadgeRadius + kOutline);
+    painter.setBrush(colour);
+    painter.drawEllipse(corner, kBadgeRadius, kBadgeRadius);
+    painter.setBrush(Qt::NoBrush);
 }
 
 void drawSelection(QPainter& painter, core::Side hand) {
@@ -130,6 +143,9 @@ void MarkItem::drawGlyph(QPainter& painter) const {
         drawSelection(painter, m_mark.joint.hand);
     }
     drawOutlined(painter, ringPen(m_mark), [&] { drawRing(painter, m_mark.joint.hand, kRadius); });
+    if (m_mark.origin == MarkOrigin::Auto) {
+        drawBadge(painter, fingerColour(m_mark.joint.joint));
+    }
     if (m_mark.occluded) {
         QPen bar(fingerColour(m_mark.joint.joint), kLineWidth);
         bar.setCapStyle(Qt::FlatCap);
@@ -146,7 +162,7 @@ QPixmap MarkItem::glyph(double pixelRatio) const {
     const QString key = QStringLiteral("handlens-mark %1 %2 %3 %4 %5 %6")
                             .arg(colour.rgba())
                             .arg(m_mark.joint.hand == core::Side::Left)
-                            .arg(static_cast<int>(m_mark.origin == MarkOrigin::Manual))
+                            .arg(static_cast<int>(m_mark.origin))
                             .arg(m_mark.occluded)
                             .arg(m_mark.outlier)
                             .arg(pixelRatio);

@@ -10,6 +10,8 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QSaveFile>
+#include <QStatusTipEvent>
+#include <QWidget>
 
 namespace widgets {
 
@@ -20,6 +22,12 @@ constexpr double kSavedScale = 2; // for print and slides
 struct PictureExport {
     Q_DECLARE_TR_FUNCTIONS(widgets::PictureExport)
 };
+
+/// Up to the window, which says it.
+void tell(QWidget* parent, const QString& text) {
+    QStatusTipEvent tip(text);
+    QCoreApplication::sendEvent(parent, &tip);
+}
 
 void askAndSave(QWidget* parent, const PictureSource& source) {
     QString filter = PictureExport::tr("PNG picture (*.png)");
@@ -35,8 +43,11 @@ void askAndSave(QWidget* parent, const PictureSource& source) {
     if (QFileInfo(path).suffix().isEmpty()) {
         path += chosen.contains(QLatin1String("svg")) ? QStringLiteral(".svg") : QStringLiteral(".png");
     }
-    if (!savePicture(source, path) && source.failed) {
+    const bool saved = savePicture(source, path);
+    if (!saved && source.failed) {
         source.failed(PictureExport::tr("%1 could not be written. Choose a folder that you may write to.").arg(path));
+    } else if (saved) {
+        tell(parent, PictureExport::tr("Saved to %1").arg(path));
     }
 }
 
@@ -45,7 +56,10 @@ void askAndSave(QWidget* parent, const PictureSource& source) {
 void addPictureActions(QMenu& menu, QWidget* parent, const PictureSource& source) {
     QAction* copy = menu.addAction(QIcon::fromTheme(QStringLiteral("edit-copy")), PictureExport::tr("Copy picture"));
     QObject::connect(copy, &QAction::triggered, parent,
-                     [source] { QApplication::clipboard()->setImage(source.image(1)); });
+                     [parent, source] {
+        QApplication::clipboard()->setImage(source.image(1));
+        tell(parent, PictureExport::tr("The picture is in the clipboard."));
+    });
     QAction* save =
         menu.addAction(QIcon::fromTheme(QStringLiteral("document-save-as")), PictureExport::tr("Save picture..."));
     QObject::connect(save, &QAction::triggered, parent, [parent, source] { askAndSave(parent, source); });

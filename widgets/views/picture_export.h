@@ -19,7 +19,7 @@ struct PictureSource {
     std::function<void(const QString& message)> failed; ///< told, in words, why a picture could not be saved
 };
 
-/// Appends "Copy picture" and "Save picture..." to a menu.
+/// Appends "Copy picture" and "Save picture..." to a menu. What was done is told to `parent`'s window, as a status tip.
 void addPictureActions(QMenu& menu, QWidget* parent, const PictureSource& source);
 
 /// Writes PNG or SVG by the path's suffix (none: PNG); beside it first, then renamed. False if that failed.

@@ -15,9 +15,9 @@ namespace widgets {
 
 /// How a mark came to be, for drawing.
 enum class MarkOrigin {
-    Manual,  ///< clicked: solid
-    Auto,    ///< an accepted reprojection: dashed
-    Proposed ///< pre-placed, not accepted yet: dashed and faint
+    Manual,  ///< clicked: a solid ring
+    Auto,    ///< an accepted reprojection: a thin ring with a dot at its corner
+    Proposed ///< pre-placed, nobody's label yet: dashed and faint
 };
 
 /// One joint as a view draws it. Positions in recorded image pixels, centres at integers.
@@ -29,6 +29,7 @@ struct ViewMark {
     bool outlier = false;
     bool selected = false;
     std::optional<QPointF> reprojectionPx; ///< of the 3D joint: the thin line goes there
+    std::optional<QPointF> curvePx;        ///< the nearest place on the curve that the click contradicts: a red line goes there
     QString label;                         ///< beside the mark if it is named, or if labels are shown
     bool named = false;
     bool operator==(const ViewMark&) const = default;

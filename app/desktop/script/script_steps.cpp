@@ -57,8 +57,17 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
         throw refused("do", QStringLiteral("there is no step \"%1\"").arg(name));
-    const QJsonObject answer = (this->*handler->second)(step);
+    QString said, refusal;
+    QObject scope;
+    QObject::connect(&m_window.statusLine(), &widgets::StatusLine::said, &scope, [&said](const QString& text) { said = text; });
+    QObject::connect(&m_window.workbench().annotator, &widgets::Annotator::nothingDone, &scope, [&refusal](const QString& why) { refusal = why; });
+    QObject::connect(&m_window.workbench().document, &widgets::AnnotationDocument::refused, &scope, [&](const QString& why) { said = refusal = why; });
+    QJsonObject answer = (this->*handler->second)(step);
     settle();
+    if (!refusal.isEmpty() && (name == QLatin1String("click") || name == QLatin1String("drag")))
+        throw refused(name == QLatin1String("click") ? "px" : "to", refusal);
+    if (!said.isEmpty())
+        answer[QStringLiteral("said")] = said;
     return answer;
 }
 

@@ -100,6 +100,29 @@ TEST_F(Reconstruction, StatusCountsPlacedAndUnplaceableViews) {
     EXPECT_EQ(look().status, core::JointStatus::Done);
 }
 
+TEST_F(Reconstruction, ViewsWithoutAPictureNeedNoMark) {
+    core::ReconstructionOptions options;
+    options.withoutPicture = {"cam4", "cam5", "cam6", "cam7"};
+    click({0, 1, 2});
+    EXPECT_EQ(look(options).status, core::JointStatus::Partial);
+    EXPECT_EQ(look(options).countedViews, 4);
+    for (const core::NextView& next : look(options).nextViews) {
+        EXPECT_EQ(next.camera, "cam3");
+    }
+    click({3});
+    EXPECT_EQ(look(options).status, core::JointStatus::Done);
+    EXPECT_EQ(look().status, core::JointStatus::Partial) << "every camera counts where all have footage";
+    for (const core::Camera& camera : m_cameras) {
+        options.withoutPicture.insert(camera.name);
+    }
+    EXPECT_EQ(look(options).countedViews, 8) << "without any footage, all count";
+    core::PictureGaps gaps{{"cam7"}, {{"cam6", {{3, 2}}}, {"cam5", {{9, 1}}}}};
+    EXPECT_EQ(gaps.at(3), (std::set<std::string>{"cam6", "cam7"}));
+    EXPECT_EQ(gaps.at(5), std::set<std::string>{"cam7"});
+    gaps.cameras = {"cam4", "cam5", "cam6", "cam7"};
+    EXPECT_EQ(core::coverageOf(m_set, m_cameras, 3, kRater, 5.0, {}, gaps).at(Side::Left).done, 1);
+}
+
 TEST_F(Reconstruction, NamesTheClickThatDisagrees) {
     click({0, 1, 2, 3, 4, 5}, 1.0);
     EXPECT_EQ(look().suspect, "");

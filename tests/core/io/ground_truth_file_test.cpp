@@ -154,4 +154,25 @@ TEST_F(GroundTruthFile, RefusesWhatIsNotGroundTruth) {
     EXPECT_THROW(core::exportAnnotations(m_dataset, m_dataset.sequences[0], m_set, "excel", m_file), core::Error);
 }
 
+TEST_F(GroundTruthFile, AJointIsDoneWhenEveryViewWithFootageIs) {
+    const JointId joint{Side::Left, "index_mcp"};
+    for (int i = 0; i < 3; ++i) {
+        m_dataset.sequences[0].views.push_back({m_dataset.cameras[static_cast<std::size_t>(i)].name, core::ViewKind::Video, "v.mp4"});
+    }
+    m_dataset.sequences[0].views.push_back({"cam3", core::ViewKind::None, ""});
+    const auto status = [&] {
+        write();
+        return content()["frames"][0]["raters"][0]["hands"]["left"]["joints"]["index_mcp"]["status"].get<std::string>();
+    };
+    test::clickEverywhere(m_set, {m_dataset.cameras[0], m_dataset.cameras[1]}, 4, "ann", joint, {10, 20, 30});
+    EXPECT_EQ(status(), "partial");
+    test::clickEverywhere(m_set, {m_dataset.cameras[2]}, 4, "ann", joint, {10, 20, 30});
+    EXPECT_EQ(status(), "done");
+    m_dataset.sequences[0].views[2].missing = {{8, 2}};
+    m_set.marks.erase({4, "ann", joint, "cam2"});
+    EXPECT_EQ(status(), "partial") << "the camera has a picture of this frame";
+    m_dataset.sequences[0].views[2].missing = {{3, 2}};
+    EXPECT_EQ(status(), "done");
+}
+
 } // namespace

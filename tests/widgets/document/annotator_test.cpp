@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/document/annotator.h"
 
+#include <functional>
+
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
@@ -181,6 +183,115 @@ TEST_F(AnnotatorTest, StepsOfFramesStayInside) {
     EXPECT_EQ(selection.frame(), 0);
     annotator.stepFrame(1000);
     EXPECT_EQ(selection.frame(), 299);
+}
+
+TEST_F(AnnotatorTest, AClickOutsideThePictureIsRefusedAndSaysSo) {
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-3, 100), Eigen::Vector2d(100, -0.6), Eigen::Vector2d(1080, 100), Eigen::Vector2d(100, 1920.2)})
+        annotator.place("cam1", px);
+    EXPECT_TRUE(document.annotations().marks.empty());
+    ASSERT_EQ(said.count(), 4);
+    EXPECT_TRUE(said[0][0].toString().contains(QStringLiteral("cam1"))) << said[0][0].toString().toStdString();
+    annotator.place("cam1", {-0.4, 1919.4}); // of the outermost pixels
+    ASSERT_TRUE(mark(1));
+    EXPECT_EQ(mark(1)->px, Eigen::Vector2d(0, 1919));
+}
+
+TEST_F(AnnotatorTest, ADragStaysInThePictureAndADropOutsideChangesNothing) {
+    click(0);
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    annotator.drag("cam0", kIndex, {-50, 300});
+    EXPECT_EQ(mark(0)->px, Eigen::Vector2d(0, 300));
+    annotator.drop("cam0", kIndex, {-50, 300});
+    EXPECT_EQ(mark(0)->px, truth(0));
+    EXPECT_EQ(document.undoStack()->count(), 1);
+    EXPECT_EQ(said.count(), 1);
+}
+
+TEST_F(AnnotatorTest, NudgesStopAtTheEdge) {
+    annotator.place("cam0", {1078.5, 0.5});
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    for (int i = 0; i < 5; ++i) {
+        annotator.nudge({1, 0});
+        annotator.nudge({0, -1});
+    }
+    EXPECT_EQ(mark(0)->px, Eigen::Vector2d(1079, 0));
+    EXPECT_GT(said.count(), 0);
+}
+
+TEST_F(AnnotatorTest, CorrectionsOfAFinishedJointSelectNoOther) {
+    for (int camera = 0; camera < 4; ++camera)
+        click(camera);
+    ASSERT_EQ(selection.joint(), kThumb) << "placed in the last view";
+    const auto corrects = [&](const char* what, const std::function<void()>& correction) {
+        selection.setJoint(kIndex);
+        selection.setCamera("cam1");
+        correction();
+        EXPECT_EQ(selection.joint(), kIndex) << what;
+    };
+    corrects("a drag", [&] {
+        annotator.drag("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
+        annotator.drop("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
+    });
+    corrects("a nudge", [&] { annotator.nudge({0.25, 0}); });
+    corrects("a click", [&] { annotator.place("cam1", truth(1)); });
+    corrects("occluded", [&] { annotator.toggleOccluded(); });
+    corrects("deleted and clicked again", [&] {
+        annotator.remove();
+        click(1);
+    });
+    corrects("deleted everywhere and clicked again", [&] {
+        annotator.removeInAllViews();
+        for (int camera = 0; camera < 4; ++camera)
+            click(camera);
+    });
+    corrects("cannot be placed", [&] { annotator.toggleUnplaceable(); });
+    selection.setFrame(13); // another frame is another joint
+    selection.setJoint(kIndex);
+    for (int camera = 0; camera < 4; ++camera)
+        click(camera);
+    EXPECT_EQ(selection.joint(), kThumb);
+}
+
+TEST_F(AnnotatorTest, ADragThatFinishesAJointStaysThere) {
+    for (int camera = 0; camera < 3; ++camera)
+        click(camera);
+    annotator.drag("cam3", kIndex, truth(3));
+    annotator.drop("cam3", kIndex, truth(3));
+    EXPECT_EQ(reconstructions.selected().status, core::JointStatus::Done);
+    EXPECT_EQ(selection.joint(), kIndex);
+}
+
+TEST_F(AnnotatorTest, AWithdrawnClickIsNoFinish) {
+    for (int camera = 0; camera < 4; ++camera)
+        click(camera);
+    annotator.withdrawPlace();
+    ASSERT_EQ(selection.joint(), kIndex);
+    click(3);
+    EXPECT_EQ(selection.joint(), kThumb);
+}
+
+TEST_F(AnnotatorTest, NothingToAcceptInTheFrameIsSaid) {
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    annotator.acceptFrame();
+    EXPECT_EQ(said.count(), 1);
+    annotator.removeInAllViews();
+    EXPECT_EQ(said.count(), 2);
+    EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(AnnotatorTest, ViewsWithoutAPictureGetNoMark) {
+    reconstructions.setPictureGaps({{"cam3"}, {}});
+    click(0);
+    click(1);
+    annotator.acceptAllViews();
+    EXPECT_TRUE(mark(2));
+    EXPECT_FALSE(mark(3));
+    EXPECT_EQ(selection.joint(), kThumb) << "every view with a picture is placed";
+    QSignalSpy said(&annotator, &Annotator::nothingDone);
+    annotator.place("cam3", {100, 100});
+    EXPECT_EQ(said.count(), 1);
+    EXPECT_FALSE(mark(3, kThumb));
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "core/annotation/edits.h"
 #include "tests/support/clicks.h"
 #include "tests/support/ring_dataset.h"
+#include "widgets/document/advice.h"
 #include "widgets/models/joint_table_model.h"
 #include "widgets/models/result_table_model.h"
 
@@ -54,6 +55,32 @@ TEST_F(JointTableModelTest, ShowsViewsErrorAndUncertainty) {
     EXPECT_EQ(at(1, JointTableModel::State), "partial");
     EXPECT_EQ(at(0, JointTableModel::State), "none");
     EXPECT_FALSE(at(1, 0, JointTableModel::BadRole).toBool());
+}
+
+TEST_F(JointTableModelTest, AcceptedViewsAreToldFromClickedOnes) {
+    clickAt(0, truth(0));
+    clickAt(2, truth(2));
+    core::Edit accept = core::acceptEdit(document.annotations(), dataset->cameras, selection.frame(), document.rater(), kIndex, "cam1");
+    document.push(accept);
+    EXPECT_EQ(at(1, JointTableModel::Views), "2+1");
+    EXPECT_EQ(at(1, JointTableModel::Views, JointTableModel::ValueRole).toInt(), 3);
+    EXPECT_TRUE(summaryText(kIndex, *reconstructions.find(kIndex)).contains(QStringLiteral("2+1 of 8"))) << "the line counts as the table does";
+    EXPECT_TRUE(at(1, JointTableModel::Views, Qt::ToolTipRole).toString().contains(QStringLiteral("1 accepted")));
+}
+
+TEST_F(JointTableModelTest, TwoViewsThatDisagreeAreBadNotDone) {
+    clickAt(0, truth(0));
+    clickAt(2, truth(2) + Eigen::Vector2d(3, 24));
+    EXPECT_EQ(at(1, JointTableModel::State), "bad");
+    EXPECT_TRUE(at(1, 0, JointTableModel::BadRole).toBool());
+    EXPECT_TRUE(at(1, 0, Qt::ToolTipRole).toString().contains(QStringLiteral("px off cam")));
+    EXPECT_TRUE(adviceText(kIndex, *reconstructions.find(kIndex)).contains(QStringLiteral("px off cam")));
+}
+
+TEST_F(JointTableModelTest, AJointThatIsOnlyProposedSaysSo) {
+    document.push({"propose", {{{selection.frame(), document.rater(), kIndex, "cam1"}, std::nullopt, core::Mark{{300, 400}, core::Placement::Proposed, core::MarkState::Visible}}}, {}});
+    EXPECT_EQ(at(1, JointTableModel::State), "proposed");
+    EXPECT_EQ(at(1, JointTableModel::Views), "");
 }
 
 TEST_F(JointTableModelTest, DisagreeingClicksAreBad) {

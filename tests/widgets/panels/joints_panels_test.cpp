@@ -66,7 +66,6 @@ TEST_F(JointsPanelTest, NotesBelongToTheirFrameAndAreNeverLost) {
 
 TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
     widgets::StatusLine line(bench.document, bench.reconstructions, bench.selection);
-    line.setCameraCount(8);
     line.resize(900, 24);
     line.show();
     const auto says = [&](const char* words) {

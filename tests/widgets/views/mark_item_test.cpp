@@ -128,16 +128,29 @@ TEST_F(MarkItemTest, MeasuresElevenPixelsWithItsOutlineAtEveryZoom) {
     EXPECT_EQ(at(image, 7.5, 0.5), kSkin);
 }
 
-TEST_F(MarkItemTest, AutoIsDashedAndProposedFainterStill) {
+TEST_F(MarkItemTest, ClickedAcceptedAndProposedDiffer) {
     const QColor colour = fingerColour("index_mcp");
     ViewMark m = mark();
+    const QImage clicked = draw(m);
+    EXPECT_GT(ringShare(clicked, colour), 0.88);
     m.origin = MarkOrigin::Auto;
-    const double share = ringShare(draw(m), colour);
-    EXPECT_GT(share, 0.3);
-    EXPECT_LT(share, 0.85);
-    const double strength = ringStrength(draw(m));
+    const QImage accepted = draw(m);
+    EXPECT_EQ(at(clicked, 8.5, -5.5), kSkin);
+    EXPECT_NE(at(accepted, 8, -5.5), kSkin) << "the accepted mark's dot";
+    EXPECT_GT(ringShare(accepted, colour), 0.7) << "its ring is closed";
+    EXPECT_LT(ringStrength(accepted), 0.92 * ringStrength(clicked)) << "and thinner";
     m.origin = MarkOrigin::Proposed;
-    EXPECT_LT(ringStrength(draw(m)), 0.85 * strength);
+    const QImage proposed = draw(m);
+    EXPECT_LT(ringShare(proposed, colour), 0.7) << "dashed";
+    EXPECT_LT(ringStrength(proposed), 0.85 * ringStrength(clicked)) << "and faint";
+    EXPECT_EQ(at(proposed, 8, -5.5), kSkin);
+}
+
+TEST_F(MarkItemTest, ALineShowsHowFarAClickIsOffACurve) {
+    ViewMark m = mark();
+    m.curvePx = m.px + QPointF(40, 0);
+    const QColor line = at(draw(m), 28, 0.5);
+    EXPECT_GT(line.red(), line.green() + 100);
 }
 
 TEST_F(MarkItemTest, OccludedHasABarBelow) {

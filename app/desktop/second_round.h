@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace app {
+
+class MainWindow;
+
+/// What begins and ends a second round: a question before the first marks are hidden, and a banner as long as they are.
+void bindSecondRound(MainWindow& window);
+
+} // namespace app
