@@ -27,6 +27,8 @@ public:
     /// While nothing is open.
     void setIdleText(const QString& text);
     void setCameraCount(int cameras);
+    /// Says this instead of the selected joint's numbers and the advice, where nobody annotates; both empty: joint and advice again.
+    void setWords(const QString& summary, const QString& advice);
 
     /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.
     void showWork(const QString& name, double fraction);
@@ -53,6 +55,8 @@ private:
     QElapsedTimer m_workTime;
     QString m_briefText;
     QString m_idleText;
+    QString m_workSummary;
+    QString m_workAdvice;
     int m_cameras = 0;
 };
 
