@@ -12,7 +12,6 @@
 #include "app/batch/verbs.h"
 #include "core/benchmark/benchmark_run.h"
 #include "core/benchmark/result_table.h"
-#include "core/benchmark/scene_fingerprint.h"
 #include "core/benchmark/sweep.h"
 #include "core/error.h"
 #include "core/io/benchmark_folder.h"
@@ -67,16 +66,11 @@ std::vector<core::ExternalEstimates> externalFrom(const BenchmarkArguments& argu
 
 core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::BenchmarkOptions& options,
                                const core::BenchmarkScene& scene) {
-    core::BenchmarkRunInfo info;
-    info.dataset = arguments.dataset;
-    info.fingerprint = core::sceneFingerprint(scene);
-    info.setup = options.setup;
-    info.methods = options.methods;
-    info.shard = options.shard;
+    const std::vector<core::FramePair> pairs = arguments.pairs.empty()
+                                                   ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
+                                                   : core::readPairs(arguments.pairs);
+    core::BenchmarkRunInfo info = core::describeRun(arguments.dataset, scene, options, pairs);
     info.sweep = !arguments.sweep.empty();
-    info.joints = core::benchmarkJoints(scene, options.setup);
-    info.pairs = arguments.pairs.empty() ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
-                                         : core::readPairs(arguments.pairs);
     return info;
 }
 
@@ -132,6 +126,16 @@ void benchmark(const BenchmarkArguments& arguments) {
     }
 }
 
+/// A list of pairs leaves nothing to draw: an option that would draw them was meant to do something.
+void requireOneSourceOfPairs(const CLI::App& verb) {
+    for (const char* option : {"--fraction", "--differences", "--seed"}) {
+        if (verb.count("--pairs") > 0 && verb.count(option) > 0) {
+            throw core::Error(core::ErrorCode::Usage, "", std::string("--pairs and ") + option,
+                              std::string("--pairs names the frame pairs, so ") + option + " would change nothing; give one of them");
+        }
+    }
+}
+
 void merge(const std::vector<std::string>& folders, const std::string& out) {
     const core::BenchmarkFolder merged =
         core::mergedBenchmarkFolders(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
@@ -160,7 +164,10 @@ void addBenchmarkVerb(CLI::App& program) {
     verb->add_option("--threads", arguments->threads, "Pairs that are solved side by side (1)")->check(CLI::Range(1, 256));
     verb->add_option("--shard", arguments->shard, "i/n: only the i-th of n parts of the work, counted from 0");
     verb->add_option("--out", arguments->out, "The folder for the results; a second run goes on where the first one ended")->required();
-    verb->callback([arguments] { benchmark(*arguments); });
+    verb->callback([arguments, verb] {
+        requireOneSourceOfPairs(*verb);
+        benchmark(*arguments);
+    });
 }
 
 void addMergeVerb(CLI::App& program) {

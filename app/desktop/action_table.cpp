@@ -136,10 +136,15 @@ const std::vector<ActionRow> kRows = {
     {"fit.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Fit the current frame"), "F", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "With the chosen methods, from the pose of some frames before")},
     {"fit.stop", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Stop"), "Shift+F", "process-stop", ""},
     {"fit.show", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Show the fit &panel"), "Ctrl+F", "", ""},
+    {"file.attachMasks", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Attach masks..."), "Ctrl+Shift+M", "", QT_TRANSLATE_NOOP("app::ActionTable", "Gives this sequence the silhouettes of a folder")},
 
     {"compare.previousIteration", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous iteration"), ",", "", QT_TRANSLATE_NOOP("app::ActionTable", "Shows the poses as they were before")},
     {"compare.nextIteration", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "&Next iteration"), ".", "", ""},
     {"compare.lastIteration", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "&Result of the fit"), "/", "", ""},
+    {"compare.nextMethod", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "Next &method in the 3D scene"), ";", "", ""},
+    {"benchmark.run", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"file.saveResults", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
+    {"file.openResults", kCompare, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
 
     {"help.shortcuts", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Shortcuts"), "F1", "help-contents", ""},
     {"help.hints", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Four hints"), "Ctrl+F1", "", ""},

@@ -176,6 +176,8 @@ void MainWindow::connectSession() {
         refreshTestFrames();
         sayIfFrameIsMissing();
     });
+    connect(m_workspaces, &Workspaces::wordsChanged, m_statusLine,
+            [this](const widgets::WorkWords& words) { m_statusLine->setWords(words.summary, words.advice); });
     connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::drawChanged, this, &MainWindow::refreshTestFrames);
     connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this,
             [this](const QString& name) { m_workbench.session.openSequence(name, 0); });
@@ -242,6 +244,12 @@ void MainWindow::connectWork() {
     connect(&benchmarks, &widgets::BenchmarkRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&benchmarks, &widgets::BenchmarkRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &benchmarks, &widgets::BenchmarkRunner::stop);
+    connect(&benchmarks, &widgets::BenchmarkRunner::saved, this, [this](const QString& folder) {
+        m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
+    });
+    connect(&benchmarks, &widgets::BenchmarkRunner::opened, this,
+            [this] { m_workspaces->setCurrent(Workspaces::Kind::Benchmark); });
+    connect(m_workspaces->masks(), &widgets::MaskAttacher::attached, m_statusLine, &widgets::StatusLine::sayBriefly);
     widgets::AnnotationFiles& files = m_workbench.files;
     connect(&files, &widgets::AnnotationFiles::working, m_statusLine, &widgets::StatusLine::showWork);
     connect(&files, &widgets::AnnotationFiles::idle, m_statusLine, &widgets::StatusLine::hideWork);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/panel_actions.h"
 
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -51,6 +52,33 @@ void bindIterations(MainWindow& window) {
     actions.bind(id("compare.previousIteration"), [page, show] { show(page->iteration() - 1); });
     actions.bind(id("compare.nextIteration"), [page, show] { show(page->iteration() + 1); });
     actions.bind(id("compare.lastIteration"), [page, show] { show(page->lastIteration()); });
+}
+
+void askForMasks(MainWindow& window) {
+    const auto& dataset = window.workbench().session.dataset();
+    if (!dataset)
+        return;
+    auto* dialog = new QFileDialog(&window, MainWindow::tr("Attach a folder of masks"), QString::fromStdString(dataset->folder.string()));
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&window](const QString& folder) { window.workspaces().masks()->attach(folder); });
+    dialog->open();
+}
+
+void bindComparing(MainWindow& window) {
+    Actions& actions = window.actions();
+    widgets::Workspaces& spaces = window.workspaces();
+    widgets::BenchmarkPage* page = spaces.benchmarkPage();
+    actions.bind(id("compare.nextMethod"), [&spaces] { spaces.scenePanel()->showNext(); });
+    actions.bind(id("benchmark.run"), [&spaces, page] {
+        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+        page->runOrStop();
+    });
+    actions.bind(id("file.saveResults"), [page] { page->askToSave(); });
+    actions.bind(id("file.openResults"), [page] { page->askToOpen(); });
+    actions.bind(id("file.attachMasks"), [&window] { askForMasks(window); });
+    QObject::connect(spaces.fittingPanel(), &widgets::FittingPanel::masksRequested, &window, [&window] { askForMasks(window); });
 }
 
 void bindPanels(MainWindow& window) {
@@ -122,6 +150,7 @@ void bindPanelActions(MainWindow& window) {
     bindNames(window);
     bindPanels(window);
     bindIterations(window);
+    bindComparing(window);
     QObject::connect(window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,
                      [&window](const QPoint& position) { showListMenu(window, position); });
     QObject::connect(&window.workspaces(), &widgets::Workspaces::viewMenuRequested, &window,

@@ -30,6 +30,7 @@ struct BenchmarkResults {
     std::vector<PairResult> rows;     ///< in the order of pairs, then methods
     std::vector<std::string> external; ///< those of `methods` that were not run here: other trackers' estimates
     bool stopped = false;             ///< true if the run was stopped before its end
+    bool papersHands = false;         ///< true if the hands are those of the paper, so that its numbers may stand beside ours
 };
 
 /// Brings rows into the order of `pairs`, then `methods`.

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "core/benchmark/joint_errors.h"
+#include "core/benchmark/paper_results.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
 
@@ -129,6 +130,7 @@ public:
         : m_scene(scene), m_options(options), m_estimator(estimator), m_progress(progress), m_stop(std::move(stop)) {
         m_results.methods = options.methods;
         m_results.joints = benchmarkJoints(scene, options.setup);
+        m_results.papersHands = isPapersHands(scene.hands);
         for (const std::string& name : options.methods) {
             m_methods.push_back(parseMethod(name));
         }

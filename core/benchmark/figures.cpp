@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 #include "core/benchmark/metrics.h"
@@ -29,13 +31,60 @@ constexpr std::array<MethodColour, 7> kMethodColours = {{{"initial", "#9AA0A6"},
                                                          {"best", "#B8A800"}}};
 constexpr std::array<const char*, 6> kOtherColours = {"#0072B2", "#7A5195", "#444444", "#8C564B", "#1B7837", "#A50F15"};
 
-std::string colourOf(const std::string& method, std::size_t number) {
+bool isExternal(const BenchmarkResults& results, const std::string& method) {
+    return std::find(results.external.begin(), results.external.end(), method) != results.external.end();
+}
+
+/// The method without its options: what its colour follows.
+std::string familyOf(const BenchmarkResults& results, const std::string& method) {
+    return isExternal(results, method) ? std::string() : method.substr(0, method.find(':'));
+}
+
+const char* familyColour(const std::string& family) {
     for (const MethodColour& entry : kMethodColours) {
-        if (method == entry.method) {
+        if (family == entry.method) {
             return entry.colour;
         }
     }
-    return kOtherColours[number % kOtherColours.size()];
+    return nullptr;
+}
+
+/// Darker and lighter by turns, so that the variants of one method look like it and unlike each other. `variant` 0 is the colour itself.
+std::string shade(const char* colour, std::size_t variant) {
+    constexpr std::array<double, 7> kShares = {0, -0.35, 0.4, -0.55, 0.6, -0.2, 0.2};
+    const double share = kShares[variant % kShares.size()];
+    std::array<unsigned, 3> rgb{};
+    std::sscanf(colour, "#%2x%2x%2x", &rgb[0], &rgb[1], &rgb[2]);
+    for (unsigned& part : rgb) {
+        const double target = share < 0 ? 0 : 255;
+        part = static_cast<unsigned>(std::lround(part + std::abs(share) * (target - part)));
+    }
+    std::array<char, 8> text{};
+    std::snprintf(text.data(), text.size(), "#%02X%02X%02X", rgb[0], rgb[1], rgb[2]);
+    return text.data();
+}
+
+/// A method's colour in every figure of these results: its family's, in a shade of its own if it has options; other trackers have colours
+/// of the rest.
+std::string colourOf(const BenchmarkResults& results, const std::string& method) {
+    const auto external = std::find(results.external.begin(), results.external.end(), method);
+    if (external != results.external.end()) {
+        return kOtherColours[static_cast<std::size_t>(external - results.external.begin()) % kOtherColours.size()];
+    }
+    const std::string family = familyOf(results, method);
+    const char* colour = familyColour(family);
+    if (colour == nullptr) {
+        return kOtherColours.back();
+    }
+    const bool hasPlain = std::find(results.methods.begin(), results.methods.end(), family) != results.methods.end();
+    std::size_t variant = method == family ? 0 : hasPlain ? 1 : 0;
+    for (const std::string& other : results.methods) {
+        if (other == method || method == family) {
+            break;
+        }
+        variant += other != family && familyOf(results, other) == family ? 1 : 0;
+    }
+    return shade(colour, variant);
 }
 
 bool hasData(const std::vector<PlotLine>& lines) {
@@ -50,7 +99,7 @@ Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::stri
         if (curve.method != "initial" && at == methods.end()) {
             continue;
         }
-        PlotLine line{curve.method, colourOf(curve.method, lines.size()), {}, "lines"};
+        PlotLine line{curve.method, colourOf(results, curve.method), {}, "lines"};
         for (std::size_t i = 0; i < curve.share.size(); ++i) {
             line.points.push_back({curve.thresholdsMm[i], 100 * curve.share[i]});
         }
@@ -61,10 +110,21 @@ Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::stri
 }
 
 Figure differencesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
+    const std::vector<int> differences = differencesOf(results);
+    constexpr std::size_t kMostMarks = 12;
+    std::string tics = "set offsets 0.5, 0.5, 0, 0\n";
+    if (!differences.empty() && differences.size() > kMostMarks) {
+        tics += gnuplotWholeTics("x", differences.front(), differences.back());
+    } else {
+        for (const int difference : differences) {
+            tics += (difference == differences.front() ? "set xtics (" : ", ") + std::to_string(difference);
+        }
+        tics += differences.empty() ? "" : ")\n";
+    }
     std::vector<PlotLine> lines;
     for (const std::string& method : methods) {
-        PlotLine line{method, colourOf(method, lines.size()), {}};
-        for (const int difference : differencesOf(results)) {
+        PlotLine line{method, colourOf(results, method), {}};
+        for (const int difference : differences) {
             const ErrorStatistics statistics = errorStatistics(results, method, difference);
             if (statistics.pairs > 0) {
                 line.points.push_back({static_cast<double>(difference), statistics.meanMm});
@@ -74,17 +134,13 @@ Figure differencesFigure(const BenchmarkResults& results, const std::vector<std:
     }
     return {"differences", "Error over the distance of the start frame",
             "Mean joint error after the fit; the start pose is that many frames away.",
-            gnuplotPreamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" + gnuplotPlot(lines)};
+            gnuplotPreamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" + tics + gnuplotPlot(lines)};
 }
 
 Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
-    std::string tics;
-    for (std::size_t j = 0; j < results.joints.size(); ++j) {
-        tics += (j == 0 ? "" : ", ") + gnuplotQuoted(jointLabel(results.joints[j])) + " " + std::to_string(j);
-    }
     std::vector<PlotLine> lines;
     for (const std::string& method : methods) {
-        PlotLine line{method, colourOf(method, lines.size()), {}};
+        PlotLine line{method, colourOf(results, method), {}, "points pt 7 ps 0.8"};
         const std::vector<double> means = meanJointErrorsMm(results, method);
         for (std::size_t j = 0; j < means.size(); ++j) {
             if (!std::isnan(means[j])) {
@@ -94,8 +150,8 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
         lines.push_back(std::move(line));
     }
     return {"joints", "Error per joint", "Mean error of every joint over all pairs.",
-            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset bmargin 7.5\n" +
-                "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + gnuplotPlot(lines)};
+            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset grid xtics\n" + gnuplotJointTics(results.joints) +
+                gnuplotPlot(lines)};
 }
 
 Figure speedFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
@@ -103,7 +159,7 @@ Figure speedFigure(const BenchmarkResults& results, const std::vector<std::strin
     for (const std::string& method : methods) {
         const ErrorStatistics statistics = errorStatistics(results, method);
         if (statistics.pairs > 0 && statistics.meanSeconds > 0) {
-            lines.push_back({method, colourOf(method, lines.size()), {{statistics.meanSeconds, statistics.meanMm}},
+            lines.push_back({method, colourOf(results, method), {{statistics.meanSeconds, statistics.meanMm}},
                              "points pt 7 ps 1.2"});
         }
     }
@@ -153,8 +209,7 @@ std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule sc
         double least = std::numeric_limits<double>::infinity();
         std::string winner;
         for (const std::string& method : results.methods) {
-            const auto& external = results.external;
-            if (std::find(external.begin(), external.end(), method) != external.end()) {
+            if (isExternal(results, method)) {
                 continue;
             }
             const Method parsed = parseMethod(method);
@@ -182,13 +237,15 @@ std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::s
             }
         }
     };
-    const auto& external = results.external;
-    take([&](const std::string& method) { return std::find(external.begin(), external.end(), method) != external.end(); });
+    take([&](const std::string& method) { return isExternal(results, method); });
     take([](const std::string& method) { return method.find(':') == std::string::npos || method == "best:live=1"; });
-    if (chosen.size() == external.size()) {
+    if (chosen.size() == results.external.size()) {
         take([](const std::string&) { return true; });
     }
-    return chosen;
+    std::vector<std::string> inOrder;
+    std::copy_if(results.methods.begin(), results.methods.end(), std::back_inserter(inOrder),
+                 [&](const std::string& method) { return std::find(chosen.begin(), chosen.end(), method) != chosen.end(); });
+    return inOrder;
 }
 
 std::vector<Figure> overviewFigures(const BenchmarkResults& results, const std::vector<std::string>& methods) {

@@ -28,6 +28,27 @@ std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, co
            "set xlabel " + gnuplotQuoted(xLabel) + "\nset ylabel " + gnuplotQuoted(yLabel) + "\n";
 }
 
+std::string gnuplotWholeTics(const std::string& axis, double first, double last) {
+    constexpr double kMostTics = 10;
+    const double least = std::max(1.0, (last - first) / kMostTics);
+    const double power = std::pow(10, std::floor(std::log10(least)));
+    double step = 10 * power;
+    for (const double factor : {5.0, 2.0, 1.0}) {
+        step = factor * power >= least ? factor * power : step;
+    }
+    return "set " + axis + "tics " + std::to_string(static_cast<long long>(std::lround(step))) + "\n";
+}
+
+std::string gnuplotJointTics(const std::vector<JointId>& joints) {
+    std::string tics;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        std::string name = joints[i].joint;
+        std::replace(name.begin(), name.end(), '_', ' ');
+        tics += (i == 0 ? "" : ", ") + gnuplotQuoted((joints[i].hand == Side::Left ? "L " : "R ") + name) + " " + std::to_string(i);
+    }
+    return "set bmargin 8\nset xtics noenhanced rotate by 90 right font ',11' (" + tics + ")\n";
+}
+
 std::string gnuplotPlot(const std::vector<PlotLine>& lines) {
     std::string data;
     std::string plot;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/annotation/annotation_set.h"
+
 namespace core {
 
 /// A figure as a program for gnuplot (5.2 or newer) with its data inside; it prints an SVG to standard output.
@@ -27,6 +29,10 @@ struct PlotLine {
 std::string gnuplotQuoted(const std::string& text);
 /// The beginning of every program: the terminal, quiet axes, labels, the key beside the plot. `id` names the SVG's own ids.
 std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, const std::string& yLabel);
+/// Marks on an axis ("x" or "y") of whole numbers from `first` to `last`, such as frames: never a fraction, about ten at most.
+std::string gnuplotWholeTics(const std::string& axis, double first, double last);
+/// Marks at 0, 1, 2, ... that are the joints' names: the side's letter, then the words of the joint, written upwards.
+std::string gnuplotJointTics(const std::vector<JointId>& joints);
 /// Data blocks and the plot command for lines.
 std::string gnuplotPlot(const std::vector<PlotLine>& lines);
 

@@ -1,7 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "core/benchmark/paper_results.h"
 
+#include <algorithm>
+#include <set>
+
 namespace core {
+
+namespace {
+
+const std::set<std::string>& papersJoints() {
+    static const std::set<std::string> joints = [] {
+        std::set<std::string> names = {"forearm", "thumb_cmc", "thumb_mcp", "thumb_ip"};
+        for (const char* finger : {"index", "middle", "ring", "little"}) {
+            for (const char* part : {"_cmc", "_mcp", "_pip", "_dip"}) {
+                names.insert(std::string(finger) + part);
+            }
+        }
+        return names;
+    }();
+    return joints;
+}
+
+} // namespace
+
+bool isPapersJoint(const std::string& joint) {
+    return papersJoints().contains(joint);
+}
+
+bool isPapersHands(const std::vector<HandModel>& hands) {
+    return hands.size() == 2 && std::all_of(hands.begin(), hands.end(), [](const HandModel& hand) {
+        std::set<std::string> names;
+        for (const Bone& bone : hand.skeleton.bones) {
+            names.insert(bone.name);
+        }
+        return names == papersJoints();
+    });
+}
 
 std::vector<PublishedRow> publishedRows(BenchmarkSetup setup) {
     using E = PublishedError;

@@ -26,6 +26,11 @@ struct PublishedRow {
 
 inline constexpr int kPublishedDifferences[] = {1, 5, 10, 15};
 
+/// True if both hands have exactly the bones of the paper's hands: a forearm, and four (thumb: three) per finger.
+bool isPapersHands(const std::vector<HandModel>& hands);
+/// True if the paper's hands have a joint of this name.
+bool isPapersJoint(const std::string& joint);
+
 /// The rows of the paper for a setup, in its order.
 std::vector<PublishedRow> publishedRows(BenchmarkSetup setup);
 

@@ -2,6 +2,7 @@
 #include "core/benchmark/result_table.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "core/benchmark/metrics.h"
 #include "core/benchmark/html_text.h"
@@ -59,6 +60,12 @@ Row publishedRow(const PublishedRow& published, const std::vector<int>& differen
     return row;
 }
 
+/// The method whose row of the paper belongs here: options other than the schedule make it another one.
+std::string publishedName(const std::string& method) {
+    constexpr std::string_view kSchedule = ":schedule=paper";
+    return method.ends_with(kSchedule) ? method.substr(0, method.size() - kSchedule.size()) : method;
+}
+
 std::string plain(const Cell& cell, const std::string& plusMinus) {
     return cell.std.empty() ? cell.mean : cell.mean + plusMinus + cell.std;
 }
@@ -83,23 +90,20 @@ ResultTable resultTable(const BenchmarkResults& results, BenchmarkSetup setup) {
         table.columns.push_back(std::to_string(difference));
     }
     table.columns.insert(table.columns.end(), {"All", "s/pair"});
-    std::vector<PublishedRow> published = publishedRows(setup);
+    std::vector<PublishedRow> published = results.papersHands ? publishedRows(setup) : std::vector<PublishedRow>{};
     const auto addPublished = [&](const std::string& method) {
         for (const PublishedRow& row : published) {
-            if (row.method == method) {
+            if (row.method == publishedName(method)) {
                 table.rows.push_back(publishedRow(row, differences));
             }
         }
-        std::erase_if(published, [&](const PublishedRow& row) { return row.method == method; });
+        std::erase_if(published, [&](const PublishedRow& row) { return row.method == publishedName(method); });
     };
     table.rows.push_back(initialRow(results, differences));
     addPublished("initial");
     for (const std::string& method : results.methods) {
         table.rows.push_back(methodRow(results, method, differences));
         addPublished(method);
-    }
-    for (const PublishedRow& row : published) {
-        table.rows.push_back(publishedRow(row, differences));
     }
     return table;
 }

@@ -25,7 +25,7 @@ struct ResultTable {
     std::vector<Row> rows;
 };
 
-/// Start poses, every method, and each of the paper's rows below the method that it belongs to.
+/// Start poses, every method and, where the hands are the paper's, its row below the method that it belongs to.
 ResultTable resultTable(const BenchmarkResults& results, BenchmarkSetup setup);
 
 std::string markdownTable(const ResultTable& table);

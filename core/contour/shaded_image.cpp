@@ -36,11 +36,11 @@ public:
         }
         const float key = wrapped(n.dot(m_key)), fill = wrapped(n.dot(m_fill));
         const float sky = 0.5f - 0.5f * n.y();
-        const Eigen::Array3f ambient = m_lighting.ambient * (kGround + sky * (kSky - kGround));
+        const Eigen::Array3f ambient = m_lighting.ambient * tinted(kGround + sky * (kSky - kGround));
         const float edge = 4 * key * (1 - key); // where the light fades into shadow
         const Eigen::Array3f bleed = m_lighting.warmth * edge * kBlood;
         const Eigen::Array3f light =
-            ambient + m_lighting.key * key * kKeyTint + m_lighting.fill * fill * kFillTint + bleed;
+            ambient + m_lighting.key * key * tinted(kKeyTint) + m_lighting.fill * fill * tinted(kFillTint) + bleed;
         const float away = 1 - facing;
         const float rim = m_lighting.rim * away * away * away * (0.35f + 0.65f * sky);
         return (albedo * light + rim * (0.5f * albedo + 0.15f) + m_lighting.specular * highlight(n, toCamera))
@@ -49,6 +49,7 @@ public:
     }
 
 private:
+    Eigen::Array3f tinted(const Eigen::Array3f& light) const { return 1 + m_lighting.tint * (light - 1); }
     static float wrapped(float cosine) {
         constexpr float kWrap = 0.22f;
         return std::max(0.0f, (cosine + kWrap) / (1 + kWrap));
@@ -232,6 +233,18 @@ bool isOnEdge(const DepthWindow& depth, const ImageSize& size, int x, int y) {
 }
 
 } // namespace
+
+Lighting overlayLighting() {
+    Lighting lighting;
+    lighting.ambient = 0.52f;
+    lighting.key = 0.55f;
+    lighting.fill = 0.22f;
+    lighting.rim = 0;
+    lighting.specular = 0.02f;
+    lighting.warmth = 0;
+    lighting.tint = 0;
+    return lighting;
+}
 
 Eigen::Vector3f skinColour(Side side) {
     return side == Side::Left ? Eigen::Vector3f(0.90f, 0.70f, 0.58f) : Eigen::Vector3f(0.82f, 0.61f, 0.51f);

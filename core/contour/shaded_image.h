@@ -29,7 +29,11 @@ struct Lighting {
     float rim = 0.22f;      ///< brightening where the surface turns away
     float specular = 0.05f; ///< of the key light
     float warmth = 0.10f;   ///< how much light bleeds, reddened, past the shadow's edge, as in skin
+    float tint = 1;         ///< how far lights and shadows have colours of their own; 0: shades of the surface's colour alone
 };
+
+/// Even and colourless, for surfaces whose colour means something: what is lit has its own colour on average.
+Lighting overlayLighting();
 
 /// What lies behind the surfaces: a plain backdrop that darkens towards the corners. RGB, sRGB encoded, 0..1.
 struct Backdrop {
@@ -62,6 +66,6 @@ struct OverlayOptions {
 /// The surfaces alone, to be laid over an image: CV_8UC4 BGRA, premultiplied, transparent outside the silhouette
 /// (renderMask's).
 cv::Mat renderOverlay(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const OverlayOptions& options,
-                      const Lighting& lighting = {});
+                      const Lighting& lighting = overlayLighting());
 
 } // namespace core

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/io/atomic_file.h"
 #include "core/io/dataset_annotations.h"
@@ -151,17 +152,22 @@ PlotLine histogram(const std::string& name, const std::string& lineColour, const
 
 Figure progressFigure(const std::vector<AnnotationSummary>& sequences) {
     std::vector<PlotLine> lines;
+    int first = std::numeric_limits<int>::max(), last = 0, most = 0;
     for (const AnnotationSummary& sequence : sequences) {
         for (const RaterSummary& rater : sequence.raters) {
             PlotLine line{sequence.sequence + ", " + rater.rater, colour(lines.size()), {}, "points pt 7 ps 0.6"};
             for (const auto& [frame, done] : rater.doneByFrame) {
+                first = std::min(first, frame);
+                last = std::max(last, frame);
+                most = std::max(most, static_cast<int>(done));
                 line.points.push_back({static_cast<double>(frame), static_cast<double>(done)});
             }
             lines.push_back(std::move(line));
         }
     }
     return {"progress", "Finished joints", "Joints of both hands that are done, per frame with marks.",
-            gnuplotPreamble("progress", "frame", "joints done") + "set yrange [0:*]\n" + gnuplotPlot(lines)};
+            gnuplotPreamble("progress", "frame", "joints done") + "set yrange [0:*]\nset offsets 0.5, 0.5, 0, 0\n" +
+                gnuplotWholeTics("x", std::min(first, last), last) + gnuplotWholeTics("y", 0, most) + gnuplotPlot(lines)};
 }
 
 Figure errorFigure(const std::vector<AnnotationSummary>& sequences) {
@@ -184,16 +190,16 @@ Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
             sums[joint.joint][1] += joint.points;
         }
     }
-    std::string tics;
+    std::vector<JointId> joints;
     PlotLine line{"", colour(0), {}, "boxes fs solid 0.6 noborder"};
     for (const auto& [joint, sum] : sums) {
         const std::size_t at = line.points.size();
-        tics += (at == 0 ? "" : ", ") + gnuplotQuoted(jointLabel(joint)) + " " + std::to_string(at);
+        joints.push_back(joint);
         line.points.push_back({static_cast<double>(at), sum[0] / sum[1]});
     }
     return {"uncertainty", "Uncertainty per joint", "Expected distance of the 3D joint from its true place, mean over all frames and raters.",
-            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset bmargin 7.5\nset boxwidth 0.8\n" +
-                "set xtics noenhanced rotate by -90 font ',9' (" + tics + ")\n" + gnuplotPlot({line})};
+            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset boxwidth 0.8\n" + gnuplotJointTics(joints) +
+                gnuplotPlot({line})};
 }
 
 } // namespace

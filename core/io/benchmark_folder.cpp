@@ -86,6 +86,7 @@ BenchmarkFolder readBenchmarkFolder(const fs::path& folder) {
     content.results.pairs = content.info.pairs;
     content.results.methods = content.info.methods;
     content.results.external = content.info.external;
+    content.results.papersHands = content.info.papersHands;
     const std::set<std::string> methods(content.info.methods.begin(), content.info.methods.end());
     const std::set<FramePair> pairs(content.info.pairs.begin(), content.info.pairs.end());
     for (PairResult& row : readFinishedRows(folder, content.info.joints.size())) {

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/benchmark/paper_results.h"
+#include "core/benchmark/scene_fingerprint.h"
 #include "core/error.h"
 #include "core/io/atomic_file.h"
 #include "core/io/json_file.h"
@@ -85,6 +87,20 @@ std::string obstacle(const BenchmarkRunInfo& before, const BenchmarkRunInfo& now
 
 } // namespace
 
+BenchmarkRunInfo describeRun(const std::string& dataset, const BenchmarkScene& scene, const BenchmarkOptions& options,
+                             const std::vector<FramePair>& pairs) {
+    BenchmarkRunInfo info;
+    info.dataset = dataset;
+    info.fingerprint = sceneFingerprint(scene);
+    info.setup = options.setup;
+    info.methods = options.methods;
+    info.shard = options.shard;
+    info.papersHands = isPapersHands(scene.hands);
+    info.joints = benchmarkJoints(scene, options.setup);
+    info.pairs = pairs;
+    return info;
+}
+
 BenchmarkRunInfo readRunInfo(const fs::path& folder) {
     const json document = readOwnFile(folder / kRunFile, "benchmark-run");
     BenchmarkRunInfo info;
@@ -98,6 +114,8 @@ BenchmarkRunInfo readRunInfo(const fs::path& folder) {
     for (const json& joint : document["joints"]) {
         info.joints.push_back({*sideFromName(joint["hand"].get<std::string>()), joint["name"].get<std::string>()});
     }
+    const bool mayBePapers = std::all_of(info.joints.begin(), info.joints.end(), [](const JointId& id) { return isPapersJoint(id.joint); });
+    info.papersHands = document.value("papersHands", mayBePapers); // earlier runs do not say
     info.pairs = readPairs(folder / kPairsFile);
     return info;
 }
@@ -118,6 +136,7 @@ void writeRunInfo(const fs::path& folder, const BenchmarkRunInfo& info) {
                    {"external", info.external},
                    {"shard", {{"index", info.shard.index}, {"count", info.shard.count}}},
                    {"sweep", info.sweep},
+                   {"papersHands", info.papersHands},
                    {"joints", joints}});
 }
 

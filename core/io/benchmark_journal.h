@@ -22,8 +22,13 @@ struct BenchmarkRunInfo {
     bool sweep = false;
     std::vector<JointId> joints;
     std::vector<FramePair> pairs; ///< of all shards
+    bool papersHands = false;     ///< as in BenchmarkResults
     bool operator==(const BenchmarkRunInfo&) const = default;
 };
+
+/// The run of these methods on these pairs of the scene.
+BenchmarkRunInfo describeRun(const std::string& dataset, const BenchmarkScene& scene, const BenchmarkOptions& options,
+                             const std::vector<FramePair>& pairs);
 
 BenchmarkRunInfo readRunInfo(const std::filesystem::path& folder);
 void writeRunInfo(const std::filesystem::path& folder, const BenchmarkRunInfo& info);

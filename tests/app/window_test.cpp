@@ -5,11 +5,15 @@
 #include <QApplication>
 #include <QDropEvent>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QMimeData>
+#include <QTabWidget>
+#include <QtTest/QTest>
 
 #include <nlohmann/json.hpp>
 
 #include "app/desktop/script/real_input.h"
+#include "core/io/frames.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/no_room.h"
 
@@ -193,6 +197,113 @@ TEST_F(WindowAsAWhole, KeepsWhatIsOpenWhenAnotherCannotBeOpened) {
     ASSERT_TRUE(bench().session.sequence());
     EXPECT_EQ(bench().session.sequence()->name, "a");
     EXPECT_TRUE(bench().document.isOpen());
+}
+
+/// Fit, look at it, then go on: what is inspected stays the fitted pair, in the views and in the scene.
+TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
+    ASSERT_EQ(play(R"({"do":"fit","start":5,"test":20,"methods":["ch","dch-thres"]})"), 0) << errors.str();
+    app::RealInput input(*window);
+    input.key(QStringLiteral("Ctrl+2"), 0);
+    input.key(QStringLiteral("F4"), 0); // no mesh over the picture
+    input.key(QStringLiteral("F7"), 0); // nor the recorded silhouette
+    input.key(QStringLiteral("D"), 0);
+    input.key(QStringLiteral("E"), 0);
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    ASSERT_EQ(bench().selection.frame(), 21);
+    ASSERT_EQ(bench().selection.camera(), "cam1");
+    const core::FrameSource frames(*bench().session.dataset(), *bench().session.sequence(), *bench().session.motion());
+    widgets::CameraGrid& grid = *window->workspaces().inspectPage()->grid();
+    ASSERT_EQ(grid.count(), 4);
+    for (int index = 0; index < grid.count(); ++index) {
+        widgets::CameraView& view = *grid.view(index);
+        const int camera = 1 + index / 2;
+        ASSERT_EQ(view.camera().name, "cam" + std::to_string(camera));
+        const auto difference = [&](int seen, int frame) {
+            const cv::Mat image = frames.read(seen, frame);
+            const QImage shown = view.grabPicture();
+            double sum = 0;
+            int count = 0;
+            for (int y = 0; y < image.rows; ++y) {
+                for (int x = 0; x < image.cols; ++x) {
+                    const QPoint at = view.imageToViewport({double(x), double(y)}).toPoint();
+                    if (!shown.rect().contains(at))
+                        continue;
+                    const QColor there = shown.pixelColor(at);
+                    const cv::Vec3b here = image.at<cv::Vec3b>(y, x);
+                    sum += std::abs(there.red() - here[2]) + std::abs(there.green() - here[1]) + std::abs(there.blue() - here[0]);
+                    ++count;
+                }
+            }
+            return sum / std::max(1, count);
+        };
+        const double right = difference(camera, 20);
+        EXPECT_LT(right, 0.5 * difference(camera, 21)) << "the current frame";
+        EXPECT_LT(right, 0.5 * difference(camera - 1, 20)) << "the view that was there before";
+    }
+    EXPECT_TRUE(grid.view(0)->message().isEmpty());
+    // In the scene stands one method, at the iteration that is shown, whatever the current frame.
+    auto* choice = window->findChild<QComboBox*>(QStringLiteral("sceneChoice"));
+    ASSERT_TRUE(choice->isVisible());
+    EXPECT_EQ(choice->currentText(), QStringLiteral("ch"));
+    input.key(QStringLiteral("F2"), 0);
+    widgets::SceneView& scene = *window->workspaces().scene();
+    const QImage first = scene.grabPicture();
+    input.key(QStringLiteral(";"), 0);
+    EXPECT_EQ(choice->currentText(), QStringLiteral("dch-thres"));
+    EXPECT_NE(scene.grabPicture(), first) << "another colour";
+    const QImage result = scene.grabPicture();
+    input.key(QStringLiteral("F3"), 0);
+    EXPECT_NE(scene.grabPicture(), result) << "wires";
+    input.key(QStringLiteral("F2"), 0);
+    window->workspaces().inspectPage()->setIteration(0);
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    EXPECT_NE(scene.grabPicture(), result) << "the start pose";
+}
+
+TEST_F(WindowAsAWhole, WordsFitTheWorkspace) {
+    const auto says = [&](const QString& text) {
+        for (const QLabel* label : window->statusLine().findChildren<QLabel*>()) {
+            if (label->isVisible() && label->text().contains(text))
+                return true;
+        }
+        return false;
+    };
+    bench().selection.setJoint(kIndex);
+    auto* tabs = window->workspaces().findChild<QTabWidget*>();
+    const auto tabShown = [&](QWidget* panel) { return tabs->isTabVisible(tabs->indexOf(panel)); };
+    EXPECT_TRUE(says(QStringLiteral("index_mcp")));
+    tabs->setCurrentWidget(window->workspaces().viewPanel());
+    app::RealInput input(*window);
+    input.key(QStringLiteral("Ctrl+2"), 0);
+    EXPECT_FALSE(says(QStringLiteral("index_mcp")));
+    EXPECT_TRUE(says(QStringLiteral("Fit the current frame")));
+    EXPECT_EQ(tabs->currentWidget(), window->workspaces().fittingPanel());
+    EXPECT_FALSE(tabShown(window->workspaces().qualityPanel()));
+    EXPECT_FALSE(tabShown(window->workspaces().ratersPanel()));
+    ASSERT_EQ(play(R"({"do":"fit","start":8,"test":12,"methods":["ch"]})"), 0) << errors.str();
+    EXPECT_TRUE(says(QStringLiteral("Frame 12 from frame 8")));
+    EXPECT_TRUE(says(QStringLiteral("ch ")));
+    input.key(QStringLiteral("Ctrl+3"), 0);
+    EXPECT_FALSE(says(QStringLiteral("index_mcp")));
+    EXPECT_TRUE(says(QStringLiteral("Choose methods and sequences")));
+    input.key(QStringLiteral("Ctrl+1"), 0);
+    EXPECT_TRUE(says(QStringLiteral("index_mcp")));
+    EXPECT_TRUE(tabShown(window->workspaces().qualityPanel()));
+    EXPECT_EQ(tabs->currentWidget(), window->workspaces().viewPanel()) << "as it was left";
+}
+
+TEST_F(WindowAsAWhole, EmptyInspectFitsTheFrameWithItsButton) {
+    app::RealInput input(*window);
+    input.key(QStringLiteral("Ctrl+2"), 0);
+    auto* page = window->workspaces().inspectPage();
+    auto* button = page->findChild<QPushButton*>();
+    ASSERT_TRUE(button->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    ASSERT_TRUE(bench().fits.outcome());
+    EXPECT_EQ(bench().fits.outcome()->request.test, 12);
+    EXPECT_GT(page->grid()->count(), 0);
+    EXPECT_TRUE(page->grid()->isVisible());
 }
 
 /// Every action that opens no file dialog and does not quit, one after the other, in every workspace.

@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
 #include "core/benchmark/benchmark_run.h"
+#include "core/io/benchmark_folder.h"
 #include "core/io/dataset.h"
 #include "widgets/jobs/job.h"
 
@@ -22,35 +24,57 @@ struct BenchmarkRequest {
     core::PairOptions pairs;
 };
 
-/// Runs the benchmark in the background. Stopping keeps the pairs that are finished.
+/// Runs the benchmark in the background, hands its results out as they come, writes them as the command line does, and reads what
+/// that has written. Stopping keeps the pairs that are finished.
 class BenchmarkRunner : public QObject {
     Q_OBJECT
 
 public:
     explicit BenchmarkRunner(JobPool& pool, QObject* parent = nullptr);
+    ~BenchmarkRunner() override;
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
     void run(const BenchmarkRequest& request);
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
 
-    /// The last results of this dataset, or null.
+    /// Writes the results that there are into a folder: all files of `handlens-batch benchmark`. A folder that holds other results is
+    /// not touched. Ends with saved() or fileFailed().
+    void save(const QString& folder);
+    /// Shows the results of such a folder. Ends with opened() or fileFailed().
+    void open(const QString& folder);
+
+    /// The last results of this dataset, finished or not, or those of a folder that was opened; null if there are none.
     const std::shared_ptr<const core::BenchmarkResults>& results() const { return m_results; }
     /// Their setup.
-    core::BenchmarkSetup setup() const { return m_setup; }
+    core::BenchmarkSetup setup() const { return m_folder ? m_folder->info.setup : core::BenchmarkSetup::Synthetic; }
 
 signals:
     void started();
     void progressed(double fraction, const QString& text);
+    /// There are other results, or more of them.
+    void updated();
     void finished();
     void failed(const QString& message);
     void cleared();
+    void saved(const QString& folder);
+    /// `note` says what must be known about them; empty if nothing must.
+    void opened(const QString& folder, const QString& note);
+    void fileFailed(const QString& message);
 
 private:
+    struct Live;
+    using FolderPtr = std::shared_ptr<const core::BenchmarkFolder>;
+    void take(FolderPtr folder);
+    void takeLive();
+
     Job m_job;
+    Job m_fileJob;
     std::shared_ptr<const core::Dataset> m_dataset;
-    std::shared_ptr<const core::BenchmarkResults> m_results;
-    core::BenchmarkSetup m_setup = core::BenchmarkSetup::Synthetic;
+    std::shared_ptr<Live> m_live; ///< of the run that goes on
+    QElapsedTimer m_sinceUpdate;
+    FolderPtr m_folder;
+    std::shared_ptr<const core::BenchmarkResults> m_results; ///< those of m_folder
 };
 
 } // namespace widgets

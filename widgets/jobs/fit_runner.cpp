@@ -69,6 +69,8 @@ QString FitRunner::objection(const FitRequest& request) const {
     const int frames = hasMotion() ? static_cast<int>(m_motion->size()) : m_sequence.frameCount;
     if (!m_dataset || m_dataset->hands.empty())
         return tr("This dataset has no hand models to fit.");
+    if (needsSilhouettes())
+        return tr("This sequence needs silhouettes: attach a folder of masks, or make them.");
     if (request.target == FitTarget::Masks && !hasMasks())
         return tr("This sequence has no mask files.");
     if (request.target == FitTarget::Recorded && !hasMotion())

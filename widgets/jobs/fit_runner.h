@@ -52,6 +52,9 @@ public:
     bool hasMotion() const { return m_motion && !m_motion->empty(); }
     bool hasMasks() const { return core::hasMasks(m_sequence); }
 
+    /// True if it has nothing: no fit is possible before masks are attached.
+    bool needsSilhouettes() const { return !hasMotion() && !hasMasks(); }
+
     /// The last finished run of this sequence, or null.
     const std::shared_ptr<const FitOutcome>& outcome() const { return m_outcome; }
 

@@ -123,7 +123,7 @@ void FrameLoader::finish(int camera) {
 
 void FrameLoader::prefetch() {
     const int next = m_frame + m_direction;
-    if (next < 0 || next >= m_frameCount || !m_missing.empty())
+    if (!m_fetchesAhead || next < 0 || next >= m_frameCount || !m_missing.empty())
         return;
     for (int camera = 0; camera < static_cast<int>(m_aheadJobs.size()); ++camera) {
         if (!m_cache.count({next, camera}))

@@ -42,6 +42,8 @@ public:
     ImagePyramid picture(int camera) const;
     /// How much memory pictures may take. The requested frame is always kept.
     void setBudget(std::int64_t bytes);
+    /// Whether the next frame is fetched before somebody asks for it; it is at first.
+    void setFetchingAhead(bool on) { m_fetchesAhead = on; }
 
 signals:
     void pictureLoaded(int camera, const widgets::ImagePyramid& picture);
@@ -74,6 +76,7 @@ private:
     int m_frame = -1;
     int m_frameCount = 0;
     int m_direction = 1;
+    bool m_fetchesAhead = true;
 };
 
 } // namespace widgets

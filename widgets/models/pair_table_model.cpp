@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/models/pair_table_model.h"
 
+#include <algorithm>
+
 #include <QLocale>
 
 namespace widgets {
@@ -11,11 +13,27 @@ bool isText(int column) {
     return column == PairTableModel::Method || column == PairTableModel::Sequence;
 }
 
+bool isSameRow(const core::PairResult& a, const core::PairResult& b) {
+    return a.pair == b.pair && a.method == b.method && a.errorMm == b.errorMm && a.seconds == b.seconds;
+}
+
 } // namespace
 
 PairTableModel::PairTableModel(QObject* parent) : QAbstractTableModel(parent) {}
 
 void PairTableModel::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
+    const std::size_t before = m_results ? m_results->rows.size() : 0;
+    const bool onlyMore = before > 0 && results && results->rows.size() >= before &&
+                          std::equal(m_results->rows.begin(), m_results->rows.end(), results->rows.begin(), isSameRow);
+    if (onlyMore) { // a run goes on: what is selected and scrolled to stays
+        const auto after = static_cast<int>(results->rows.size());
+        if (after > static_cast<int>(before))
+            beginInsertRows({}, static_cast<int>(before), after - 1);
+        m_results = std::move(results);
+        if (after > static_cast<int>(before))
+            endInsertRows();
+        return;
+    }
     beginResetModel();
     m_results = std::move(results);
     endResetModel();

@@ -11,11 +11,13 @@
 namespace widgets {
 
 /// A benchmark in the paper's layout: a row per method (the start poses first), mean and standard deviation in mm per frame
-/// difference and over all, and seconds per pair.
+/// difference and over all, how many pairs there are of it yet, and seconds per pair.
 class SummaryModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
+    enum Role { ValueRole = Qt::UserRole }; ///< of the first column: the method's name; "start" for the start poses
+
     explicit SummaryModel(QObject* parent = nullptr);
 
     void setResults(std::shared_ptr<const core::BenchmarkResults> results);

@@ -6,27 +6,22 @@
 #include <set>
 #include <tuple>
 
+#include <QDir>
+#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
 
-#include "core/benchmark/metrics.h"
 #include "core/error.h"
 #include "core/fitting/method.h"
 #include "widgets/panels/state_colours.h"
-#include "widgets/panels/table_style.h"
-#include "widgets/views/joint_colours.h"
+#include "widgets/views/method_chip.h"
 
 namespace widgets {
 
 namespace {
-
-constexpr double kCurveStepMm = 0.1;
-constexpr double kCurveMaxMm = 10;
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -52,13 +47,11 @@ std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
 BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
     : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_sequences(new QListWidget(this)),
       m_setup(new QComboBox(this)), m_percent(new QDoubleSpinBox(this)), m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this)), m_seed(new QSpinBox(this)),
-      m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_summary(new SummaryModel(this)),
-      m_summaryTable(new QTableView(this)), m_pairs(new PairTableModel(this)), m_sortedPairs(new QSortFilterProxyModel(this)),
-      m_pairTable(new QTableView(this)), m_curves(new CurvePlot(this)), m_jointMethod(new QComboBox(this)),
-      m_jointErrors(new JointErrorDiagram(this)) {
+      m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_save(new QPushButton(tr("Save results..."), this)),
+      m_open(new QPushButton(tr("Open results..."), this)), m_results(new BenchmarkResultsView(this)) {
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(makeSettings());
-    splitter->addWidget(makeResults());
+    splitter->addWidget(m_results);
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
@@ -78,6 +71,7 @@ QWidget* BenchmarkPage::makeSettings() {
     column->addWidget(heading(tr("Methods"), side));
     for (const std::string& name : core::plainMethodNames()) {
         auto* box = new QCheckBox(QString::fromStdString(name), side);
+        box->setIcon(methodChip(name));
         box->setChecked(true);
         box->setFocusPolicy(Qt::NoFocus);
         m_methods.push_back(box);
@@ -104,6 +98,7 @@ QWidget* BenchmarkPage::makeSettings() {
     column->addLayout(form);
     column->addWidget(m_run);
     column->addWidget(m_progress);
+    column->addLayout(makeFileRow());
     for (QWidget* field : std::initializer_list<QWidget*>{m_percent, m_differences, m_seed})
         field->setFocusPolicy(Qt::ClickFocus);
     m_run->setFocusPolicy(Qt::NoFocus);
@@ -119,47 +114,17 @@ QWidget* BenchmarkPage::makeSettings() {
     return side;
 }
 
-QWidget* BenchmarkPage::makeResults() {
-    m_summaryTable->setModel(m_summary);
-    m_sortedPairs->setSourceModel(m_pairs);
-    m_sortedPairs->setSortRole(PairTableModel::ValueRole);
-    m_pairTable->setModel(m_sortedPairs);
-    for (QTableView* table : {m_summaryTable, m_pairTable}) {
-        styleTable(*table);
-        table->setFocusPolicy(Qt::NoFocus);
+QLayout* BenchmarkPage::makeFileRow() {
+    auto* row = new QHBoxLayout;
+    m_save->setToolTip(tr("Tables, pairs and a report, as handlens-batch benchmark writes them"));
+    m_open->setToolTip(tr("A folder that was saved here or written by handlens-batch benchmark"));
+    for (QPushButton* button : {m_save, m_open}) {
+        button->setFocusPolicy(Qt::NoFocus);
+        row->addWidget(button);
     }
-    m_pairTable->setSortingEnabled(true);
-    m_pairTable->setToolTip(tr("Double-click a pair to inspect it"));
-    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0, 100, false,
-                           tr("Run the benchmark to compare the methods.")});
-    auto* joints = new QWidget(this);
-    auto* jointColumn = new QVBoxLayout(joints);
-    auto* jointRow = new QHBoxLayout;
-    m_jointMethod->setFocusPolicy(Qt::NoFocus);
-    jointRow->addWidget(heading(tr("Error per joint"), joints), 1);
-    jointRow->addWidget(m_jointMethod);
-    jointColumn->addLayout(jointRow);
-    jointColumn->addWidget(m_jointErrors, 1);
-    connect(m_jointMethod, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::showJointErrors);
-    auto* pictures = new QSplitter(Qt::Horizontal, this);
-    pictures->addWidget(m_curves);
-    pictures->addWidget(joints);
-    pictures->setStretchFactor(0, 2);
-    pictures->setStretchFactor(1, 1);
-    auto* rows = new QSplitter(Qt::Vertical, this);
-    rows->addWidget(m_summaryTable);
-    rows->addWidget(pictures);
-    rows->addWidget(m_pairTable);
-    rows->setStretchFactor(1, 2);
-    rows->setStretchFactor(2, 1);
-    for (QSplitter* splitter : {pictures, rows})
-        splitter->setChildrenCollapsible(false);
-    connect(m_pairTable, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
-        const core::PairResult& pair = m_pairs->pair(m_sortedPairs->mapToSource(index).row());
-        const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
-        emit pairOpened(QString::fromStdString(pair.pair.sequence), {pair.pair.start, pair.pair.test, {pair.method}, target});
-    });
-    return rows;
+    connect(m_save, &QPushButton::clicked, this, &BenchmarkPage::askToSave);
+    connect(m_open, &QPushButton::clicked, this, &BenchmarkPage::askToOpen);
+    return row;
 }
 
 void BenchmarkPage::connectRunner() {
@@ -173,13 +138,17 @@ void BenchmarkPage::connectRunner() {
         m_progress->setValue(static_cast<int>(fraction * 1000));
         m_progress->setFormat(text);
     });
-    connect(&runner, &BenchmarkRunner::finished, this, [this] {
-        showRunning(false);
-        takeResults();
-    });
+    connect(&runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
+    connect(&runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
     connect(&runner, &BenchmarkRunner::cleared, this, [this] {
         showRunning(false);
-        takeResults();
+        m_message->setMessage({});
+    });
+    connect(&runner, &BenchmarkRunner::opened, this, [this](const QString&, const QString& note) { m_message->setMessage(note); });
+    connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
+    connect(m_results, &BenchmarkResultsView::pairOpened, this, [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
+        const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
+        emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
     });
     connect(&runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
         showRunning(false);
@@ -257,6 +226,7 @@ void BenchmarkPage::runOrStop() {
 void BenchmarkPage::showRunning(bool running) {
     m_run->setText(running ? tr("Stop") : tr("Run"));
     m_progress->setVisible(running);
+    m_open->setEnabled(!running);
     m_progress->setRange(0, 1000);
     if (running)
         m_progress->setValue(0);
@@ -273,42 +243,29 @@ void BenchmarkPage::takeDataset() {
 }
 
 void BenchmarkPage::takeResults() {
-    const auto& results = m_workbench.benchmarks.results();
-    m_summary->setResults(results);
-    m_pairs->setResults(results);
-    m_pairTable->sortByColumn(PairTableModel::ErrorMm, Qt::DescendingOrder);
-    m_summaryTable->setVisible(results != nullptr);
-    m_pairTable->setVisible(results != nullptr);
-    std::vector<Curve> curves;
-    {
-        const QSignalBlocker blocker(m_jointMethod);
-        m_jointMethod->clear();
-        if (results) {
-            for (const core::ErrorCurve& found : core::errorCurves(*results, kCurveStepMm, kCurveMaxMm)) {
-                const bool isStart = found.method == "initial";
-                Curve curve{isStart ? tr("start") : QString::fromStdString(found.method), methodColour(isStart ? "start" : found.method), isStart, false, {}};
-                for (std::size_t i = 0; i < found.thresholdsMm.size(); ++i)
-                    curve.points.emplace_back(found.thresholdsMm[i], 100 * found.share[i]);
-                curves.push_back(std::move(curve));
-            }
-            for (const std::string& method : results->methods)
-                m_jointMethod->addItem(QString::fromStdString(method));
-        }
-    }
-    m_jointMethod->setVisible(m_jointMethod->count() > 0);
-    m_curves->setCurves(curves);
-    showJointErrors();
+    m_results->setResults(m_workbench.benchmarks.results());
+    m_save->setEnabled(m_workbench.benchmarks.results() != nullptr);
 }
 
-void BenchmarkPage::showJointErrors() {
-    const auto& results = m_workbench.benchmarks.results();
-    std::vector<JointError> errors;
-    if (results && m_jointMethod->currentIndex() >= 0) {
-        const auto means = core::meanJointErrorsMm(*results, m_jointMethod->currentText().toStdString());
-        for (std::size_t i = 0; i < results->joints.size() && i < means.size(); ++i)
-            errors.push_back({results->joints[i], means[i]});
-    }
-    m_jointErrors->setErrors(errors);
+void BenchmarkPage::askToSave() {
+    chooseFolder(tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
+}
+
+void BenchmarkPage::askToOpen() {
+    chooseFolder(tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
+}
+
+void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {
+    auto* dialog = new QFileDialog(this, title, m_lastFolder.isEmpty() ? QDir::homePath() : m_lastFolder);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, take](const QString& folder) {
+        m_lastFolder = folder;
+        m_message->setMessage({});
+        take(folder);
+    });
+    dialog->open();
 }
 
 } // namespace widgets

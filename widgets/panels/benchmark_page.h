@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,22 +13,17 @@
 #include <QListWidget>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
 #include <QSpinBox>
-#include <QTableView>
 #include <QWidget>
 
 #include "widgets/jobs/workbench.h"
-#include "widgets/models/pair_table_model.h"
-#include "widgets/models/summary_model.h"
-#include "widgets/panels/joint_error_diagram.h"
-#include "widgets/views/curve_plot.h"
+#include "widgets/panels/benchmark_results_view.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
 
-/// Many pairs, all methods: what to run on the left, then the table in the paper's layout, the share of pairs below each error, the error
-/// of every joint, and every pair. A double click on a pair opens it for inspection.
+/// Many pairs, all methods: what to run on the left, then the results as they come. They can be saved and opened again. A double click
+/// on a pair opens it for inspection.
 class BenchmarkPage : public QWidget {
     Q_OBJECT
 
@@ -41,21 +37,25 @@ public:
     BenchmarkRequest request() const;
     core::PairOptions pairOptions() const;
 
+    void runOrStop();
+    /// Asks for a folder, then saves the results there, or shows those of it.
+    void askToSave();
+    void askToOpen();
+
 signals:
     /// The settings draw other test frames.
     void drawChanged();
-    /// A pair shall be looked at with this method.
+    /// A pair shall be looked at with these methods.
     void pairOpened(const QString& sequence, const widgets::FitRequest& request);
 
 private:
     core::BenchmarkSetup setup() const;
     QWidget* makeSettings();
-    QWidget* makeResults();
+    QLayout* makeFileRow();
     void connectRunner();
-    void runOrStop();
     void takeDataset();
     void takeResults();
-    void showJointErrors();
+    void chooseFolder(const QString& title, const std::function<void(const QString&)>& take);
     void showRunning(bool running);
 
     Workbench& m_workbench;
@@ -68,14 +68,10 @@ private:
     QSpinBox* m_seed;
     QPushButton* m_run;
     QProgressBar* m_progress;
-    SummaryModel* m_summary;
-    QTableView* m_summaryTable;
-    PairTableModel* m_pairs;
-    QSortFilterProxyModel* m_sortedPairs;
-    QTableView* m_pairTable;
-    CurvePlot* m_curves;
-    QComboBox* m_jointMethod;
-    JointErrorDiagram* m_jointErrors;
+    QPushButton* m_save;
+    QPushButton* m_open;
+    BenchmarkResultsView* m_results;
+    QString m_lastFolder;
 };
 
 } // namespace widgets

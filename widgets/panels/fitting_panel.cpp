@@ -2,21 +2,21 @@
 #include "widgets/panels/fitting_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QSignalBlocker>
-#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "core/fitting/method.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/views/joint_colours.h"
+#include "widgets/views/method_chip.h"
 
 namespace widgets {
 
@@ -24,41 +24,17 @@ namespace {
 
 constexpr int kUsualDifference = 5;
 
-QIcon swatch(const QColor& colour) {
-    QPixmap pixmap(12, 12);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
-    painter.drawRoundedRect(QRectF(1, 1, 10, 10), 2, 2);
-    return pixmap;
-}
-
-/// Draws a swatch in the method's colour before its name.
-class MethodDelegate : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-protected:
-    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
-        QStyledItemDelegate::initStyleOption(option, index);
-        option->features |= QStyleOptionViewItem::HasDecoration;
-        option->icon = swatch(methodColour(index.data().toString().toStdString()));
-        option->decorationSize = QSize(12, 12);
-    }
-};
-
 } // namespace
 
 FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent)
     : QWidget(parent), m_selection(selection), m_fits(fits), m_message(new MessageBar(this)), m_start(new QSpinBox(this)),
-      m_test(new QSpinBox(this)), m_target(new QComboBox(this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
+      m_test(new QSpinBox(this)), m_target(new QComboBox(this)), m_attach(new QPushButton(tr("Attach masks..."), this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
       m_model(new ResultTableModel(this)), m_plot(new CurvePlot(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
     column->setSpacing(kSpacing);
     column->addWidget(m_message);
+    column->addWidget(m_attach);
     column->addLayout(makeFrameRow());
     column->addWidget(m_target);
     column->addLayout(makeMethodRows());
@@ -69,12 +45,16 @@ FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* paren
     m_target->addItem(tr("Silhouettes of the mask files"), static_cast<int>(FitTarget::Masks));
     m_target->setToolTip(tr("What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame."));
     m_target->setFocusPolicy(Qt::NoFocus);
+    m_attach->setToolTip(tr("A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like"));
+    m_attach->setFocusPolicy(Qt::NoFocus);
+    connect(m_attach, &QPushButton::clicked, this, &FittingPanel::masksRequested);
     m_table->setModel(m_model);
     styleTable(*m_table);
-    m_table->setItemDelegateForColumn(ResultTableModel::Method, new MethodDelegate(m_table));
+    m_table->setItemDelegateForColumn(ResultTableModel::Method, new MethodDelegate(ResultTableModel::ValueRole, m_table));
     m_table->setFocusPolicy(Qt::NoFocus);
-    m_plot->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, false, tr("The error of every iteration appears here.")});
+    m_plot->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, true, tr("The error of every iteration appears here."), true});
     connectFits();
+    connect(&m_selection, &Selection::frameCountChanged, this, &FittingPanel::showTargets);
     showRunning(false);
     showOutcome();
     showTargets();
@@ -82,6 +62,7 @@ FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* paren
 
 /// A choice only where there is one.
 void FittingPanel::showTargets() {
+    m_attach->setVisible(m_fits.needsSilhouettes() && m_selection.frameCount() > 0);
     m_target->setVisible(m_fits.hasMasks());
     m_target->setEnabled(m_fits.hasMotion());
     m_target->setCurrentIndex(m_fits.hasMotion() || !m_fits.hasMasks() ? 0 : 1);
@@ -126,7 +107,7 @@ QLayout* FittingPanel::makeMethodRows() {
     int index = 0;
     for (const std::string& name : core::plainMethodNames()) {
         auto* box = new QCheckBox(QString::fromStdString(name), this);
-        box->setIcon(swatch(methodColour(name)));
+        box->setIcon(methodChip(name));
         box->setChecked(name == "ch" || name == "dch-thres");
         box->setFocusPolicy(Qt::NoFocus);
         grid->addWidget(box, index / 3, index % 3);
@@ -166,7 +147,7 @@ void FittingPanel::connectFits() {
     });
     connect(&m_fits, &FitRunner::failed, this, [this](const QString& message) {
         showRunning(false);
-        m_message->setMessage(message);
+        showMessage(message);
     });
     connect(&m_fits, &FitRunner::cleared, this, [this] {
         showRunning(false);
@@ -174,6 +155,11 @@ void FittingPanel::connectFits() {
         showOutcome();
         showTargets();
     });
+}
+
+void FittingPanel::showMessage(const QString& text) {
+    m_message->setMessage(text);
+    showTargets();
 }
 
 void FittingPanel::showRunning(bool running) {
@@ -220,10 +206,14 @@ std::vector<Curve> FittingPanel::curves() const {
         Curve curve;
         curve.name = QString::fromStdString(method.method);
         curve.colour = methodColour(method.method);
-        curve.points.emplace_back(0.0, m_fits.outcome()->initialErrorMm);
-        for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i)
-            curve.points.emplace_back(static_cast<double>(i + 1), method.iterationErrorMm[i]);
-        curves.push_back(std::move(curve));
+        if (!std::isnan(m_fits.outcome()->initialErrorMm))
+            curve.points.emplace_back(0.0, m_fits.outcome()->initialErrorMm);
+        for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i) {
+            if (!std::isnan(method.iterationErrorMm[i]))
+                curve.points.emplace_back(static_cast<double>(i + 1), method.iterationErrorMm[i]);
+        }
+        if (!curve.points.empty())
+            curves.push_back(std::move(curve));
     }
     return curves;
 }

@@ -35,6 +35,12 @@ public:
     std::vector<std::string> chosenMethods() const;
     FitRequest request() const;
     CurvePlot* plot() const { return m_plot; }
+    /// Says why something here did not work.
+    void showMessage(const QString& text);
+
+signals:
+    /// The person wants to give the sequence masks.
+    void masksRequested();
 
 private:
     QLayout* makeFrameRow();
@@ -53,6 +59,7 @@ private:
     QSpinBox* m_test;
     QComboBox* m_target;
     std::vector<QCheckBox*> m_methods;
+    QPushButton* m_attach;
     QPushButton* m_run;
     QProgressBar* m_progress;
     QTableView* m_table;

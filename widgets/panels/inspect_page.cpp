@@ -21,48 +21,27 @@ constexpr int kMostRows = 4;
 constexpr int kViewsHeight = 620; ///< of the views and the plots below them, to begin with
 constexpr int kPlotsHeight = 220;
 
-/// The poses after `iteration` steps; the start before the first one.
-const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
-    const auto& history = method.result.history;
-    if (iteration <= 0 || history.empty())
-        return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
-    if (iteration >= static_cast<int>(history.size()))
-        return method.result.poses;
-    return history[static_cast<std::size_t>(iteration - 1)].poses;
-}
-
-double errorAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
-    if (iteration <= 0)
-        return outcome.initialErrorMm;
-    if (iteration > static_cast<int>(method.iterationErrorMm.size()))
-        return method.errorMm;
-    return method.iterationErrorMm[static_cast<std::size_t>(iteration - 1)];
-}
-
-MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name, const QColor& colour) {
-    MeshLayer layer;
-    layer.name = name;
-    layer.colour = colour;
-    for (std::size_t hand = 0; hand < dataset.hands.size() && hand < poses.size(); ++hand)
-        layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
-    return layer;
-}
-
 } // namespace
 
 InspectPage::InspectPage(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_job(workbench.pool), m_heading(new QLabel(this)),
+    : QWidget(parent), m_workbench(workbench), m_frames(workbench.pool), m_job(workbench.pool), m_pages(new QStackedWidget(this)),
+      m_hint(new QLabel(this)), m_fit(new QPushButton(tr("Fit this frame"), this)), m_heading(new QLabel(this)),
       m_slider(new QSlider(Qt::Horizontal, this)), m_iterationText(new QLabel(this)), m_rows(new QSpinBox(this)),
       m_grid(new CameraGrid(this)), m_errors(new CurvePlot(this)), m_costs(new CurvePlot(this)) {
     build();
+    m_frames.setFetchingAhead(false);
+    connect(&workbench.fits, &FitRunner::started, this, &InspectPage::showHint);
+    connect(&workbench.fits, &FitRunner::failed, this, &InspectPage::showHint);
     connect(&workbench.fits, &FitRunner::finished, this, &InspectPage::takeOutcome);
     connect(&workbench.fits, &FitRunner::cleared, this, &InspectPage::takeOutcome);
-    connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &InspectPage::showPicture);
+    connect(&m_frames, &FrameLoader::pictureLoaded, this, &InspectPage::showPicture);
+    connect(&m_frames, &FrameLoader::pictureFailed, this, &InspectPage::showFailure);
+    connect(m_fit, &QPushButton::clicked, this, &InspectPage::fitRequested);
     connect(&workbench.selection, &Selection::cameraChanged, this, &InspectPage::layOutGrid);
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), this, &InspectPage::layOutGrid);
     for (CurvePlot* plot : {m_errors, m_costs})
-        connect(plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(x + 0.5)); });
+        connect(plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(std::lround(x))); });
     connect(m_grid, &CameraGrid::viewAdded, this, [this](int index, CameraView* view) {
         view->setPlacingEnabled(false);
         connect(view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
@@ -71,6 +50,30 @@ InspectPage::InspectPage(Workbench& workbench, QWidget* parent)
 }
 
 void InspectPage::build() {
+    m_pages->addWidget(makeEmptyPage());
+    m_pages->addWidget(makeViews());
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_pages);
+}
+
+QWidget* InspectPage::makeEmptyPage() {
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
+    column->setSpacing(2 * kSpacing);
+    m_hint->setAlignment(Qt::AlignCenter);
+    m_hint->setWordWrap(true);
+    m_fit->setFocusPolicy(Qt::NoFocus);
+    m_fit->setMinimumSize(180, 36);
+    m_fit->setToolTip(tr("With the methods chosen under Fit, from the pose of some frames before"));
+    column->addStretch(2);
+    column->addWidget(m_hint);
+    column->addWidget(m_fit, 0, Qt::AlignHCenter);
+    column->addStretch(3);
+    return page;
+}
+
+QLayout* InspectPage::makeIterationRow() {
     auto* row = new QHBoxLayout;
     row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
     row->setSpacing(kSpacing);
@@ -84,27 +87,38 @@ void InspectPage::build() {
     row->addWidget(m_slider, 1);
     row->addWidget(m_iterationText);
     row->addWidget(m_rows);
+    return row;
+}
+
+QWidget* InspectPage::makeViews() {
     auto* plots = new QWidget(this);
     auto* plotRow = new QHBoxLayout(plots);
     plotRow->setContentsMargins(0, 0, 0, 0);
     plotRow->setSpacing(kSpacing);
     plotRow->addWidget(m_errors);
     plotRow->addWidget(m_costs);
-    const QString empty = tr("Fit a pair of frames: F");
-    m_errors->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, false, empty});
-    m_costs->setSettings({QString(), tr("Iteration"), tr("Cost, mm\u00b2"), 0, 0, 0, 0, true, empty});
-    m_grid->setEmptyText(tr("Fit the current frame (F) to see the methods side by side."));
+    CurvePlotSettings settings;
+    settings.xLabel = tr("Iteration");
+    settings.xWhole = true;
+    settings.yLogarithmic = true;
+    settings.emptyText = tr("There is nothing that the error could be measured against.");
+    settings.yLabel = tr("Error, mm");
+    m_errors->setSettings(settings);
+    settings.yLabel = tr("Cost, mm\u00b2");
+    m_costs->setSettings(settings);
     auto* splitter = new QSplitter(Qt::Vertical, this);
     splitter->addWidget(m_grid);
     splitter->addWidget(plots);
     splitter->setStretchFactor(0, 1);
     splitter->setSizes({kViewsHeight, kPlotsHeight});
     splitter->setChildrenCollapsible(false);
-    auto* column = new QVBoxLayout(this);
+    auto* page = new QWidget(this);
+    auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addLayout(row);
+    column->addLayout(makeIterationRow());
     column->addWidget(splitter, 1);
+    return page;
 }
 
 std::size_t InspectPage::methodCount() const {
@@ -137,8 +151,32 @@ void InspectPage::takeOutcome() {
     }
     m_slider->setEnabled(outcome != nullptr);
     m_heading->setText(outcome ? tr("Frame %1 from frame %2").arg(outcome->request.test).arg(outcome->request.start) : QString());
+    m_pages->setCurrentIndex(outcome ? 1 : 0);
+    m_posed.reset();
+    requestPictures();
+    showHint();
     showCurves();
     layOutGrid();
+}
+
+/// Those of the test frame, whatever frame the person has gone to since.
+void InspectPage::requestPictures() {
+    const auto& outcome = m_workbench.fits.outcome();
+    const DatasetSession& session = m_workbench.session;
+    if (!outcome || !session.sequence())
+        return;
+    if (m_sequence != session.sequence()) {
+        m_sequence = session.sequence();
+        m_dataset = session.dataset(); // keeps the sequence alive, so that another one cannot have its address
+        m_frames.setSequence(session.dataset(), session.sequence(), session.motion());
+    }
+    m_frames.request(outcome->request.test);
+}
+
+void InspectPage::showHint() {
+    const bool running = m_workbench.fits.isRunning();
+    m_hint->setText(running ? tr("Fitting...") : tr("Fit the current frame to see the methods side by side."));
+    m_fit->setEnabled(!running);
 }
 
 std::vector<int> InspectPage::rowCameras() const {
@@ -172,17 +210,30 @@ void InspectPage::layOutGrid() {
         view->setSkeleton(outline);
     }
     for (const int camera : m_shownCameras)
-        showPicture(camera, m_workbench.frames.picture(camera));
+        showPicture(camera, picture(camera));
     showPoses();
 }
 
+ImagePyramid InspectPage::picture(int camera) const {
+    return m_workbench.fits.outcome() && camera >= 0 ? m_frames.picture(camera) : ImagePyramid();
+}
+
+/// Without a picture the views are empty: they may have shown another camera's before.
 void InspectPage::showPicture(int camera, const ImagePyramid& picture) {
-    const auto& outcome = m_workbench.fits.outcome();
-    if (!outcome || picture.isNull() || m_workbench.frames.requestedFrame() != outcome->request.test)
-        return;
+    for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
+        for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column) {
+            CameraView* view = m_grid->view(static_cast<int>(row * methodCount() + column));
+            view->setMessage({});
+            view->setImage(picture);
+        }
+    }
+    emit pictureShown(camera);
+}
+
+void InspectPage::showFailure(int camera, const QString& message) {
     for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
         for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column)
-            m_grid->view(static_cast<int>(row * methodCount() + column))->setImage(picture);
+            m_grid->view(static_cast<int>(row * methodCount() + column))->setMessage(message);
     }
 }
 
@@ -192,11 +243,11 @@ void InspectPage::showTitles() {
         const core::Camera& camera = m_workbench.session.dataset()->cameras[static_cast<std::size_t>(m_shownCameras[row])];
         for (std::size_t column = 0; column < methodCount(); ++column) {
             const MethodOutcome& method = outcome->methods[column];
-            const double errorMm = errorAt(*outcome, method, iteration());
+            const double errorMm = inspectedErrorMm(*outcome, method, iteration());
             const QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
-            m_grid->view(static_cast<int>(row * methodCount() + column))
-                ->setTitle({QString::fromStdString(method.method), QString::fromStdString(camera.name),
-                            method.failure.isEmpty() ? error : tr("failed"), false});
+            ViewTitle title{QString::fromStdString(method.method), QString::fromStdString(camera.name), method.failure.isEmpty() ? error : tr("failed"), false};
+            title.colour = methodColour(method.method);
+            m_grid->view(static_cast<int>(row * methodCount() + column))->setTitle(title);
         }
     }
 }
@@ -208,26 +259,42 @@ void InspectPage::showPoses() {
         plot->setCursor(outcome ? iteration() : std::nan(""));
     if (!outcome || !m_workbench.session.dataset()) {
         m_job.stop();
+        emit posesShown();
         return;
     }
     showTitles();
     m_job.start([this, outcome, dataset = m_workbench.session.dataset(), iteration = iteration()](const JobContext& context) -> Job::Delivery {
-        MeshLayer truth = layerOf(*dataset, outcome->truePoses, tr("recorded"), Qt::white);
-        truth.opacity = 0;
-        const bool showsTruth = outcome->request.target == FitTarget::Recorded; // else the observed outline is drawn
-        std::vector<std::vector<MeshLayer>> columns;
-        for (const MethodOutcome& method : outcome->methods) {
-            if (context.stop.stop_requested())
-                return {};
-            MeshLayer layer = layerOf(*dataset, posesAt(*outcome, method, iteration), QString::fromStdString(method.method), methodColour(method.method));
-            layer.opacity = 0.5;
-            columns.push_back(showsTruth ? std::vector{layer, truth} : std::vector{layer});
-        }
-        return [this, columns] {
-            for (int index = 0; index < m_grid->count(); ++index)
-                m_grid->view(index)->setMeshLayers(columns[static_cast<std::size_t>(index) % columns.size()]);
+        auto posed = std::make_shared<const InspectedPoses>(inspectedPoses(*dataset, *outcome, iteration, context.stop));
+        if (posed->methods.size() < outcome->methods.size())
+            return {}; // stopped
+        return [this, posed] {
+            m_posed = posed;
+            showLayers();
+            emit posesShown();
         };
     });
+}
+
+void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
+    m_look = look;
+    m_startShown = startShown;
+    m_recordedShown = recordedShown;
+    showLayers();
+}
+
+void InspectPage::showLayers() {
+    for (int index = 0; m_posed && index < m_grid->count(); ++index)
+        m_grid->view(index)->setMeshLayers(
+            inspectedColumn(*m_posed, static_cast<std::size_t>(index) % methodCount(), m_look, m_startShown, m_recordedShown));
+}
+
+std::vector<MeshLayer> InspectPage::posedLayers() const {
+    std::vector<MeshLayer> layers;
+    if (m_posed) {
+        layers = {m_posed->start, m_posed->recorded};
+        layers.insert(layers.end(), m_posed->methods.begin(), m_posed->methods.end());
+    }
+    return layers;
 }
 
 void InspectPage::showCurves() {
@@ -236,12 +303,15 @@ void InspectPage::showCurves() {
         for (const MethodOutcome& method : outcome->methods) {
             Curve error{QString::fromStdString(method.method), methodColour(method.method), false, false, {}};
             Curve cost = error;
-            error.points.emplace_back(0, outcome->initialErrorMm);
+            if (!std::isnan(outcome->initialErrorMm))
+                error.points.emplace_back(0, outcome->initialErrorMm);
             for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i) {
-                error.points.emplace_back(double(i + 1), method.iterationErrorMm[i]);
+                if (!std::isnan(method.iterationErrorMm[i]))
+                    error.points.emplace_back(double(i + 1), method.iterationErrorMm[i]);
                 cost.points.emplace_back(double(i), method.result.history[i].costMm2);
             }
-            errors.push_back(std::move(error));
+            if (!error.points.empty())
+                errors.push_back(std::move(error));
             costs.push_back(std::move(cost));
         }
     }

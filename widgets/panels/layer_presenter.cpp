@@ -7,7 +7,7 @@ namespace widgets {
 
 namespace {
 
-const QColor kRecordedColour(0xE8, 0xEA, 0xEE);
+constexpr const char* kAnnotated = "annotated";
 const QColor kAnnotatedColour(0x4D, 0xA3, 0xFF);
 
 std::vector<ViewSurfacePtr> surfacesOf(const core::Dataset& dataset, const core::HandPoses& poses) {
@@ -65,9 +65,9 @@ std::vector<LayerPresenter::Wanted> LayerPresenter::wantedLayers() const {
     };
     const int frame = m_selection.frame();
     if (m_motion && frame < static_cast<int>(m_motion->size()))
-        add(kRecorded, kRecordedColour, (*m_motion)[static_cast<std::size_t>(frame)]);
+        add(kRecorded, methodColour(kRecorded), (*m_motion)[static_cast<std::size_t>(frame)]);
     if (m_annotatedPose && m_annotatedFrame == frame)
-        add(QStringLiteral("annotated"), kAnnotatedColour, *m_annotatedPose);
+        add(kAnnotated, kAnnotatedColour, *m_annotatedPose);
     const auto& outcome = m_fits.outcome();
     if (outcome && outcome->request.test == frame) {
         add(kStart, methodColour("start"), outcome->startPoses);
@@ -102,26 +102,73 @@ void LayerPresenter::rebuild() {
 void LayerPresenter::hand(const std::vector<MeshLayer>& layers) {
     m_layers = layers;
     applyLook();
+    emit sceneChoicesChanged();
     emit shown();
 }
 
 void LayerPresenter::applyLook() {
     std::vector<MeshLayer> layers;
-    for (MeshLayer layer : m_layers) {
-        std::erase_if(layer.surfaces, [&](const ViewSurfacePtr& surface) {
-            return surface->side == core::Side::Left ? !m_look.leftShown : !m_look.rightShown;
-        });
-        layer.style = m_look.style;
-        layer.opacity = m_look.opacity;
-        if (!layer.surfaces.empty())
-            layers.push_back(std::move(layer));
+    for (const MeshLayer& layer : m_layers) {
+        if (auto seen = withLook(layer, m_look))
+            layers.push_back(std::move(*seen));
     }
     for (CameraView* view : m_grid.views())
         view->setMeshLayers(m_look.style == MeshStyle::Off ? std::vector<MeshLayer>{} : layers);
+    showScene();
+}
+
+void LayerPresenter::setInspected(std::optional<std::vector<MeshLayer>> layers) {
+    m_inspected = std::move(layers);
+    showScene();
+    emit sceneChoicesChanged();
+}
+
+void LayerPresenter::setInspecting(bool inspecting) {
+    if (inspecting == m_inspecting)
+        return;
+    m_inspecting = inspecting;
+    std::swap(m_look.opacity, m_otherOpacity);
+    applyLook();
+    emit lookChanged();
+}
+
+QStringList LayerPresenter::sceneChoices() const {
+    QStringList names;
+    for (const MeshLayer& layer : sceneSource()) {
+        if (layer.name != QLatin1String(kStart) && layer.name != QLatin1String(kAnnotated) && !layer.surfaces.empty())
+            names << layer.name;
+    }
+    return names;
+}
+
+/// The one that was asked for, else the first method, else the recorded pose.
+QString LayerPresenter::sceneChoice() const {
+    const QStringList names = sceneChoices();
+    if (names.contains(m_sceneChoice))
+        return m_sceneChoice;
+    return names.size() > 1 && names.front() == QLatin1String(kRecorded) ? names[1] : names.value(0);
+}
+
+void LayerPresenter::setSceneChoice(const QString& layer) {
+    m_sceneChoice = layer;
+    showScene();
+    emit sceneChoicesChanged();
+}
+
+void LayerPresenter::showScene() {
     if (!m_scene)
         return;
-    for (MeshLayer& layer : layers)
-        layer.style = m_look.style == MeshStyle::Off ? MeshStyle::Shaded : m_look.style;
+    LayerLook look = m_look;
+    look.style = look.style == MeshStyle::Off ? MeshStyle::Shaded : look.style;
+    const QString choice = sceneChoice();
+    std::vector<MeshLayer> layers;
+    for (const MeshLayer& layer : sceneSource()) {
+        const bool isBeside = (layer.name == QLatin1String(kStart) && isLayerShown(kStart)) || layer.name == QLatin1String(kAnnotated);
+        if (!isBeside && layer.name != choice)
+            continue;
+        if (auto seen = withLook(layer, look))
+            layers.push_back(std::move(*seen));
+    }
     m_scene->setMeshLayers(layers);
 }
 

@@ -8,26 +8,21 @@
 #include <vector>
 
 #include <QObject>
+#include <QStringList>
 
 #include "core/io/dataset.h"
 #include "widgets/document/selection.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/job.h"
+#include "widgets/panels/layer_look.h"
 #include "widgets/views/camera_grid.h"
 #include "widgets/views/scene_view.h"
 
 namespace widgets {
 
-/// How mesh layers are drawn, for all views.
-struct LayerLook {
-    MeshStyle style = MeshStyle::Shaded;
-    double opacity = 0.35;
-    bool leftShown = true;
-    bool rightShown = true;
-};
-
 /// Shows meshes over the views and in the scene: the recorded pose of the current frame and, on the test frame of the last fit,
-/// the start pose and every method's result in its colour. Surfaces are posed in the background.
+/// the start pose and every method's result in its colour. Surfaces are posed in the background. The scene shows one pose at a time,
+/// the recorded one or one method's: several would hide each other.
 class LayerPresenter : public QObject {
     Q_OBJECT
 
@@ -49,7 +44,18 @@ public:
     /// nothing takes the layer away.
     void setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame);
 
+    /// Inspected poses, which the scene shows instead of those of the current frame; nothing for the current frame's.
+    void setInspected(std::optional<std::vector<MeshLayer>> layers);
+    /// Each way of inspecting has an opacity of its own: over footage that is clicked in, meshes must not hide it.
+    void setInspecting(bool inspecting);
+
+    /// What the scene can show, by name: kRecorded or a method's.
+    QStringList sceneChoices() const;
+    QString sceneChoice() const;
+    void setSceneChoice(const QString& layer);
+
 signals:
+    void sceneChoicesChanged();
     void lookChanged();
     /// The layers of the current frame are in the views.
     void shown();
@@ -64,6 +70,8 @@ private:
     void rebuild();
     void hand(const std::vector<MeshLayer>& layers);
     void applyLook();
+    void showScene();
+    const std::vector<MeshLayer>& sceneSource() const { return m_inspected ? *m_inspected : m_layers; }
 
     const Selection& m_selection;
     const FitRunner& m_fits;
@@ -75,6 +83,10 @@ private:
     std::optional<core::HandPoses> m_annotatedPose;
     int m_annotatedFrame = -1;
     LayerLook m_look;
+    double m_otherOpacity = 0.85; ///< of Inspect while not in it, and the other way round
+    bool m_inspecting = false;
+    QString m_sceneChoice;        ///< the last one that was asked for
+    std::optional<std::vector<MeshLayer>> m_inspected;
     std::set<QString> m_hidden;
     std::vector<MeshLayer> m_layers; ///< of the current frame, both hands
 };

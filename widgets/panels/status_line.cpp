@@ -79,10 +79,23 @@ void StatusLine::setIdleText(const QString& text) {
     refresh();
 }
 
+void StatusLine::setWords(const QString& summary, const QString& advice) {
+    m_workSummary = summary;
+    m_workAdvice = advice;
+    refresh();
+}
+
 void StatusLine::refresh() {
     if (!m_document.isOpen()) {
         m_summary->clear();
         m_advice->setText(m_briefText.isEmpty() ? m_idleText : m_briefText);
+        return;
+    }
+    if (!m_workSummary.isEmpty() || !m_workAdvice.isEmpty()) {
+        const QString text = m_briefText.isEmpty() ? m_workAdvice : m_briefText;
+        m_summary->setText(m_workSummary);
+        m_advice->setText(text);
+        m_advice->setToolTip(text);
         return;
     }
     const auto& found = m_reconstructions.selected();

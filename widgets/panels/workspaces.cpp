@@ -25,9 +25,12 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
       m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
       m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)),
       m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
-      m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)) {
+      m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)),
+      m_scenePanel(new ScenePanel(m_scene, *m_layers, this)), m_masks(workbench.session, workbench.selection, workbench.pool) {
     build();
     connectGrid();
+    connectInspect();
+    connectWords();
     connect(m_quality, &QualityPanel::badRmsPxChanged, m_joints, &JointsPanel::setBadRmsPx);
     connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
     connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
@@ -57,7 +60,7 @@ void Workspaces::build() {
     m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
     m_tabs->setDocumentMode(true);
     m_tabs->setFocusPolicy(Qt::NoFocus);
-    m_right->addWidget(m_scene);
+    m_right->addWidget(m_scenePanel);
     m_right->addWidget(m_tabs);
     m_columns->addWidget(m_joints);
     m_columns->addWidget(m_middle);
@@ -83,6 +86,66 @@ void Workspaces::connectGrid() {
         if (camera >= 0 && camera < m_grid->count())
             m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
     });
+}
+
+void Workspaces::connectInspect() {
+    connect(m_layers, &LayerPresenter::lookChanged, this, &Workspaces::lookInspected);
+    connect(m_inspect, &InspectPage::posesShown, this, &Workspaces::showInScene);
+    connect(m_inspect, &InspectPage::pictureShown, this, [this](int camera) {
+        if (camera == m_grid->current())
+            showCurrentCamera();
+    });
+    connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
+    connect(&m_workbench.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
+    connect(&m_workbench.fits, &FitRunner::failed, this, [this] {
+        if (m_kind != Kind::Benchmark)
+            m_tabs->setCurrentWidget(m_fitting); // where the reason stands, and what to do
+    });
+    connect(&m_masks, &MaskAttacher::failed, m_fitting, &FittingPanel::showMessage);
+    lookInspected();
+}
+
+void Workspaces::connectWords() {
+    const auto update = [this] { emit wordsChanged(words()); };
+    for (const auto& signal : {&FitRunner::finished, &FitRunner::cleared})
+        connect(&m_workbench.fits, signal, this, update);
+    connect(&m_workbench.benchmarks, &BenchmarkRunner::updated, this, update);
+    connect(this, &Workspaces::currentChanged, this, update);
+}
+
+WorkWords Workspaces::words() const {
+    switch (m_kind) {
+    case Kind::Inspect:
+        return fitWords(m_workbench.fits.outcome().get());
+    case Kind::Benchmark:
+        return benchmarkWords(m_workbench.benchmarks.results().get());
+    case Kind::Annotate:
+        break;
+    }
+    return {};
+}
+
+void Workspaces::lookInspected() {
+    m_inspect->setLook(m_layers->look(), m_layers->isLayerShown(QLatin1String(LayerPresenter::kStart)),
+                       m_layers->isLayerShown(QLatin1String(LayerPresenter::kRecorded)));
+}
+
+bool Workspaces::inspects() const {
+    return m_kind == Kind::Inspect && m_workbench.fits.outcome();
+}
+
+/// The inspected pair's poses at the iteration that is shown, or those of the current frame. Marks of another frame stay out.
+void Workspaces::showInScene() {
+    const auto& outcome = m_workbench.fits.outcome();
+    const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
+    m_layers->setInspected(posed.empty() ? std::nullopt : std::optional(posed));
+    m_scene->setJointsShown(!inspects() || outcome->request.test == m_workbench.selection.frame());
+}
+
+ImagePyramid Workspaces::shownPicture(int camera) const {
+    if (camera < 0)
+        return {};
+    return inspects() ? m_inspect->picture(camera) : m_workbench.frames.picture(camera);
 }
 
 void Workspaces::connectView(int camera, CameraView* view) {
@@ -141,7 +204,7 @@ void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
         return;
     m_grid->view(camera)->setMessage({});
     m_grid->view(camera)->setImage(picture);
-    if (camera == m_grid->current())
+    if (camera == m_grid->current() && !inspects())
         m_scene->setCameraImage(picture.image());
 }
 
@@ -164,7 +227,7 @@ void Workspaces::showCurrentCamera() {
         return;
     m_grid->setCurrent(camera);
     m_scene->setCurrentCamera(camera);
-    const ImagePyramid picture = camera >= 0 ? m_workbench.frames.picture(camera) : ImagePyramid();
+    const ImagePyramid picture = shownPicture(camera);
     m_scene->setCameraImage(picture.isNull() ? QImage() : picture.image());
 }
 
@@ -177,7 +240,23 @@ void Workspaces::setCurrent(Kind kind) {
         m_workbench.selection.setFrame(outcome->request.test);
     m_joints->setVisible(kind == Kind::Annotate);
     m_right->setVisible(kind != Kind::Benchmark);
+    showTabs();
+    m_layers->setInspecting(kind == Kind::Inspect);
+    showInScene();
+    showCurrentCamera();
     emit currentChanged(kind);
+}
+
+/// What belongs to annotating goes while nobody annotates; its tab comes back to the front afterwards.
+void Workspaces::showTabs() {
+    const bool annotates = m_kind == Kind::Annotate;
+    if (!annotates && !m_annotationTab)
+        m_annotationTab = m_tabs->currentWidget();
+    for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_raters})
+        m_tabs->setTabVisible(m_tabs->indexOf(panel), annotates);
+    m_tabs->setCurrentWidget(annotates && m_annotationTab ? m_annotationTab : annotates ? m_tabs->currentWidget() : m_fitting);
+    if (annotates)
+        m_annotationTab = nullptr;
 }
 
 void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
@@ -200,7 +279,8 @@ void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
 }
 
 void Workspaces::raisePanel(QWidget* panel) {
-    if (m_kind == Kind::Benchmark)
+    const bool isOfAnnotating = panel == m_quality || panel == m_raters;
+    if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
         setCurrent(Kind::Annotate);
     m_tabs->setCurrentWidget(panel);
 }

@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QWidget>
 
+#include "widgets/jobs/mask_attacher.h"
 #include "widgets/jobs/workbench.h"
 #include "widgets/panels/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
@@ -16,8 +17,10 @@
 #include "widgets/panels/mark_presenter.h"
 #include "widgets/panels/quality_panel.h"
 #include "widgets/panels/raters_panel.h"
+#include "widgets/panels/scene_panel.h"
 #include "widgets/panels/view_options.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/panels/work_words.h"
 #include "widgets/views/camera_grid.h"
 #include "widgets/views/scene_view.h"
 
@@ -49,6 +52,10 @@ public:
     ViewPanel* viewPanel() const { return m_viewPanel; }
     InspectPage* inspectPage() const { return m_inspect; }
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
+    ScenePanel* scenePanel() const { return m_scenePanel; }
+    MaskAttacher* masks() { return &m_masks; }
+    /// What the status line says in this workspace; nothing where it speaks of the selected joint.
+    WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
     /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views", "inspect", "benchmark" or a
@@ -62,6 +69,7 @@ signals:
     void currentChanged(widgets::Workspaces::Kind kind);
     /// Footage is missing, and a person wants to say where it is.
     void footageWanted();
+    void wordsChanged(const widgets::WorkWords& words);
     /// A right click in a view; `joint` has an empty name if there is no mark.
     void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
 
@@ -69,6 +77,13 @@ private:
     void build();
     void connectView(int camera, CameraView* view);
     void connectGrid();
+    void connectInspect();
+    void connectWords();
+    void lookInspected();
+    bool inspects() const;
+    void showInScene();
+    ImagePyramid shownPicture(int camera) const;
+    void showTabs();
     void takeSequence();
     void showOrder();
     void showFailure(int camera, const QString& message);
@@ -94,6 +109,9 @@ private:
     ViewPanel* m_viewPanel;
     InspectPage* m_inspect;
     BenchmarkPage* m_benchmark;
+    ScenePanel* m_scenePanel;
+    MaskAttacher m_masks;
+    QWidget* m_annotationTab = nullptr; ///< the one in front before the workspace was left
 };
 
 } // namespace widgets

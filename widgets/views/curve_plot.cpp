@@ -89,6 +89,11 @@ void CurvePlot::setSettings(const CurvePlotSettings& settings) {
     update();
 }
 
+void CurvePlot::setLogarithmic(bool on) {
+    m_settings.yLogarithmic = on;
+    update();
+}
+
 void CurvePlot::setCurves(const std::vector<Curve>& curves) {
     m_curves = curves;
     update();
@@ -124,6 +129,7 @@ CurvePlot::Frame CurvePlot::frame(const QRectF& area) const {
     if (!xGiven && xMax > xMin) {
         result.x = {xMin, xMax, false}; // curves fill the width
     }
+    result.x.whole = m_settings.xWhole;
     result.y = yGiven ? PlotAxis{m_settings.yMin, m_settings.yMax, m_settings.yLogarithmic}
                       : roundAxis(yMin, yMax, m_settings.yLogarithmic);
     const QFontMetricsF metrics(font());
@@ -351,17 +357,23 @@ void CurvePlot::addPictureActions(QMenu& menu) {
                                 {}});
 }
 
+/// x of a place in the widget; a whole number where x counts something.
+double CurvePlot::valueOfPlace(const Frame& f, QPointF place) const {
+    const double x = f.x.value((place.x() - f.plot.left()) / f.plot.width());
+    return m_settings.xWhole ? std::clamp(std::round(x), std::ceil(f.x.min), std::floor(f.x.max)) : x;
+}
+
 void CurvePlot::mouseMoveEvent(QMouseEvent* event) {
     const Frame f = frame(rect());
     const double position = (event->localPos().x() - f.plot.left()) / f.plot.width();
-    m_hoverX = !m_curves.empty() && position >= 0 && position <= 1 ? f.x.value(position) : kNone;
+    m_hoverX = !m_curves.empty() && position >= 0 && position <= 1 ? valueOfPlace(f, event->localPos()) : kNone;
     update();
 }
 
 void CurvePlot::mousePressEvent(QMouseEvent* event) {
     const Frame f = frame(rect());
     if (event->button() == Qt::LeftButton && !m_curves.empty() && f.plot.contains(event->localPos())) {
-        emit xClicked(f.x.value((event->localPos().x() - f.plot.left()) / f.plot.width()));
+        emit xClicked(valueOfPlace(f, event->localPos()));
     }
 }
 
@@ -372,6 +384,11 @@ void CurvePlot::leaveEvent(QEvent*) {
 
 void CurvePlot::contextMenuEvent(QContextMenuEvent* event) {
     QMenu menu;
+    QAction* logarithmic = menu.addAction(tr("Logarithmic axis"));
+    logarithmic->setCheckable(true);
+    logarithmic->setChecked(isLogarithmic());
+    connect(logarithmic, &QAction::toggled, this, &CurvePlot::setLogarithmic);
+    menu.addSeparator();
     addPictureActions(menu);
     menu.exec(event->globalPos());
 }

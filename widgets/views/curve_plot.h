@@ -30,6 +30,7 @@ struct CurvePlotSettings {
     double yMin = 0, yMax = 0;
     bool yLogarithmic = false;
     QString emptyText; ///< shown while there are no curves
+    bool xWhole = false; ///< x counts something: ticks, reading and clicks are at whole numbers
 };
 
 /// Line plot: error curves, convergence. Reads out the curves under the pointer; saves itself as PNG and SVG.
@@ -40,6 +41,8 @@ public:
 
     void setSettings(const CurvePlotSettings& settings);
     void setCurves(const std::vector<Curve>& curves);
+    bool isLogarithmic() const { return m_settings.yLogarithmic; }
+    void setLogarithmic(bool on);
     /// A vertical line, such as the iteration that is shown; NaN for none.
     void setCursor(double x);
 
@@ -72,6 +75,8 @@ private:
 
     CurvePlotSettings m_settings;
     std::vector<Curve> m_curves;
+    double valueOfPlace(const Frame& frame, QPointF place) const;
+
     double m_cursorX;
     double m_hoverX;
 };

@@ -20,7 +20,10 @@ double roundStep(double step) {
 }
 
 std::vector<double> linearTicks(const PlotAxis& axis, int most) {
-    const double step = roundStep((axis.max - axis.min) / std::max(1, most - 1));
+    double step = roundStep((axis.max - axis.min) / std::max(1, most - 1));
+    if (axis.whole) {
+        step = std::max(1.0, step);
+    }
     std::vector<double> result;
     for (double i = std::ceil(axis.min / step - 1e-9); i * step <= axis.max + 1e-9 * step; ++i) {
         result.push_back(i * step);

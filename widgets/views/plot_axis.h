@@ -10,6 +10,7 @@ struct PlotAxis {
     double min = 0;
     double max = 1;
     bool logarithmic = false;
+    bool whole = false; ///< values are whole numbers, such as frames or iterations: no tick lies between them
 
     /// 0 at min, 1 at max; values that a logarithm does not have lie at min.
     double position(double value) const;

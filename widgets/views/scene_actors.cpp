@@ -105,9 +105,9 @@ ActorPtr makeMeshActor(const ViewSurface& surface, const MeshLayer& layer) {
     ActorPtr actor = actorOf(data);
     setColour(*actor, layer.colour);
     vtkProperty& look = *actor->GetProperty();
-    look.SetAmbient(0.15);
-    look.SetDiffuse(0.85);
-    look.SetSpecular(0.12);
+    look.SetAmbient(0.5); // so that what is lit has the layer's colour on average: it is a legend
+    look.SetDiffuse(0.62);
+    look.SetSpecular(0.04);
     look.SetSpecularPower(25);
     if (layer.style == MeshStyle::Wireframe) {
         look.SetRepresentationToWireframe();

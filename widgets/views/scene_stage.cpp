@@ -186,6 +186,11 @@ void SceneStage::setGridShown(bool shown) {
     rebuildGrid();
 }
 
+void SceneStage::setJointsShown(bool shown) {
+    m_jointsShown = shown;
+    m_front->SetDraw(shown);
+}
+
 void SceneStage::setLookedThrough(int camera) {
     m_lookedThrough = camera >= 0 && camera < static_cast<int>(m_cameras.size()) ? camera : -1;
     showCameras();
@@ -355,6 +360,9 @@ std::optional<QPointF> SceneStage::placeOf(const Eigen::Vector3d& pointInWorld) 
 }
 
 std::optional<core::JointId> SceneStage::jointAt(QPointF place, double reachPx) const {
+    if (!m_jointsShown) {
+        return std::nullopt;
+    }
     const SceneJoint* nearest = nullptr;
     double nearestDistance = reachPx;
     for (const SceneJoint& joint : m_joints) {

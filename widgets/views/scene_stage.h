@@ -37,6 +37,7 @@ public:
     void setCameraImage(const QImage& image);
     void setCamerasShown(bool shown);
     void setGridShown(bool shown);
+    void setJointsShown(bool shown);
     void setLookedThrough(int camera);
 
     const std::vector<core::Camera>& cameras() const { return m_cameras; }
@@ -92,6 +93,7 @@ private:
     int m_lookedThrough = -1;
     bool m_camerasShown = true;
     bool m_gridShown = true;
+    bool m_jointsShown = true;
 };
 
 } // namespace widgets

@@ -167,6 +167,11 @@ void SceneView::setGridShown(bool shown) {
     requestRender();
 }
 
+void SceneView::setJointsShown(bool shown) {
+    m_impl->stage.setJointsShown(shown);
+    requestRender();
+}
+
 void SceneView::resetView() {
     lookThrough(-1);
     m_impl->stage.resetOrbit(m_impl->deviceSize());

@@ -44,6 +44,8 @@ public:
     int lookedThrough() const;
     void setCamerasShown(bool shown);
     void setGridShown(bool shown);
+    /// Joints and bones; they are shown at first.
+    void setJointsShown(bool shown);
 
     /// Looks at the hands and the cameras around them. Happens by itself when the first content arrives.
     void resetView();

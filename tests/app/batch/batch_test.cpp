@@ -6,6 +6,7 @@
 #include "core/contour/rasteriser.h"
 #include "core/io/image_file.h"
 #include "core/io/json_file.h"
+#include "core/io/pairs_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
@@ -75,6 +76,20 @@ TEST_F(Batch, AnswersBadInputWithStatusOneAndOneLine) {
     expectRefused(runBatch({"joints", m_set, "--sequence", "second", "--frame", "0", "--out", m_out}), 1, m_set, "no recorded motion");
     expectRefused(runBatch({"check", m_folder / "a\nb"}), 1, "", "a b");
     EXPECT_FALSE(fs::exists(m_out));
+}
+
+TEST_F(Batch, APairsFileIsNotSilentlyAccompaniedByADraw) {
+    core::writePairs(m_folder / "pairs.json", {core::FramePair{"first", 0, 1}});
+    const std::vector<std::string> plain{"benchmark", m_set, "--pairs", m_folder / "pairs.json", "--methods", "ch", "--out", m_out};
+    const std::pair<const char*, const char*> draws[] = {{"--fraction", "0.5"}, {"--seed", "3"}, {"--differences", "1,2"}};
+    for (const auto& [option, value] : draws) {
+        std::vector<std::string> words = plain;
+        words.emplace_back(option);
+        words.emplace_back(value);
+        expectRefused(runBatch(words), 2, std::string("--pairs and ") + option, "give one of them");
+        EXPECT_FALSE(fs::exists(m_out));
+    }
+    EXPECT_EQ(runBatch(plain).status, 0);
 }
 
 TEST_F(Batch, SaysThatAnOutputCannotBeWritten) {

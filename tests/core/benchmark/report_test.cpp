@@ -2,6 +2,7 @@
 #include "core/benchmark/report.h"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 
 #include <gtest/gtest.h>
@@ -102,7 +103,7 @@ TEST(Report, SaysWhatEachIdeaOfBestGainsAndCosts) {
 
 TEST(Figures, HoldTheirData) {
     const BenchmarkResults results = test::handMadeResults();
-    EXPECT_EQ(headlineMethods(results), (std::vector<std::string>{"their, tracker", "ch"}));
+    EXPECT_EQ(headlineMethods(results), (std::vector<std::string>{"ch", "their, tracker"}));
     const std::vector<Figure> figures = overviewFigures(results, {"ch"});
     const auto named = [&](const std::string& id) {
         return *std::find_if(figures.begin(), figures.end(), [&](const Figure& figure) { return figure.id == id; });
@@ -112,6 +113,57 @@ TEST(Figures, HoldTheirData) {
     EXPECT_TRUE(contains(named("joints").gnuplot, "0 4.00000\n1 1.00000\nEOD"));
     EXPECT_TRUE(contains(named("speed").gnuplot, "0.5 4.00000\n"));
     EXPECT_TRUE(sweepResultFigures(results).empty()) << "a single method gives no sweep";
+}
+
+/// The colours and names of a figure's lines, in the order of its key.
+std::vector<std::pair<std::string, std::string>> keyOf(const Figure& figure) {
+    std::vector<std::pair<std::string, std::string>> key;
+    for (std::size_t at = figure.gnuplot.find(" lc rgb '", figure.gnuplot.find("plot $")); at != std::string::npos;
+         at = figure.gnuplot.find(" lc rgb '", at + 1)) {
+        const std::size_t title = figure.gnuplot.find("title '", at) + 7;
+        key.emplace_back(figure.gnuplot.substr(title, figure.gnuplot.find('\'', title) - title), figure.gnuplot.substr(at + 9, 7));
+    }
+    return key;
+}
+
+TEST(Figures, AMethodHasOneColourAndOnePlaceInAllOfThem) {
+    BenchmarkResults results = test::handMadeResults();
+    std::vector<PairResult> rows;
+    results.methods = {"ch", "dch-thres:tau=45", "dch-thres:tau=30", "their, tracker"};
+    for (const std::string& method : results.methods) {
+        for (const PairResult& row : results.rows) {
+            if (row.method == "ch") {
+                rows.push_back(row);
+                rows.back().method = method;
+            }
+        }
+    }
+    results.rows = rows;
+    const std::vector<Figure> figures = overviewFigures(results, results.methods);
+    ASSERT_EQ(figures.size(), 4u);
+    std::vector<std::pair<std::string, std::string>> curves = keyOf(figures[0]);
+    ASSERT_EQ(curves.size(), 5u);
+    EXPECT_EQ(curves.front().first, "initial");
+    curves.erase(curves.begin());
+    for (const Figure& figure : figures) {
+        if (figure.id != "curves") {
+            EXPECT_EQ(keyOf(figure), curves) << figure.id;
+        }
+    }
+    std::set<std::string> colours;
+    for (const auto& [name, colour] : curves) {
+        colours.insert(colour);
+    }
+    EXPECT_EQ(colours.size(), 4u) << "and no two methods share one";
+}
+
+TEST(Figures, CountsHaveWholeMarksAndJointsAreNotJoined) {
+    const std::vector<Figure> figures = overviewFigures(test::handMadeResults(), {"ch"});
+    EXPECT_TRUE(contains(figures[1].gnuplot, "set xtics (1, 5)\n"));
+    EXPECT_EQ(gnuplotWholeTics("x", 0, 230), "set xtics 50\n");
+    EXPECT_EQ(gnuplotWholeTics("x", 1, 15), "set xtics 2\n");
+    EXPECT_FALSE(contains(figures[2].gnuplot, "with lines")) << figures[2].gnuplot;
+    EXPECT_TRUE(contains(figures[2].gnuplot, "'L index mcp' 1")) << "words, not an identifier";
 }
 
 } // namespace

@@ -95,5 +95,18 @@ TEST(BenchmarkFolder, MergeSaysWhichShardIsMissingTwiceOrUnfinished) {
     EXPECT_NE(message({folder / "nowhere"}).find("nowhere"), std::string::npos);
 }
 
+TEST(BenchmarkFolder, RemembersWhoseHandsItMeasured) {
+    const test::TemporaryFolder folder;
+    BenchmarkFolder content = runInto(folder / "run", {});
+    EXPECT_FALSE(content.results.papersHands) << "two bones are not the paper's hands";
+    EXPECT_FALSE(readBenchmarkFolder(folder / "run").results.papersHands);
+    EXPECT_EQ(readTextFile(folder / "run/table.md").find("paper"), std::string::npos);
+    EXPECT_EQ(readTextFile(folder / "run/report.html").find("(paper)"), std::string::npos);
+    content.info.papersHands = content.results.papersHands = true;
+    writeBenchmarkFolder(folder / "papers", content);
+    EXPECT_TRUE(readBenchmarkFolder(folder / "papers").results.papersHands);
+    EXPECT_NE(readTextFile(folder / "papers/table.md").find("CH (paper)"), std::string::npos);
+}
+
 } // namespace
 } // namespace core

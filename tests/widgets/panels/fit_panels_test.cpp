@@ -2,10 +2,17 @@
 #include <QTableView>
 
 #include "core/benchmark/pairs.h"
+#include "core/contour/rasteriser.h"
 #include "core/error.h"
+#include "core/io/atomic_file.h"
+#include "core/io/benchmark_folder.h"
+#include "core/io/frames.h"
+#include "core/io/image_file.h"
+#include "core/io/text_file.h"
 #include "tests/widgets/panels/panel_fixture.h"
 #include "widgets/panels/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
+#include "widgets/jobs/mask_attacher.h"
 #include "widgets/panels/inspect_page.h"
 
 namespace {
@@ -21,6 +28,16 @@ protected:
     /// The page came after the dataset was opened: once more, so that it knows the sequences.
     void reopen() {
         bench.session.openDataset(QString::fromStdString((folder / "dataset").string()), QStringLiteral("a"), 12);
+        settle();
+    }
+    /// A run of all methods on some pairs, to its end.
+    void runBenchmark() {
+        reopen();
+        for (QCheckBox* box : benchmark.findChildren<QCheckBox*>())
+            box->setChecked(box->text() == QStringLiteral("dch-thres") || box->text() == QStringLiteral("ch"));
+        differences().setText(QStringLiteral("1, 3"));
+        child<QDoubleSpinBox>(benchmark)->setValue(5);
+        bench.benchmarks.run(benchmark.request());
         settle();
     }
     QLineEdit& differences() {
@@ -120,6 +137,203 @@ TEST_F(FitPanelsTest, HalfTypedDifferencesAreRefusedInWords) {
     QTest::mouseClick(*run, Qt::LeftButton);
     EXPECT_TRUE(child<widgets::MessageBar>(benchmark)->message().contains(QStringLiteral("\u201cx\u201d")));
     EXPECT_FALSE(bench.benchmarks.isRunning());
+}
+
+/// The image of a view without what is drawn over it.
+QImage picture(widgets::CameraView& view) {
+    view.setMeshLayers({});
+    view.setSkeleton({});
+    view.finishDrawing();
+    return view.grabPicture();
+}
+
+TEST_F(FitPanelsTest, InspectShowsThePicturesOfItsOwnPair) {
+    fitting.fit({8, 12, {"ch", "best"}, widgets::FitTarget::Recorded});
+    settle();
+    const core::FrameSource frames(*bench.session.dataset(), *bench.session.sequence(), *bench.session.motion());
+    const auto expected = [&](const widgets::CameraView& like, int camera, int frame) {
+        const cv::Mat image = frames.read(camera, frame);
+        widgets::CameraView view;
+        view.setCamera(like.camera());
+        view.resize(like.size());
+        view.show();
+        view.setImage(QImage(image.data, image.cols, image.rows, static_cast<int>(image.step), QImage::Format_BGR888).convertToFormat(QImage::Format_RGB32));
+        view.lookAt(like.viewportToImage(QRectF(like.viewport()->rect()).center()), like.scale());
+        return view.grabPicture();
+    };
+    bench.selection.setFrame(13);                // the key D
+    bench.selection.setCamera("cam1"); // the key E
+    settle();
+    for (int index = 0; index < inspect.grid()->count(); ++index) {
+        widgets::CameraView& view = *inspect.grid()->view(index);
+        const int camera = 1 + index / 2;
+        ASSERT_EQ(view.camera().name, "cam" + std::to_string(camera));
+        EXPECT_EQ(picture(view), expected(view, camera, 12)) << index;
+        EXPECT_NE(picture(view), expected(view, camera, 13)) << "the current frame";
+        EXPECT_NE(picture(view), expected(view, camera - 1, 12)) << "the camera that was there before";
+    }
+}
+
+TEST_F(FitPanelsTest, InspectDrawsMeshesAsItIsAskedTo) {
+    fitting.fit({8, 12, {"ch"}, widgets::FitTarget::Recorded});
+    settle();
+    widgets::CameraView& view = *inspect.grid()->view(0);
+    const auto shown = [&](const widgets::LayerLook& look, bool start, bool recorded) {
+        inspect.setLook(look, start, recorded);
+        view.finishDrawing();
+        return view.grabPicture();
+    };
+    widgets::LayerLook look;
+    look.opacity = 0.9;
+    const QImage shaded = shown(look, false, false);
+    EXPECT_NE(shown(look, false, true), shaded) << "the recorded silhouette";
+    EXPECT_NE(shown(look, true, false), shaded) << "the start pose";
+    look.opacity = 0.3;
+    EXPECT_NE(shown(look, false, false), shaded) << "opacity";
+    look.style = widgets::MeshStyle::Wireframe;
+    const QImage wires = shown(look, false, false);
+    EXPECT_NE(wires, shaded);
+    look.style = widgets::MeshStyle::Off;
+    const QImage off = shown(look, true, false);
+    EXPECT_NE(off, wires);
+    EXPECT_EQ(off, picture(view)) << "nothing over the picture";
+    look = {};
+    const QImage result = shown(look, false, false);
+    inspect.setIteration(0);
+    settle();
+    view.finishDrawing();
+    EXPECT_NE(view.grabPicture(), result) << "the iteration";
+    const auto layers = inspect.posedLayers();
+    ASSERT_EQ(layers.size(), 3u);
+    EXPECT_EQ(layers[2].surfaces[0]->verticesInWorld, layers[0].surfaces[0]->verticesInWorld) << "before the first iteration: the start";
+}
+
+TEST_F(FitPanelsTest, AnEmptyInspectHasAButton) {
+    auto* button = child<QPushButton>(inspect);
+    ASSERT_TRUE(button->isVisible());
+    bool asked = false;
+    QObject::connect(&inspect, &widgets::InspectPage::fitRequested, [&] { asked = true; });
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(asked);
+    fitting.fit({8, 12, {"ch"}, widgets::FitTarget::Recorded});
+    settle();
+    EXPECT_FALSE(button->isVisible());
+}
+
+TEST_F(FitPanelsTest, BenchmarkRowsAreShownWhileItRuns) {
+    reopen();
+    differences().setText(QStringLiteral("1, 3"));
+    child<QDoubleSpinBox>(benchmark)->setValue(40);
+    std::vector<std::size_t> rows; // at every update before the end
+    bool tableShown = false;
+    QObject::connect(&bench.benchmarks, &widgets::BenchmarkRunner::updated, &benchmark, [&] {
+        if (!bench.benchmarks.isRunning() || !bench.benchmarks.results())
+            return;
+        rows.push_back(bench.benchmarks.results()->rows.size());
+        tableShown = tableShown || child<QTableView>(benchmark)->isVisible();
+    });
+    bench.benchmarks.run(benchmark.request());
+    settle();
+    const std::size_t all = bench.benchmarks.results()->rows.size();
+    ASSERT_GE(rows.size(), 2u);
+    EXPECT_TRUE(tableShown);
+    EXPECT_LT(rows.front(), all);
+    EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+    EXPECT_FALSE(bench.benchmarks.results()->stopped);
+}
+
+TEST_F(FitPanelsTest, SavedResultsAreTheCommandsAndOpenAgain) {
+    runBenchmark();
+    const auto found = *bench.benchmarks.results();
+    ASSERT_FALSE(found.rows.empty());
+    const QString out = QString::fromStdString((folder / "results").string());
+    QSignalSpy saved(&bench.benchmarks, &widgets::BenchmarkRunner::saved);
+    bench.benchmarks.save(out);
+    settle();
+    ASSERT_EQ(saved.count(), 1);
+    for (const char* file : {"run.json", "pairs.json", "finished.jsonl", "results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "report.html"})
+        EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
+    core::BenchmarkFolder again = core::readBenchmarkFolder(folder / "results");
+    EXPECT_EQ(again.results.rows, found.rows);
+    core::writeBenchmarkFolder(folder / "command", again);
+    for (const char* file : {"results.csv", "joints.csv", "table.md"})
+        EXPECT_EQ(core::readTextFile(folder / "results" / file), core::readTextFile(folder / "command" / file)) << file;
+
+    reopen();
+    ASSERT_FALSE(bench.benchmarks.results());
+    QSignalSpy opened(&bench.benchmarks, &widgets::BenchmarkRunner::opened);
+    bench.benchmarks.open(out);
+    settle();
+    ASSERT_EQ(opened.count(), 1);
+    EXPECT_TRUE(opened[0][1].toString().isEmpty()) << opened[0][1].toString().toStdString();
+    EXPECT_EQ(bench.benchmarks.results()->rows, found.rows);
+    EXPECT_TRUE(child<QTableView>(benchmark)->isVisible());
+    EXPECT_EQ(child<QTableView>(benchmark)->model()->rowCount(), 3) << "start, ch, dch-thres";
+}
+
+TEST_F(FitPanelsTest, SavingReplacesNoOtherResults) {
+    runBenchmark();
+    QSignalSpy failed(&bench.benchmarks, &widgets::BenchmarkRunner::fileFailed);
+    std::filesystem::create_directories(folder / "mine");
+    core::writeFileAtomically(folder / "mine/table.md", "mine");
+    bench.benchmarks.save(QString::fromStdString((folder / "mine").string()));
+    settle();
+    EXPECT_EQ(failed.count(), 1);
+    EXPECT_EQ(core::readTextFile(folder / "mine/table.md"), "mine");
+    bench.benchmarks.open(QString::fromStdString((folder / "mine").string()));
+    settle();
+    EXPECT_EQ(failed.count(), 2) << "it holds no results";
+    EXPECT_FALSE(child<widgets::MessageBar>(benchmark)->message().isEmpty());
+}
+
+TEST_F(FitPanelsTest, APairOpensWithAllOfItsMethods) {
+    runBenchmark();
+    std::optional<widgets::FitRequest> opened;
+    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened, [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
+    QTest::qWait(20); // laid out
+    QTableView& pairs = *child<QTableView>(benchmark, 1);
+    const QPoint first = pairs.visualRect(pairs.model()->index(0, 0)).center();
+    QTest::mouseClick(pairs.viewport(), Qt::LeftButton, {}, first);
+    QTest::mouseDClick(pairs.viewport(), Qt::LeftButton, {}, first);
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->methods, (std::vector<std::string>{"ch", "dch-thres"}));
+}
+
+TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
+    core::Dataset bare = *bench.session.dataset();
+    for (core::Sequence& sequence : bare.sequences) {
+        sequence.motion.clear();
+        for (core::ViewSource& view : sequence.views)
+            view.kind = core::ViewKind::None;
+    }
+    core::rewriteDatasetFile(bare);
+    reopen();
+    bench.fits.run(fitting.request());
+    EXPECT_TRUE(child<widgets::MessageBar>(fitting)->message().contains(QStringLiteral("needs silhouettes: attach a folder of masks, or make them")));
+    const auto buttons = fitting.findChildren<QPushButton*>();
+    const auto attach = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) { return button->text() == QStringLiteral("Attach masks..."); });
+    ASSERT_NE(attach, buttons.end());
+    EXPECT_TRUE((*attach)->isVisible());
+    QSignalSpy asked(&fitting, &widgets::FittingPanel::masksRequested);
+    QTest::mouseClick(*attach, Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+
+    for (const core::Camera& camera : bare.cameras) {
+        std::filesystem::create_directories(folder / "masks" / camera.name);
+        core::writePng(folder / "masks" / camera.name / "000012.png", core::renderHandsMask(camera, bare.hands, test::tinyMotion(13).back()));
+    }
+    widgets::MaskAttacher attacher(bench.session, bench.selection, bench.pool);
+    QSignalSpy failed(&attacher, &widgets::MaskAttacher::failed);
+    attacher.attach(QString::fromStdString((folder / "masks").string()));
+    settle();
+    ASSERT_EQ(failed.count(), 0) << failed[0][0].toString().toStdString();
+    EXPECT_TRUE(bench.fits.hasMasks());
+    EXPECT_FALSE((*attach)->isVisible());
+    EXPECT_EQ(bench.selection.frame(), 12) << "the same place";
+    EXPECT_TRUE(core::hasMasks(core::readDataset(folder / "dataset").sequences[0])) << "kept in the file";
+    attacher.attach(QString::fromStdString((folder / "nowhere").string()));
+    settle();
+    EXPECT_EQ(failed.count(), 1);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "widgets/views/curve_plot.h"
 
 #include <cmath>
+#include <set>
 
 #include <QApplication>
 #include <QFile>
@@ -119,6 +120,54 @@ TEST_F(CurvePlotTest, OddValuesDoNoHarm) {
     EXPECT_FALSE(plot.grab().isNull());
     test::moveTo(&plot, {200, 100});
     EXPECT_FALSE(plot.grab().isNull());
+}
+
+TEST_F(CurvePlotTest, AClickOnAnAxisOfIterationsIsAWholeOne) {
+    CurvePlotSettings settings;
+    settings.xWhole = true;
+    plot.setSettings(settings);
+    plot.setCurves({line(Qt::red, 0, 5)}); // from 0 to 10
+    QSignalSpy clicked(&plot, &CurvePlot::xClicked);
+    for (int x = 60; x < 400; x += 17) {
+        test::click(&plot, {double(x), 100});
+    }
+    ASSERT_GT(clicked.count(), 15);
+    std::set<double> found;
+    for (const auto& click : clicked) {
+        found.insert(click[0].toDouble());
+    }
+    for (const double x : found) {
+        EXPECT_EQ(x, std::round(x));
+        EXPECT_GE(x, 0);
+        EXPECT_LE(x, 10);
+    }
+    EXPECT_EQ(found.size(), 11u) << "every iteration can be reached";
+}
+
+/// 8, 0.8, 0.08: equal steps on a logarithmic axis, and the last two are one on a linear axis.
+TEST_F(CurvePlotTest, SmallErrorsAreToldApartOnALogarithmicAxis) {
+    const auto heights = [&] {
+        std::vector<int> found;
+        const QImage image = plot.grabPicture();
+        for (const QColor& colour : {QColor(Qt::red), QColor(Qt::blue), QColor(0, 160, 0)}) {
+            int sum = 0, count = 0;
+            for (int y = 0; y < image.height(); ++y) {
+                const QColor c = image.pixelColor(240, y);
+                if (std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) + std::abs(c.blue() - colour.blue()) < 120) {
+                    sum += y;
+                    ++count;
+                }
+            }
+            found.push_back(count > 0 ? sum / count : -1);
+        }
+        return found;
+    };
+    plot.setCurves({line(Qt::red, 8, 8), line(Qt::blue, 0.8, 0.8), line(QColor(0, 160, 0), 0.08, 0.08)});
+    EXPECT_LT(std::abs(heights()[1] - heights()[2]), 25);
+    plot.setLogarithmic(true);
+    const std::vector<int> y = heights();
+    EXPECT_GT(y[2] - y[1], 40);
+    EXPECT_NEAR(y[2] - y[1], y[1] - y[0], 3);
 }
 
 } // namespace

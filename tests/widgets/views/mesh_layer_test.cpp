@@ -9,8 +9,10 @@
 #include "core/contour/rasteriser.h"
 #include "tests/support/ball.h"
 #include "tests/support/camera_ring.h"
+#include "tests/support/lab_colour.h"
 #include "tests/support/surfaces.h"
 #include "widgets/views/camera_view.h"
+#include "widgets/views/joint_colours.h"
 
 namespace {
 
@@ -123,6 +125,29 @@ TEST(MeshLayer, ANewZoomIsDrawnAnewAndTheOldPictureStandsInMeanwhile) {
     view.setMeshLayers({});
     view.finishDrawing();
     EXPECT_FALSE(greenAt({541, 956}));
+}
+
+/// What a person compares: the lit mesh with its method's chip, curve and table row.
+TEST(MeshLayer, HasTheColourOfItsLegend) {
+    const core::Camera camera = core::cropped(test::cameraRing(1)[0], {0, 0}, {270, 480}, 0.25);
+    std::vector<QColor> shown;
+    for (const char* method : {"start", "ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"}) {
+        MeshLayer layer = test::ballLayer(methodColour(method));
+        layer.silhouetteEdge = false;
+        layer.opacity = 1;
+        const QImage opaque = drawMeshLayers(camera, {layer}, {-0.5, -0.5}, {270, 480}, 1).picture;
+        shown.push_back(test::meanColour(opaque, [&](int x, int y) { return qAlpha(opaque.pixel(x, y)) > 0; }));
+        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10) << method << " " << shown.back().name().toStdString();
+        layer.opacity = 0.5; // the colour that is mixed in is the same
+        const QImage half = drawMeshLayers(camera, {layer}, {-0.5, -0.5}, {270, 480}, 1).picture.convertToFormat(QImage::Format_ARGB32);
+        const QColor mixedIn = test::meanColour(half, [&](int x, int y) { return qAlpha(half.pixel(x, y)) > 0; });
+        EXPECT_LT(test::labDistance(mixedIn, layer.colour), 10) << method;
+    }
+    for (std::size_t a = 0; a < shown.size(); ++a) {
+        for (std::size_t b = a + 1; b < shown.size(); ++b) {
+            EXPECT_GT(test::labDistance(shown[a], shown[b]), 20) << a << " " << b;
+        }
+    }
 }
 
 } // namespace

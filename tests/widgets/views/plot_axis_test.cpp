@@ -58,4 +58,10 @@ TEST(PlotAxis, TicksAreRoundAndFew) {
     EXPECT_NEAR(powers[2], 1, 1e-12);
 }
 
+TEST(PlotAxis, WholeNumbersHaveNoTicksBetweenThem) {
+    EXPECT_EQ(ticks(PlotAxis{0, 3, false, true}, 12), (std::vector<double>{0, 1, 2, 3}));
+    EXPECT_EQ(ticks(PlotAxis{0, 3, false, false}, 12).size(), 7u) << "halves";
+    EXPECT_EQ(ticks(PlotAxis{0, 40, false, true}, 6), (std::vector<double>{0, 10, 20, 30, 40}));
+}
+
 } // namespace

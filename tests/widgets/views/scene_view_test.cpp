@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/camera_ring.h"
+#include "tests/support/lab_colour.h"
 #include "tests/support/pointer.h"
 #include "tests/support/surfaces.h"
+#include "widgets/views/joint_colours.h"
 
 namespace {
 
@@ -144,6 +146,27 @@ TEST_F(SceneViewTest, JointsShowThroughFlesh) {
     joint.covariance = Eigen::Matrix3d(Eigen::Vector3d(100, 100, 100).asDiagonal());
     scene.setJoints({joint});
     EXPECT_GT(count(scene.grabPicture(), joint.colour), 3 * small) << "its ellipsoid is drawn";
+}
+
+TEST_F(SceneViewTest, MeshesHaveTheColourOfTheirLegend) {
+    scene.setGridShown(false);
+    MeshLayer first = test::ballLayer(Qt::black);
+    scene.setMeshLayers({first});
+    const QImage black = scene.grabPicture();
+    std::vector<QColor> shown;
+    for (const char* method : {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"}) {
+        MeshLayer layer = test::ballLayer(methodColour(method));
+        scene.setMeshLayers({layer});
+        const QImage picture = scene.grabPicture();
+        const auto isMesh = [&](int x, int y) { return test::labDistance(picture.pixelColor(x, y), black.pixelColor(x, y)) > 15; };
+        shown.push_back(test::meanColour(picture, isMesh));
+        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10) << method << " " << shown.back().name().toStdString();
+    }
+    for (std::size_t a = 0; a < shown.size(); ++a) {
+        for (std::size_t b = a + 1; b < shown.size(); ++b) {
+            EXPECT_GT(test::labDistance(shown[a], shown[b]), 20) << a << " " << b;
+        }
+    }
 }
 
 } // namespace
