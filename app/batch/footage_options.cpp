@@ -111,7 +111,7 @@ std::vector<core::Footage> footageOf(const FootageArguments& arguments) {
     for (const auto& [list, option] : {std::pair(&arguments.videos, "--video"), std::pair(&arguments.images, "--images")}) {
         for (const std::string& text : *list) {
             const auto [camera, path] = splitAssignment(text, option);
-            footage.push_back({camera, path, 0});
+            footage.push_back({camera, path});
         }
     }
     apply(footage, arguments.offsets, "--offset", "a number of frames from 0 on", setOffset);

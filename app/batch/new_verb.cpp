@@ -18,7 +18,7 @@ namespace app {
 namespace {
 
 struct NewArguments {
-    std::string cameras, size, hands, sequence, add, out;
+    std::string cameras, size, hands, sequence, sync, add, out;
     core::CalibrationOptions calibration;
     double mmPerUnit = 0, framesPerSecond = 0;
     FootageArguments footage;
@@ -63,6 +63,10 @@ void print(const std::vector<std::string>& notes) {
     }
 }
 
+core::FootageSync syncOf(const std::string& text) {
+    return text == "time" ? core::FootageSync::Time : text == "index" ? core::FootageSync::Index : core::FootageSync::Automatic;
+}
+
 void requireOneTarget(const NewArguments& arguments) {
     const bool isNew = arguments.add.empty();
     if (isNew == arguments.out.empty() || isNew == arguments.cameras.empty()) {
@@ -81,7 +85,7 @@ void makeDataset(const NewArguments& arguments) {
     core::Dataset dataset = isNew ? emptyDataset(arguments) : core::readDataset(folder);
     dataset.folder = folder;
     const std::optional<double> rate = arguments.framesPerSecond > 0 ? std::optional(arguments.framesPerSecond) : std::nullopt;
-    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage), folder, rate);
+    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage), folder, rate, syncOf(arguments.sync));
     dataset.sequences.push_back(made.sequence);
     dataset.cameras = made.cameras;
     const std::vector<std::string> maskNotes = addMasks(dataset, arguments);
@@ -111,6 +115,10 @@ void addNewVerb(CLI::App& program) {
     addFootageOptions(*verb, arguments->footage);
     verb->add_option("--masks", arguments->masks, "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; can be repeated");
     verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")->check(CLI::PositiveNumber);
+    verb->add_option("--sync", arguments->sync,
+                     "time: frames are mapped by their time stamps, so that frames which a camera lost are missing in its view; index: by their number. "
+                     "Default: time where all videos have the same rate and sound time stamps")
+        ->check(CLI::IsMember({"index", "time"}));
     verb->add_option("--hands", arguments->hands, "A dataset whose hand models are taken");
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->default_val("1");
     verb->add_option("--add", arguments->add, "Add the sequence to this dataset instead of making a new one");

@@ -17,7 +17,7 @@
 #include "core/io/dataset.h"
 #include "core/io/dataset_paths.h"
 #include "core/io/footage_presence.h"
-#include "core/io/frames.h"
+#include "core/io/footage_check.h"
 #include "core/io/hand_file.h"
 #include "core/io/image_file.h"
 #include "core/io/json_file.h"
@@ -101,34 +101,6 @@ void checkVisible(Findings& findings, const Dataset& dataset, const Sequence& se
     }
 }
 
-/// The footage of one view: there, of the calibrated size, and long enough.
-void checkFootage(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
-    const Camera& camera = dataset.cameras[static_cast<std::size_t>(dataset.cameraIndex(view.camera))];
-    const fs::path path = dataset.folder / view.path;
-    const int last = sequence.frameCount - 1 + view.offsetFrames;
-    ImageSize size = camera.size;
-    if (view.kind == ViewKind::Video) {
-        const VideoInfo info = readVideoInfo(path);
-        size = info.size;
-        if (view.offsetFrames < 0 || last >= info.frames) {
-            throw Error(ErrorCode::BadInput, path.string(), "frames", "the sequence needs frames " + std::to_string(view.offsetFrames) + " to " +
-                                                                          std::to_string(last) + ", the video has " + std::to_string(info.frames));
-        }
-    } else if (view.kind == ViewKind::Images) {
-        const cv::Mat image = readImage(fillPattern(path.string(), view.camera, view.offsetFrames));
-        size = {image.cols, image.rows};
-        for (int frame = view.offsetFrames; frame <= last; ++frame) {
-            if (const std::string file = fillPattern(path.string(), view.camera, frame); !fs::exists(file)) {
-                throw Error(ErrorCode::NotFound, file, "", "no such file");
-            }
-        }
-    }
-    size = turnedSize(size, view.rotateDegrees);
-    if (size != camera.size) {
-        throw Error(ErrorCode::BadInput, path.string(), "size", "is not the size that " + camera.name + " is calibrated for");
-    }
-}
-
 /// The file must be whole; marks of cameras or frames that are gone are worth knowing.
 void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence& sequence) {
     const fs::path file = annotationFile(dataset, sequence);
@@ -178,8 +150,8 @@ void checkDataset(Findings& findings, const fs::path& folder) {
         for (const std::string& note : orientationNotes(dataset, sequence)) {
             findings.push_back({true, note});
         }
-        for (const ViewSource& view : sequence.views) {
-            attempt(findings, [&] { checkFootage(dataset, sequence, view); });
+        for (const auto& [isNote, text] : checkFootage(dataset, sequence)) {
+            findings.push_back({isNote, text});
         }
     }
 }

@@ -9,9 +9,10 @@
 
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
-#include "core/io/dataset_paths.h"
 #include "core/io/grey_levels.h"
 #include "core/io/image_file.h"
+#include "core/io/instants.h"
+#include "core/io/measured_footage.h"
 #include "core/io/video_file.h"
 
 namespace core {
@@ -113,14 +114,14 @@ cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
 cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
     const std::lock_guard lock(view.mutex);
     if (!view.video) {
-        const fs::path index = cacheFile(folder, sequenceName + "-" + view.source.camera + ".videoindex");
+        const fs::path index = videoIndexFile(folder, sequenceName, view.source.camera);
         view.video = std::make_unique<VideoFile>(folder / view.source.path, index);
     }
-    return view.video->read(frame + view.source.offsetFrames);
+    return view.video->read(footageFrameAt(view.source, frame));
 }
 
 cv::Mat FrameSource::Impl::fromImage(View& view, int frame) const {
-    const cv::Mat picture = readRawImage(folder / fillPattern(view.source.path, view.source.camera, frame + view.source.offsetFrames));
+    const cv::Mat picture = readRawImage(folder / fillPattern(view.source.path, view.source.camera, footageFrameAt(view.source, frame)));
     return picture.depth() == CV_8U ? picture : toEightBits(picture, levelsOf(view, picture));
 }
 
@@ -164,6 +165,8 @@ int FrameSource::frameCount() const { return m_impl->frameCount; }
 
 ViewKind FrameSource::kind(int camera) const { return m_impl->views.at(static_cast<std::size_t>(camera))->source.kind; }
 
+bool FrameSource::hasPicture(int camera, int frame) const { return hasPictureAt(m_impl->views.at(static_cast<std::size_t>(camera))->source, frame); }
+
 cv::Mat FrameSource::read(int camera, int frame) const {
     const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
@@ -172,9 +175,12 @@ cv::Mat FrameSource::read(int camera, int frame) const {
                     "the sequence has frames 0 to " + std::to_string(m_impl->frameCount - 1));
     }
     cv::Mat image;
+    if (!hasPictureAt(view.source, frame)) {
+        return renderShaded(calibrated, {});
+    }
     switch (view.source.kind) {
     case ViewKind::None:
-        return renderShaded(calibrated, {});
+        break; // has no picture
     case ViewKind::Rendered:
         if (static_cast<std::size_t>(frame) >= m_impl->motion.size()) {
             throw Error(ErrorCode::NotFound, m_impl->sequenceName, "motion", "there is none to render from");

@@ -24,9 +24,12 @@ public:
     /// Where the pictures of this camera (index into the dataset's) come from; None for cameras without a view.
     ViewKind kind(int camera) const;
 
+    /// False for cameras without a view, and where this camera has no picture at this instant (a lost frame, a missing image).
+    bool hasPicture(int camera, int frame) const;
+
     /// The picture of that camera at that frame: CV_8UC3 BGR of the camera's size, exactly the recorded pixels, turned and (of more than 8 bits)
-    /// brought to 8 bits as the view says. A plain backdrop for
-    /// kind None. Throws Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the camera's.
+    /// brought to 8 bits as the view says. A plain backdrop where
+    /// hasPicture is false. Throws Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the camera's.
     cv::Mat read(int camera, int frame) const;
 
 private:

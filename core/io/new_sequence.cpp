@@ -2,12 +2,14 @@
 #include "core/io/new_sequence.h"
 
 #include <algorithm>
+#include <climits>
 #include <map>
 
 #include "core/error.h"
 #include "core/io/dataset_paths.h"
 #include "core/io/frames.h"
-#include "core/io/image_file.h"
+#include "core/io/image_folder.h"
+#include "core/io/measured_footage.h"
 
 namespace core {
 
@@ -15,68 +17,107 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What the footage of one camera holds.
-struct Measured {
-    ViewKind kind = ViewKind::Video;
-    std::string path;  ///< video or pattern, as given
-    int firstFrame = 0; ///< of the footage at the sequence's first instant
-    int frames = 0;     ///< from there on
-    ImageSize size;
-    double framesPerSecond = 0; ///< 0 = unknown
-    Orientation orientation{};  ///< as the file's tag says
-    int rotateDegrees = 0;      ///< as decided
+/// The footage of one camera on its way into the sequence.
+struct Measured : MeasuredFootage {
+    int firstFrame = 0;    ///< frame or number at the sequence's first instant
+    int rotateDegrees = 0; ///< as decided
+    FootageLayout layout{};
 };
 
-bool isImage(const fs::path& file) {
-    static const char* const kExtensions[] = {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp", ".PNG", ".JPG", ".JPEG"};
-    return std::find(std::begin(kExtensions), std::end(kExtensions), file.extension()) != std::end(kExtensions);
-}
-
-/// A file name around its last number.
-struct NumberedName {
-    std::string before, digits, after;
-};
-
-NumberedName splitName(const std::string& name) {
-    const std::size_t stem = name.rfind('.');
-    const std::size_t last = name.find_last_of("0123456789", stem);
-    if (last == std::string::npos) {
-        return {name, "", ""};
+/// The frame, or the number of the image, that `--offset` names. Images of a folder are counted from its first one; a pattern's offset is
+/// the number itself unless that lies before the first.
+int namedStart(const Footage& footage, const MeasuredFootage& measured) {
+    const int offset = footage.offsetFrames.value_or(0);
+    if (measured.kind == ViewKind::Video) {
+        return offset;
     }
-    const std::size_t before = name.find_last_not_of("0123456789", last);
-    const std::size_t first = before == std::string::npos ? 0 : before + 1;
-    return {name.substr(0, first), name.substr(first, last - first + 1), name.substr(last + 1)};
-}
-
-Measured measureVideo(const Footage& footage) {
-    const VideoInfo info = readVideoInfo(footage.path);
-    return {ViewKind::Video, footage.path.string(), footage.offsetFrames, info.frames - footage.offsetFrames, info.size, info.framesPerSecond,
-            {info.rotationDegrees, false}};
-}
-
-Measured measureImages(const Footage& footage, const std::string& pattern, int first) {
-    const auto fileAt = [&](int frame) { return fs::path(fillPattern(pattern, footage.camera, frame)); };
-    Measured measured{ViewKind::Images, pattern, first + footage.offsetFrames, 0, {}, 0};
-    const cv::Mat image = readImage(fileAt(measured.firstFrame)); // throws if there is none
-    measured.size = {image.cols, image.rows};
-    measured.orientation = readOrientation(fileAt(measured.firstFrame));
-    while (fs::exists(fileAt(measured.firstFrame + measured.frames))) {
-        ++measured.frames;
+    const bool isNumber = footage.path.string().find("{frame") != std::string::npos && offset >= measured.numbers.front();
+    const int start = isNumber ? offset : measured.numbers.front() + offset;
+    if (start > measured.numbers.back()) {
+        throw Error(ErrorCode::NotFound, fillPattern(measured.path, footage.camera, start), "", "no such file");
     }
-    return measured;
+    return start;
 }
 
 Measured measure(const Footage& footage) {
+    Measured measured;
     if (footage.path.string().find("{frame") != std::string::npos) {
-        // Patterns count from 0 or from 1.
-        const bool fromZero = fs::exists(fillPattern(footage.path.string(), footage.camera, footage.offsetFrames));
-        return measureImages(footage, footage.path.string(), fromZero ? 0 : 1);
+        static_cast<MeasuredFootage&>(measured) = measureImages(footage.path.string(), footage.camera);
+    } else if (fs::is_directory(footage.path)) {
+        static_cast<MeasuredFootage&>(measured) = measureImages(findImagePattern(footage.path).pattern, footage.camera);
+    } else {
+        static_cast<MeasuredFootage&>(measured) = measureVideo(footage.path);
     }
-    if (fs::is_directory(footage.path)) {
-        const ImagePattern found = findImagePattern(footage.path);
-        return measureImages(footage, found.pattern, found.first);
+    measured.firstFrame = namedStart(footage, measured);
+    return measured;
+}
+
+/// True if the images of these cameras are to be aligned by their first ones: none is missing and all have equally many (they may be
+/// numbered from 0 here and from 1 there), or their numbers have nothing in common. Else equal numbers are of the same instant.
+bool startTogether(const std::vector<Measured*>& images) {
+    const auto hasGap = [](const Measured* one) { return one->numbers.back() - one->numbers.front() + 1 != static_cast<int>(one->numbers.size()); };
+    int latestStart = 0, earliestEnd = INT_MAX;
+    bool sameCount = true;
+    for (const Measured* one : images) {
+        latestStart = std::max(latestStart, one->numbers.front());
+        earliestEnd = std::min(earliestEnd, one->numbers.back());
+        sameCount = sameCount && one->numbers.size() == images.front()->numbers.size();
     }
-    return measureVideo(footage);
+    return latestStart > earliestEnd || (sameCount && std::none_of(images.begin(), images.end(), hasGap));
+}
+
+/// Cameras whose offset is not given start at the same number, or each at its first image.
+void alignImages(const std::vector<Footage>& footage, std::map<std::string, Measured>& measured, std::vector<std::string>& notes) {
+    std::vector<Measured*> images;
+    int first = INT_MAX, last = 0;
+    std::string starts;
+    for (const Footage& one : footage) {
+        Measured& found = measured[one.camera];
+        if (found.kind == ViewKind::Images && !one.offsetFrames) {
+            images.push_back(&found);
+            first = std::min(first, found.numbers.front());
+            last = std::max(last, found.numbers.front());
+            starts += (starts.empty() ? "" : ", ") + one.camera + " at " + std::to_string(found.numbers.front());
+        }
+    }
+    if (images.empty() || first == last) {
+        return;
+    }
+    if (startTogether(images)) {
+        notes.push_back("the pictures start at different numbers (" + starts + "): the first ones are taken as the same instant (--offset changes that)");
+        return;
+    }
+    for (Measured* one : images) {
+        one->firstFrame = first;
+    }
+}
+
+/// Why the videos cannot be mapped by time, or nothing.
+std::string timeProblem(const std::map<std::string, Measured>& measured) {
+    double rate = 0;
+    for (const auto& [camera, one] : measured) {
+        if (one.kind != ViewKind::Video) {
+            continue;
+        }
+        if (!one.timing.isSane) {
+            return camera + ": its time stamps are uneven or missing";
+        }
+        rate = rate > 0 ? rate : one.framesPerSecond;
+        if (std::abs(one.framesPerSecond - rate) > 0.002 * rate) {
+            return camera + " was recorded at another frame rate than the others";
+        }
+    }
+    return "";
+}
+
+void layOutAll(std::map<std::string, Measured>& measured, FootageSync sync) {
+    const std::string problem = timeProblem(measured);
+    if (sync == FootageSync::Time && !problem.empty()) {
+        throw Error(ErrorCode::Usage, "", "--sync time", problem);
+    }
+    for (auto& [camera, one] : measured) {
+        one.layout = layOut(one, one.firstFrame, sync != FootageSync::Index && problem.empty());
+    }
 }
 
 /// Black and white points: as asked for, or measured in a few pictures of the sequence.
@@ -90,7 +131,9 @@ std::optional<GreyLevels> levelsFor(const Footage& footage, const Measured& meas
     constexpr int kPictures = 5;
     std::vector<fs::path> files;
     for (int i = 0; i < kPictures; ++i) {
-        files.push_back(fillPattern(measured.path, footage.camera, measured.firstFrame + i * (frameCount - 1) / (kPictures - 1)));
+        const int number = measured.firstFrame + i * (frameCount - 1) / (kPictures - 1);
+        const auto there = std::lower_bound(measured.numbers.begin(), measured.numbers.end(), number);
+        files.push_back(fillPattern(measured.path, footage.camera, there == measured.numbers.end() ? measured.numbers.back() : *there));
     }
     return measureFileLevels(files);
 }
@@ -115,52 +158,8 @@ void setPictures(NewSequence& result, const std::vector<Footage>& footage, const
     }
 }
 
-/// Footage of different length or speed may not be of the same instants.
-void noteDifferences(NewSequence& result, const std::map<std::string, Measured>& measured) {
-    for (const auto& [camera, footage] : measured) {
-        const int more = footage.frames - result.sequence.frameCount;
-        if (more > 0) {
-            result.notes.push_back(camera + " has " + std::to_string(more) + " frames more than the shortest footage: are they all of the same instants?");
-        }
-        if (footage.framesPerSecond > 0 && std::abs(footage.framesPerSecond - result.sequence.framesPerSecond) > 0.01 * footage.framesPerSecond) {
-            result.notes.push_back(camera + " was recorded at another frame rate than the sequence's " + std::to_string(result.sequence.framesPerSecond));
-        }
-    }
-}
-
-} // namespace
-
-ImagePattern findImagePattern(const fs::path& folder) {
-    std::map<int, std::string> names; // by number
-    std::optional<NumberedName> common;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (!isImage(entry.path())) {
-            continue;
-        }
-        const NumberedName name = splitName(entry.path().filename().string());
-        if (name.digits.empty() || name.digits.size() > 9 || (common && (common->before != name.before || common->after != name.after))) {
-            throw Error(ErrorCode::BadInput, entry.path().string(), "", "is not numbered like the other images of its folder");
-        }
-        common = common.value_or(name);
-        names[std::stoi(name.digits)] = name.digits;
-    }
-    if (!common) {
-        throw Error(ErrorCode::BadInput, folder.string(), "", "holds no images");
-    }
-    const auto isPadded = [](const std::string& digits) { return digits.size() > 1 && digits.front() == '0'; };
-    const bool padded = std::any_of(names.begin(), names.end(), [&](const auto& entry) { return isPadded(entry.second); });
-    const std::string frame = padded ? "{frame:0" + std::to_string(names.begin()->second.size()) + "}" : "{frame}";
-    ImagePattern result{(folder / (common->before + frame + common->after)).string(), names.begin()->first, 0};
-    while (names.count(result.first + result.count) > 0) {
-        ++result.count;
-    }
-    return result;
-}
-
-NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage, const fs::path& datasetFolder,
-                         std::optional<double> framesPerSecond) {
-    NewSequence result;
-    result.cameras = cameras;
+/// Measures all footage and fits it to the cameras.
+std::map<std::string, Measured> measureAll(NewSequence& result, const std::vector<Camera>& cameras, const std::vector<Footage>& footage) {
     std::map<std::string, Measured> measured;
     for (const Footage& one : footage) {
         const auto camera = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& candidate) { return candidate.name == one.camera; });
@@ -177,27 +176,47 @@ NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cam
     if (measured.empty()) {
         throw Error(ErrorCode::Usage, "", "footage", "no video and no images are given");
     }
-    result.sequence.name = name;
-    result.sequence.annotations = "annotations/" + name + ".sqlite";
-    result.sequence.frameCount = measured.begin()->second.frames;
+    return measured;
+}
+
+ViewSource viewOf(const Measured& measured, const std::string& camera, int frameCount, const fs::path& datasetFolder) {
+    ViewSource view{camera, measured.kind, pathFromDataset(datasetFolder, measured.path), measured.firstFrame};
+    view.missing = within(measured.layout.missing, frameCount);
+    return view;
+}
+
+} // namespace
+
+NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage, const fs::path& datasetFolder,
+                         std::optional<double> framesPerSecond, FootageSync sync) {
+    NewSequence result;
+    result.cameras = cameras;
+    std::map<std::string, Measured> measured = measureAll(result, cameras, footage);
+    alignImages(footage, measured, result.notes);
+    layOutAll(measured, sync);
+    Sequence& sequence = result.sequence;
+    sequence.name = name;
+    sequence.annotations = "annotations/" + name + ".sqlite";
+    sequence.frameCount = INT_MAX;
     double rate = 0;
     for (const auto& [camera, one] : measured) {
-        result.sequence.frameCount = std::min(result.sequence.frameCount, one.frames);
+        sequence.frameCount = std::min(sequence.frameCount, one.layout.instants);
         rate = std::max(rate, one.framesPerSecond);
     }
-    if (result.sequence.frameCount < 1) {
+    if (sequence.frameCount < 1) {
         throw Error(ErrorCode::BadInput, measured.begin()->second.path, "frames", "no instant is in the footage of all cameras (check the offsets)");
     }
-    result.sequence.framesPerSecond = framesPerSecond.value_or(rate > 0 ? rate : 50);
+    sequence.framesPerSecond = framesPerSecond.value_or(rate > 0 ? rate : 50);
     for (const Camera& camera : cameras) {
         const auto found = measured.find(camera.name);
-        const bool has = found != measured.end();
-        result.sequence.views.push_back(has ? ViewSource{camera.name, found->second.kind, pathFromDataset(datasetFolder, found->second.path), found->second.firstFrame}
-                                            : ViewSource{camera.name, ViewKind::None, "", 0});
+        sequence.views.push_back(found == measured.end() ? ViewSource{camera.name, ViewKind::None, "", 0}
+                                                         : viewOf(found->second, camera.name, sequence.frameCount, datasetFolder));
     }
     setPictures(result, footage, measured);
-    noteDifferences(result, measured);
-    result.sequence.notes = result.notes;
+    for (const std::string& note : footageNotes(sequence, {measured.begin(), measured.end()})) {
+        result.notes.push_back(note);
+    }
+    sequence.notes = result.notes;
     return result;
 }
 

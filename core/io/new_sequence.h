@@ -15,7 +15,7 @@ namespace core {
 struct Footage {
     std::string camera;
     std::filesystem::path path; ///< a video; a pattern of images with {frame}; or a folder of numbered images
-    int offsetFrames = 0;       ///< the footage's frame at the sequence's first instant
+    std::optional<int> offsetFrames{}; ///< the footage's frame at the sequence's first instant; none: its first one
     PictureOptions pictures{};  ///< how its pictures are to be read
 };
 
@@ -26,20 +26,19 @@ struct NewSequence {
     std::vector<Camera> cameras;    ///< as given; those of scaled or cropped footage fit it
 };
 
-/// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Paths are written relative to
+/// How frames of videos become instants of a sequence.
+enum class FootageSync {
+    Automatic, ///< by time where all videos have the same rate and sound time stamps, else by number
+    Index,     ///< by number: the n-th frames are of one instant
+    Time       ///< by time: instants of frames that a camera lost are missing in its view
+};
+
+/// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Missing images,
+/// and frames that a video lost, are instants without a picture. Paths are written relative to
 /// `datasetFolder` (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not given, else 50.
 /// Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size that the camera is calibrated for
 /// (turned, scaled and cropped as `pictures` says).
 NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage,
-                         const std::filesystem::path& datasetFolder, std::optional<double> framesPerSecond = {});
-
-/// A folder of images whose names differ in one running number, as a pattern: "shots" -> "shots/img_{frame:04}.png", starting at `first`.
-struct ImagePattern {
-    std::string pattern;
-    int first = 0;
-    int count = 0; ///< without a gap
-};
-/// Throws Error(BadInput) if there are no images or their names are not numbered in one way.
-ImagePattern findImagePattern(const std::filesystem::path& folder);
+                         const std::filesystem::path& datasetFolder, std::optional<double> framesPerSecond = {}, FootageSync sync = FootageSync::Automatic);
 
 } // namespace core
