@@ -6,7 +6,7 @@
 
 #include "core/annotation/shape_checks.h"
 #include "core/fitting/joint_fit.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

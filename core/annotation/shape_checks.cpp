@@ -6,8 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/annotation/hand_chains.h"
-#include "core/numeric/number_text.h"
+#include "core/hand/hand_chains.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 #include "core/benchmark/sweep.h"
 
 namespace core {

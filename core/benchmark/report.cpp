@@ -8,8 +8,8 @@
 #include "core/benchmark/metrics.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

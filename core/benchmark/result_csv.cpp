@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

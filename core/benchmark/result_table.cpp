@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/benchmark/metrics.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 #include "core/benchmark/paper_results.h"
 
 namespace core {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

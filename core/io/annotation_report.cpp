@@ -7,8 +7,8 @@
 #include "core/io/atomic_file.h"
 #include "core/io/dataset_annotations.h"
 #include "core/io/gnuplot.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

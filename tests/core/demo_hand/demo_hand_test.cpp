@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/demo_hand.h"
 
 #include <cmath>
 #include <map>

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/demo_hand.h"
 
 namespace core {
 

@@ -7,9 +7,9 @@
 #include <Eigen/Core>
 
 #include "core/hand/hand_model.h"
-#include "core/hand/implicit_surface.h"
+#include "core/demo_hand/implicit_surface.h"
 #include "core/hand/rig.h"
-#include "core/hand/swept_solid.h"
+#include "core/demo_hand/swept_solid.h"
 
 namespace core {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/demo_hand.h"
 
 #include <map>
 
-#include "core/hand/demo_skinning.h"
-#include "core/hand/remeshing.h"
+#include "core/demo_hand/demo_skinning.h"
+#include "core/demo_hand/remeshing.h"
 
 namespace core {
 

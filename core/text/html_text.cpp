@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "core/benchmark/html_text.h"
+#include "core/text/html_text.h"
 
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/choreography.h"
+#include "core/demo_hand/choreography.h"
 
 #include <algorithm>
 #include <cmath>

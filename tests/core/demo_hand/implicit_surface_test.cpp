@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/implicit_surface.h"
+#include "core/demo_hand/implicit_surface.h"
 
 #include <cmath>
 #include <numbers>

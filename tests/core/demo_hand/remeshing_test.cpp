@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/remeshing.h"
+#include "core/demo_hand/remeshing.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/choreography.h"
+#include "core/demo_hand/choreography.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/hand/implicit_surface.h"
+#include "core/demo_hand/implicit_surface.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/hand/implicit_surface.h"
+#include "core/demo_hand/implicit_surface.h"
 
 namespace core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/annotation/hand_chains.h"
+#include "core/hand/hand_chains.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hand/choreography.h"
-#include "core/hand/implicit_surface.h"
+#include "core/demo_hand/choreography.h"
+#include "core/demo_hand/implicit_surface.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/benchmark/gnuplot_text.h"
-#include "core/benchmark/html_text.h"
+#include "core/text/gnuplot_text.h"
+#include "core/text/html_text.h"
 
 #include <cmath>
 

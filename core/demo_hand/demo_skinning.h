@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/demo_hand.h"
 
 namespace core {
 

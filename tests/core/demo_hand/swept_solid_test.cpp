@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/swept_solid.h"
+#include "core/demo_hand/swept_solid.h"
 
 #include <cmath>
 

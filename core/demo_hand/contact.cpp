@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/hand/choreography.h"
+#include "core/demo_hand/choreography.h"
 
 namespace core {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "core/benchmark/gnuplot_text.h"
+#include "core/text/gnuplot_text.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/hand/demo_skinning.h"
+#include "core/demo_hand/demo_skinning.h"
 
 #include <algorithm>
 #include <cmath>
