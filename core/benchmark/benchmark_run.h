@@ -15,6 +15,7 @@
 #include "core/fitting/pose_estimator.h"
 #include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace core {
 
@@ -25,7 +26,7 @@ enum class BenchmarkSetup { Synthetic, Realistic };
 /// One sequence as the benchmark sees it.
 struct BenchmarkSequence {
     std::string name;
-    std::vector<HandPoses> motion; ///< recorded poses, one entry per frame
+    Motion motion; ///< recorded poses
     /// Realistic only: annotated joints per frame, world, mm.
     std::map<int, JointPositions> annotatedJoints;
     /// Realistic only: observed silhouettes of a frame, one per camera (an empty Mat leaves the camera out).

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/demo_hand/contact.h"
 #include "core/numeric/monotone_cubic.h"
 
 namespace core {
@@ -121,7 +122,7 @@ std::vector<double> smoothEnvelope(const std::vector<double>& values, int reach)
 /// How far the hands must move apart in each frame for the wanted gap. Where no part of one hand lies over the other
 /// there is nothing to keep apart: 0.
 std::vector<double> neededShifts(const ContactRule& rule, const StageCurves& stage, const std::vector<HandModel>& hands,
-                                 const std::vector<HandPoses>& motion) {
+                                 const Motion& motion) {
     const MonotoneCubic wantedGap = curve(rule.gaps, [](const GapKey& key) { return key.gapMm; });
     std::vector<double> shifts;
     for (std::size_t frame = 0; frame < motion.size(); ++frame) {
@@ -135,7 +136,7 @@ std::vector<double> neededShifts(const ContactRule& rule, const StageCurves& sta
 }
 
 void keepInTouch(const ContactRule& rule, const StageCurves& stage, const std::vector<HandModel>& hands,
-                 std::vector<HandPoses>& motion) {
+                 Motion& motion) {
     const std::vector<double> shifts = smoothEnvelope(neededShifts(rule, stage, hands, motion), rule.smoothFrames);
     for (std::size_t frame = 0; frame < motion.size(); ++frame) {
         const Eigen::Vector3d apart =
@@ -147,13 +148,13 @@ void keepInTouch(const ContactRule& rule, const StageCurves& stage, const std::v
 
 } // namespace
 
-std::vector<HandPoses> play(const Choreography& choreography, const std::vector<HandModel>& hands) {
+Motion play(const Choreography& choreography, const std::vector<HandModel>& hands) {
     std::vector<HandCurves> curves;
     for (const std::vector<HandKey>& keys : choreography.keys) {
         curves.emplace_back(keys);
     }
     const StageCurves stage(choreography.stage);
-    std::vector<HandPoses> motion;
+    Motion motion;
     for (int frame = 0; frame < choreography.frameCount; ++frame) {
         const RigidMotion worldFromStage = stage.worldFromStage(frame);
         HandPoses poses;
@@ -166,15 +167,6 @@ std::vector<HandPoses> play(const Choreography& choreography, const std::vector<
         keepInTouch(*choreography.contact, stage, hands, motion);
     }
     return motion;
-}
-
-double meanDisplacementMm(const std::vector<HandModel>& hands, const std::vector<HandPoses>& motion, int apart) {
-    double sum = 0;
-    const std::size_t step = static_cast<std::size_t>(apart);
-    for (std::size_t frame = 0; frame + step < motion.size(); ++frame) {
-        sum += meanJointDistanceMm(hands, motion[frame], motion[frame + step]);
-    }
-    return motion.size() > step ? sum / static_cast<double>(motion.size() - step) : 0;
 }
 
 } // namespace core

@@ -8,7 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace core {
 
@@ -54,16 +54,6 @@ struct Choreography {
 };
 
 /// The poses of all hands in every frame.
-std::vector<HandPoses> play(const Choreography& choreography, const std::vector<HandModel>& hands);
-
-/// Room between two surfaces along `direction` (unit, from the first to the second): how far the second may move
-/// against it until they touch; negative if it has to move along it. Surfaces that do not face each other give
-/// infinity. Sampled on a grid of `cellMm`.
-double gapAlong(const Eigen::Vector3d& direction, const std::vector<Eigen::Vector3d>& first,
-                const std::vector<std::array<int, 3>>& firstTriangles, const std::vector<Eigen::Vector3d>& second,
-                const std::vector<std::array<int, 3>>& secondTriangles, double cellMm = 1.5);
-
-/// Mean joint displacement between frames `apart` frames apart, over all pairs of one motion, mm.
-double meanDisplacementMm(const std::vector<HandModel>& hands, const std::vector<HandPoses>& motion, int apart);
+Motion play(const Choreography& choreography, const std::vector<HandModel>& hands);
 
 } // namespace core

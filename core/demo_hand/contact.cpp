@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "core/demo_hand/contact.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Geometry>
-
-#include "core/demo_hand/choreography.h"
 
 namespace core {
 

@@ -3,7 +3,9 @@
 
 #include <map>
 
+#include "core/demo_hand/demo_hand_solid.h"
 #include "core/demo_hand/demo_skinning.h"
+#include "core/demo_hand/implicit_surface.h"
 #include "core/demo_hand/remeshing.h"
 
 namespace core {

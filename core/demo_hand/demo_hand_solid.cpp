@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "core/demo_hand/demo_hand_solid.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/demo_hand/demo_hand.h"
+#include "core/demo_hand/implicit_surface.h"
+#include "core/hand/rig.h"
 
 namespace core {
 

@@ -106,18 +106,6 @@ void smoothAlong(const TriangleMesh& mesh, std::vector<WeightRow>& rows) {
 
 } // namespace
 
-std::vector<std::string> rayJointNames(const RayShape& ray) {
-    std::vector<std::string> names{ray.finger + "_cmc", ray.finger + "_mcp"};
-    if (ray.joints.size() == 4) {
-        names.push_back(ray.finger + "_ip");
-    } else {
-        names.push_back(ray.finger + "_pip");
-        names.push_back(ray.finger + "_dip");
-    }
-    names.push_back(ray.finger + "_tip");
-    return names;
-}
-
 SkinWeights demoSkinWeights(const DemoHandShape& shape, const DemoHandSolid& solid, const Skeleton& skeleton,
                             const TriangleMesh& mesh) {
     std::vector<std::vector<int>> boneOfJoint;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/geometry/camera.h"
-#include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace core {
 
@@ -51,9 +51,6 @@ struct Dataset {
     /// Index of the camera, or -1.
     int cameraIndex(const std::string& cameraName) const;
 };
-
-/// Recorded poses of all hands, one entry per frame.
-using Motion = std::vector<HandPoses>;
 
 /// Reads dataset.json, cameras.json and the hand models. Throws Error.
 Dataset readDataset(const std::filesystem::path& folder);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/demo_hand/contact.h"
 #include "core/demo_hand/implicit_surface.h"
 
 namespace {
@@ -47,7 +48,7 @@ core::Choreography twoKeys() {
 }
 
 TEST(Play, PutsTheWristWhereTheKeysSay) {
-    const std::vector<core::HandPoses> motion = core::play(twoKeys(), hands());
+    const core::Motion motion = core::play(twoKeys(), hands());
     ASSERT_EQ(motion.size(), 21U);
     const auto wrist = [&](int frame, int hand) {
         return core::boneTransforms(hands()[hand].skeleton, motion[frame][hand])[0];
@@ -63,7 +64,7 @@ TEST(Play, PutsTheWristWhereTheKeysSay) {
 TEST(Play, TheStageCarriesBothHands) {
     core::Choreography choreography = twoKeys();
     choreography.stage = {{0, {1, 2, 3}, {0, 0, 0}}, {20, {0, 0, 100}, {0, std::acos(-1.0) / 2, 0}}};
-    const std::vector<core::HandPoses> motion = core::play(choreography, hands());
+    const core::Motion motion = core::play(choreography, hands());
     const Vector3d first = core::jointPositions(hands()[0].skeleton, motion[0][0])[0];
     const Vector3d last = core::jointPositions(hands()[1].skeleton, motion[20][1])[0];
     EXPECT_TRUE(first.isApprox(Vector3d(-39, 2, 3), 1e-9));
@@ -73,8 +74,8 @@ TEST(Play, TheStageCarriesBothHands) {
 TEST(Play, ContactKeepsTheGapAndNeverLessOnTheWay) {
     core::Choreography choreography = twoKeys();
     choreography.contact = core::ContactRule{Vector3d::UnitX(), 0.25, 2, {{0, 30}, {20, 0}}};
-    const std::vector<core::HandPoses> free = core::play(twoKeys(), hands());
-    const std::vector<core::HandPoses> motion = core::play(choreography, hands());
+    const core::Motion free = core::play(twoKeys(), hands());
+    const core::Motion motion = core::play(choreography, hands());
     const auto gap = [&](int frame) {
         return core::gapAlong(Vector3d::UnitX(), core::posedVertices(hands()[0], motion[frame][0]),
                               hands()[0].mesh.triangles, core::posedVertices(hands()[1], motion[frame][1]),
@@ -89,18 +90,6 @@ TEST(Play, ContactKeepsTheGapAndNeverLessOnTheWay) {
         const double movedSecond = (motion[frame][1] - free[frame][1]).norm();
         EXPECT_NEAR(movedFirst, 3 * movedSecond, 1e-9);
     }
-}
-
-TEST(MeanDisplacement, IsTheSpeedOfAStraightMotion) {
-    std::vector<core::HandPoses> motion;
-    for (int frame = 0; frame < 30; ++frame) {
-        core::Pose pose = hands()[0].skeleton.restPose();
-        pose[0] = 2.0 * frame;
-        motion.push_back({pose, hands()[1].skeleton.restPose()});
-    }
-    EXPECT_NEAR(core::meanDisplacementMm(hands(), motion, 1), 1, 1e-12); // one hand moves, one rests
-    EXPECT_NEAR(core::meanDisplacementMm(hands(), motion, 10), 10, 1e-12);
-    EXPECT_EQ(core::meanDisplacementMm(hands(), motion, 30), 0);
 }
 
 } // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "core/demo_hand/contact.h"
+
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/demo_hand/choreography.h"
 #include "core/demo_hand/implicit_surface.h"
 
 namespace {

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "core/annotation/quality.h"
+#include "core/annotation/quality_checker.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/annotation/bone_lengths.h"
 #include "core/annotation/shape_checks.h"
 #include "core/fitting/joint_fit.h"
 #include "core/text/number_text.h"
 
 namespace core {
 
-std::string_view qualityKindName(QualityKind kind) {
-    switch (kind) {
-    case QualityKind::Disagreement:
-        return "disagreement";
-    case QualityKind::BoneLength:
-        return "bone length";
-    case QualityKind::JointAngle:
-        return "joint angle";
-    case QualityKind::FingerOrder:
-        return "finger order";
-    case QualityKind::HandMixUp:
-        return "hand mix-up";
-    case QualityKind::SharedPixel:
-        break;
-    }
-    return "shared pixel";
-}
-
 namespace {
 
 constexpr int kNearFrames = 10; ///< so far back the annotated frame before tells whether hands were exchanged
-
-std::string number(double value, int digits = 1) { return fixedText(value, digits); }
-
 
 /// What one frame is checked with.
 struct FrameCheck {
@@ -60,7 +40,7 @@ void checkDisagreement(const FrameCheck& check) {
             if (view.outlier) {
                 const double error = view.errorPx.value_or(0);
                 check.report(id, QualityKind::Disagreement, error,
-                             jointLabel(id) + ": the click in " + view.camera + " is " + number(error) + " px off the other views", view.camera);
+                             jointLabel(id) + ": the click in " + view.camera + " is " + fixedText(error, 1) + " px off the other views", view.camera);
             }
         }
     }
@@ -126,7 +106,7 @@ void checkAngles(const FrameCheck& check, const HandModel& hand) {
         if (beyondDeg > check.options.angleToleranceDeg) {
             const std::string joint = hand.skeleton.bones[static_cast<std::size_t>(dof.bone)].name;
             check.report({hand.side, joint}, QualityKind::JointAngle, beyondDeg,
-                         dof.name + " would be " + number(angle * 180 / M_PI, 0) + " degrees, " + number(beyondDeg, 0) + " beyond its limit");
+                         dof.name + " would be " + fixedText(angle * 180 / M_PI, 0) + " degrees, " + fixedText(beyondDeg, 0) + " beyond its limit");
         }
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/annotation/quality.h"
+#include "core/annotation/quality_checker.h"
 
 #include <gtest/gtest.h>
 
