@@ -13,6 +13,8 @@
 #include "core/benchmark/joint_errors.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
+#include "core/fitting/method_name.h"
+#include "core/fitting/pose_estimator.h"
 
 namespace core {
 

@@ -16,7 +16,7 @@
 
 #include "core/benchmark/metrics.h"
 #include "core/error.h"
-#include "core/fitting/method.h"
+#include "core/fitting/method_name.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/views/joint_colours.h"
