@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/io/calibration.h"
+#include "core/geometry/camera_target.h"
 
 namespace app {
 

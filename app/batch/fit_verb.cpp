@@ -9,6 +9,7 @@
 #include "app/batch/interrupt.h"
 #include "app/batch/verbs.h"
 #include "core/contour/rasteriser.h"
+#include "core/fitting/method_name.h"
 #include "core/fitting/pose_estimator.h"
 #include "core/io/json_file.h"
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/annotation/quality_checker.h"
+
 namespace core {
 
 namespace {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "core/annotation/sequence_points.h"
-#include "core/hand/hand_model.h"
+#include "core/annotation/annotation_set.h"
+#include "core/geometry/triangulation.h"
 
 namespace core {
 
@@ -21,9 +18,27 @@ enum class QualityKind {
     HandMixUp,    ///< looks like the other hand; value: mm, or degrees of bending the wrong way
     SharedPixel   ///< two joints on one pixel; value: px between them
 };
-std::string_view qualityKindName(QualityKind kind); ///< "disagreement", "bone length", "joint angle", ...
 
-/// One row of the list of doubts: it says where to look.
+/// "disagreement", "bone length", "joint angle", ...
+constexpr std::string_view qualityKindName(QualityKind kind) {
+    switch (kind) {
+    case QualityKind::Disagreement:
+        return "disagreement";
+    case QualityKind::BoneLength:
+        return "bone length";
+    case QualityKind::JointAngle:
+        return "joint angle";
+    case QualityKind::FingerOrder:
+        return "finger order";
+    case QualityKind::HandMixUp:
+        return "hand mix-up";
+    case QualityKind::SharedPixel:
+        break;
+    }
+    return "shared pixel";
+}
+
+/// One row of the list of findings: it says where to look.
 struct QualityFinding {
     int frame = 0;
     JointId joint;
@@ -44,36 +59,5 @@ struct QualityOptions {
     double wrongBendDeg = 15;        ///< fingers bent backwards by more on average belong to the other hand
     double sharedPixelPx = 1;        ///< marks of one view nearer than this, unless their 3D points lie behind each other there
 };
-
-/// Length of each bone (by its far joint) in the median over a sequence, mm.
-using BoneLengths = std::map<JointId, double>;
-BoneLengths medianBoneLengths(const SequencePoints& points, int leastFrames);
-
-/// The doubts about one rater's annotations of a sequence, kept up to date frame by frame: a frame is looked at again when its marks
-/// have changed, and everything that depends on other frames (bone lengths, exchanged hands) is asked anew of the points that are
-/// known. A value: copy it to look at a state from another thread.
-class QualityChecker {
-public:
-    /// Angles are checked only with `hands`.
-    QualityChecker(std::vector<Camera> cameras, std::vector<HandModel> hands, std::string rater, QualityOptions options = {});
-
-    /// Looks at the marks of one frame.
-    void check(const AnnotationSet& set, int frame);
-    /// The doubts about all frames looked at, by frame.
-    std::vector<QualityFinding> findings() const;
-    const SequencePoints& points() const { return m_points; }
-
-private:
-    std::vector<Camera> m_cameras;
-    std::vector<HandModel> m_hands;
-    std::string m_rater;
-    QualityOptions m_options;
-    SequencePoints m_points;
-    std::map<int, std::vector<QualityFinding>> m_markFindings; ///< what a frame's own marks say
-};
-
-/// The doubts about all frames of a sequence, by frame.
-std::vector<QualityFinding> checkSequence(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
-                                          const std::vector<HandModel>& hands, const QualityOptions& options = {});
 
 } // namespace core

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numeric/median.h"
 #include "core/numeric/random.h"
 
 namespace core {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/annotation/sequence_points.h"
 
-#include <algorithm>
-
 namespace core {
 
 SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
@@ -37,15 +35,6 @@ std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, con
         means[joint] = sum / static_cast<double>(ofRaters.size());
     }
     return means;
-}
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    if (values.size() % 2 == 1) {
-        return *middle;
-    }
-    return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 } // namespace core

@@ -23,7 +23,4 @@ SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera
 std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                                    const TriangulationOptions& options = {});
 
-/// The median; of an even number of values, the mean of the two in the middle. At least one value.
-double medianOf(std::vector<double> values);
-
 } // namespace core

@@ -6,14 +6,12 @@
 
 #include <Eigen/Geometry>
 
-#include "core/annotation/hand_chains.h"
-#include "core/numeric/number_text.h"
+#include "core/hand/hand_chains.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
 namespace {
-
-std::string number(double value, int digits = 1) { return fixedText(value, digits); }
 
 const Eigen::Vector3d* find(const JointPoints& points, Side hand, const std::string& joint) {
     const auto found = points.find({hand, joint});
@@ -21,14 +19,6 @@ const Eigen::Vector3d* find(const JointPoints& points, Side hand, const std::str
 }
 
 std::string joined(std::string_view finger, std::string_view joint) { return std::string(finger) + "_" + std::string(joint); }
-
-/// The length of the bone that ends in a joint.
-std::optional<double> boneLength(const JointPoints& points, const JointId& joint) {
-    const auto previous = previousJoint(joint.joint);
-    const Eigen::Vector3d* end = find(points, joint.hand, joint.joint);
-    const Eigen::Vector3d* begin = previous ? find(points, joint.hand, *previous) : nullptr;
-    return begin && end ? std::optional((*end - *begin).norm()) : std::nullopt;
-}
 
 /// What one frame is checked with.
 struct ShapeCheck {
@@ -52,9 +42,9 @@ void checkBoneLengths(const ShapeCheck& check, const BoneLengths& lengths) {
         const double share = *length / median->second - 1;
         if (std::abs(share) > check.options.boneLengthShare) {
             check.report(id, QualityKind::BoneLength, 100 * share,
-                         "bone from " + *previousJoint(id.joint) + " to " + id.joint + " is " + number(*length) + " mm long, " +
-                             number(std::abs(100 * share), 0) + " % " + (share > 0 ? "above" : "below") + " its median of " +
-                             number(median->second) + " mm");
+                         "bone from " + *previousJoint(id.joint) + " to " + id.joint + " is " + fixedText(*length, 1) + " mm long, " +
+                             fixedText(std::abs(100 * share), 0) + " % " + (share > 0 ? "above" : "below") + " its median of " +
+                             fixedText(median->second, 1) + " mm");
         }
     }
 }
@@ -138,7 +128,7 @@ void checkHandedness(const ShapeCheck& check, Side hand) {
     const auto wrong = wrongBendDeg(check.points, hand);
     if (wrong && *wrong > check.options.wrongBendDeg) {
         check.report({hand, "index_mcp"}, QualityKind::HandMixUp, *wrong,
-                     "the fingers bend backwards by " + number(*wrong, 0) + " degrees on average: is this the other hand?");
+                     "the fingers bend backwards by " + fixedText(*wrong, 0) + " degrees on average: is this the other hand?");
     }
 }
 
@@ -169,24 +159,6 @@ void checkExchangedHands(const ShapeCheck& check, const JointPoints& previous) {
 }
 
 } // namespace
-
-BoneLengths medianBoneLengths(const SequencePoints& points, int leastFrames) {
-    std::map<JointId, std::vector<double>> lengths;
-    for (const auto& [frame, joints] : points) {
-        for (const auto& [id, point] : joints) {
-            if (const auto length = boneLength(joints, id)) {
-                lengths[id].push_back(*length);
-            }
-        }
-    }
-    BoneLengths medians;
-    for (auto& [id, values] : lengths) {
-        if (static_cast<int>(values.size()) >= leastFrames) {
-            medians[id] = medianOf(std::move(values));
-        }
-    }
-    return medians;
-}
 
 void checkShape(int frame, const JointPoints& points, const BoneLengths& lengths, const JointPoints* previous, const QualityOptions& options,
                 std::vector<QualityFinding>& findings) {

@@ -14,6 +14,8 @@
 #include "core/benchmark/paper_results.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
+#include "core/fitting/method_name.h"
+#include "core/fitting/pose_estimator.h"
 
 namespace core {
 

@@ -12,9 +12,11 @@
 #include "core/benchmark/benchmark_results.h"
 #include "core/benchmark/joint_errors.h"
 #include "core/benchmark/pairs.h"
-#include "core/fitting/pose_estimator.h"
+#include "core/fitting/fit_result.h"
+#include "core/fitting/method.h"
 #include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace core {
 
@@ -25,7 +27,7 @@ enum class BenchmarkSetup { Synthetic, Realistic };
 /// One sequence as the benchmark sees it.
 struct BenchmarkSequence {
     std::string name;
-    std::vector<HandPoses> motion; ///< recorded poses, one entry per frame
+    Motion motion; ///< recorded poses
     /// Realistic only: annotated joints per frame, world, mm.
     std::map<int, JointPositions> annotatedJoints;
     /// Realistic only: observed silhouettes of a frame, one per camera (an empty Mat leaves the camera out).

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/fitting/method_name.h"
 
 namespace core {
 

@@ -10,7 +10,8 @@
 #include <limits>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
+#include "core/fitting/method_name.h"
+#include "core/text/number_text.h"
 #include "core/benchmark/sweep.h"
 
 namespace core {
@@ -204,8 +205,8 @@ Figure sweepFigure(const SweepFigure& sweep, const std::vector<PlotLine>& lines,
 /// Of each of the paper's families, the method with the smallest mean error.
 std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule schedule) {
     std::vector<std::string> best;
-    for (const MethodKind kind : {MethodKind::Ch, MethodKind::DchThres, MethodKind::DchQuant, MethodKind::DchQuant2,
-                                  MethodKind::DchDt3}) {
+    for (const DistanceKind distance : {DistanceKind::Ch, DistanceKind::DchThres, DistanceKind::DchQuant,
+                                        DistanceKind::DchQuant2, DistanceKind::DchDt3}) {
         double least = std::numeric_limits<double>::infinity();
         std::string winner;
         for (const std::string& method : results.methods) {
@@ -214,7 +215,7 @@ std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule sc
             }
             const Method parsed = parseMethod(method);
             const ErrorStatistics statistics = errorStatistics(results, method);
-            if (parsed.kind == kind && parsed.schedule == schedule && statistics.pairs > 0 && statistics.meanMm < least) {
+            if (!parsed.best && parsed.distance == distance && parsed.schedule == schedule && statistics.pairs > 0 && statistics.meanMm < least) {
                 least = statistics.meanMm;
                 winner = method;
             }

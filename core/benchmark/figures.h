@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/benchmark/benchmark_results.h"
-#include "core/benchmark/gnuplot_text.h"
+#include "core/text/gnuplot_text.h"
 
 namespace core {
 

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 #include "core/benchmark/sweep.h"
 
 namespace core {

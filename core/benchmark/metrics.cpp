@@ -6,6 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "core/numeric/median.h"
+
 namespace core {
 
 namespace {
@@ -62,9 +64,8 @@ ErrorStatistics statisticsOf(std::vector<double> errorsMm) {
         squares += (error - statistics.meanMm) * (error - statistics.meanMm);
     }
     statistics.stdMm = std::sqrt(squares / static_cast<double>(errorsMm.size()));
-    std::sort(errorsMm.begin(), errorsMm.end());
-    statistics.medianMm = (errorsMm[(errorsMm.size() - 1) / 2] + errorsMm[errorsMm.size() / 2]) / 2;
-    statistics.worstMm = errorsMm.back();
+    statistics.worstMm = *std::max_element(errorsMm.begin(), errorsMm.end());
+    statistics.medianMm = medianOf(std::move(errorsMm));
     return statistics;
 }
 

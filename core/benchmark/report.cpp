@@ -8,8 +8,9 @@
 #include "core/benchmark/metrics.h"
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/fitting/method_name.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -128,7 +129,8 @@ BenchmarkResults underScheduleOnly(const BenchmarkResults& results, Schedule sch
             return false;
         }
         const Method m = parseMethod(method);
-        return m.kind == MethodKind::Best ? schedule == Schedule::Paper && m.ideas != BestIdeas{} : m.schedule != schedule;
+        const bool isPlainBest = m.best && (*m.best == BestOptions{} || *m.best == BestOptions{.live = true});
+        return m.best ? schedule == Schedule::Paper && !isPlainBest : m.schedule != schedule;
     });
     return part;
 }

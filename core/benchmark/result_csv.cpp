@@ -4,27 +4,17 @@
 #include <cmath>
 
 #include "core/benchmark/metrics.h"
-#include "core/numeric/number_text.h"
+#include "core/text/csv_line.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) {
-        return text;
-    }
-    std::string field = "\"";
-    for (const char c : text) {
-        field += c == '"' ? std::string("\"\"") : std::string(1, c);
-    }
-    return field + "\"";
-}
-
 /// sequence,start,test,difference,method
 std::string keyOf(const PairResult& row) {
-    return quoted(row.pair.sequence) + "," + std::to_string(row.pair.start) + "," + std::to_string(row.pair.test) + "," +
-           std::to_string(row.pair.difference()) + "," + quoted(row.method);
+    return csvCell(row.pair.sequence) + "," + std::to_string(row.pair.start) + "," + std::to_string(row.pair.test) + "," +
+           std::to_string(row.pair.difference()) + "," + csvCell(row.method);
 }
 
 } // namespace
@@ -45,7 +35,7 @@ std::string jointsCsv(const BenchmarkResults& results) {
         for (std::size_t j = 0; j < results.joints.size() && j < row.jointErrorsMm.size(); ++j) {
             if (!std::isnan(row.jointErrorsMm[j])) {
                 text += key + "," + std::string(sideName(results.joints[j].hand)) + "," +
-                        quoted(results.joints[j].joint) + "," + exactText(row.jointErrorsMm[j]) + "\n";
+                        csvCell(results.joints[j].joint) + "," + exactText(row.jointErrorsMm[j]) + "\n";
             }
         }
     }
@@ -56,7 +46,7 @@ std::string curvesCsv(const BenchmarkResults& results) {
     std::string text = "method,threshold_mm,share\n";
     for (const ErrorCurve& curve : errorCurves(results)) {
         for (std::size_t i = 0; i < curve.share.size(); ++i) {
-            text += quoted(curve.method) + "," + fixedText(curve.thresholdsMm[i], 1) + "," +
+            text += csvCell(curve.method) + "," + fixedText(curve.thresholdsMm[i], 1) + "," +
                     fixedText(curve.share[i], 6) + "\n";
         }
     }

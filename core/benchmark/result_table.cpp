@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "core/benchmark/metrics.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 #include "core/benchmark/paper_results.h"
 
 namespace core {

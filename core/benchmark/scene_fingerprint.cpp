@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "core/fitting/pose_estimator.h"
+#include "core/fitting/fit_result.h"
 #include "core/numeric/random.h"
 
 namespace core {

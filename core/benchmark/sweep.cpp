@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "core/numeric/number_text.h"
+#include "core/fitting/method_name.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -37,7 +38,7 @@ std::string withOptions(const std::string& method, const std::vector<std::string
 
 std::string underSchedule(const std::string& method, Schedule schedule) {
     Method parsed = parseMethod(method);
-    if (parsed.kind != MethodKind::Best) {
+    if (!parsed.best) {
         parsed.schedule = schedule;
     }
     return methodName(parsed);

@@ -40,7 +40,7 @@ ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedCo
         return term;
     }
     const double contourAngleRad = observed.angleRad[static_cast<std::size_t>(candidate.contourPoint)];
-    if (distance.kind == DistanceKind::NearestBelowTau &&
+    if (distance.kind == DistanceKind::DchThres &&
         !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad)) {
         return term;
     }
@@ -53,21 +53,21 @@ Candidate positional(const std::optional<DirectMatch>& match) {
     return match ? Candidate{match->index, match->distancePx, match->distancePx} : Candidate{};
 }
 
-/// The candidates of one point, exactly: one, or two for TwoNearestBins.
+/// The candidates of one point, exactly: one, or two for DchQuant2.
 std::vector<Candidate> directCandidates(const OrientedContour& observed, const DirectionalDistance& distance,
                                         const Eigen::Vector2d& px, double angleRad) {
-    if (distance.kind == DistanceKind::Nearest || distance.kind == DistanceKind::NearestBelowTau) {
+    if (distance.kind == DistanceKind::Ch || distance.kind == DistanceKind::DchThres) {
         return {positional(nearestPoint(observed, px))};
     }
     const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
     const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-    if (distance.kind == DistanceKind::Oriented) {
+    if (distance.kind == DistanceKind::DchDt3) {
         const auto match = nearestQuantisedPoint(observed, bins, px, nearestBins[0], distance.lambdaPxPerRad);
         return {match ? Candidate{match->index, distancePx(observed, match->index, px), match->distancePx}
                       : Candidate{}};
     }
     std::vector<Candidate> candidates = {positional(nearestPointInBin(observed, bins, nearestBins[0], px))};
-    if (distance.kind == DistanceKind::TwoNearestBins) {
+    if (distance.kind == DistanceKind::DchQuant2) {
         candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[1], px)));
     }
     return candidates;
@@ -81,11 +81,11 @@ public:
         : m_observed(observed) {
         const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
         const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-        if (distance.kind == DistanceKind::Oriented) {
+        if (distance.kind == DistanceKind::DchDt3) {
             m_tensor = computeDt3Tensor(observed, bins, distance.lambdaPxPerRad, region);
             m_angleRad = angleRad;
-        } else if (distance.kind == DistanceKind::SameBin || distance.kind == DistanceKind::TwoNearestBins) {
-            const int count = distance.kind == DistanceKind::SameBin ? 1 : 2;
+        } else if (distance.kind == DistanceKind::DchQuant || distance.kind == DistanceKind::DchQuant2) {
+            const int count = distance.kind == DistanceKind::DchQuant ? 1 : 2;
             for (int i = 0; i < count; ++i) {
                 const int bin = nearestBins[static_cast<std::size_t>(i)];
                 m_transforms.push_back(computeDistanceTransform(inBin(bins, bin), region));

@@ -9,23 +9,16 @@
 #include <opencv2/core/types.hpp>
 
 #include "core/contour/oriented_contour.h"
+#include "core/distance/distance_kind.h"
 
 namespace core {
 
-/// d(p, q) and which matches are kept: the special cases of Tzionas and Gall (2013, section 3).
-enum class DistanceKind {
-    Nearest,         ///< |p - q|, all are kept (CH)
-    NearestBelowTau, ///< |p - q|, kept if circ(phi_p, phi_q) < tau (Thres)
-    SameBin,         ///< |p - q| within the same orientation bin (Quant)
-    TwoNearestBins,  ///< |p - q| within each of the two nearest bins: two terms per point (Quant2)
-    Oriented         ///< |p - q| + lambda * circ(phi_p, phi_q) over bins, all are kept (DT3)
-};
-
+/// A distance kind with its parameters; those of other kinds are not read.
 struct DirectionalDistance {
-    DistanceKind kind = DistanceKind::Nearest;
+    DistanceKind kind = DistanceKind::Ch;
     double tauRad = std::numbers::pi / 8;
     bool isSigned = true;
-    int bins = 16;              ///< SameBin, TwoNearestBins and Oriented
+    int bins = 16;              ///< DchQuant, DchQuant2 and DchDt3
     double binCentreOffset = 0; ///< see OrientationBins
     double lambdaPxPerRad = 25;
     double gatePx = std::numeric_limits<double>::infinity(); ///< matches with |p - q| above it are rejected
@@ -38,7 +31,7 @@ enum class PenaltyKind {
     TruncatedSquared ///< min(d^2, K) (Stenger et al. 2006)
 };
 
-/// For Oriented matches d is |p - q| + lambda * circ, for the others |p - q|.
+/// For DchDt3 d is |p - q| + lambda * circ, for the others |p - q|.
 struct ChamferPenalty {
     PenaltyKind kind = PenaltyKind::Squared;
     double rejectedPx2 = 3600; ///< K: what a rejected or missing match costs, and the truncation (unit of f)
@@ -66,7 +59,7 @@ ChamferScore generalizedChamferDistance(const OrientedContour& model, const Orie
                                         const DirectionalDistance& distance, const ChamferPenalty& penalty = {});
 
 /// The same terms pixel by pixel: what a rim point with the outward normal `angleRad` would cost at every pixel of
-/// `region` (TwoNearestBins: the mean of its two terms). CV_32F, region.height x region.width. From distance
+/// `region` (DchQuant2: the mean of its two terms). CV_32F, region.height x region.width. From distance
 /// transforms, so contour points count at their nearest pixel.
 cv::Mat chamferField(const OrientedContour& observed, const DirectionalDistance& distance,
                      const ChamferPenalty& penalty, const cv::Rect& region, double angleRad);

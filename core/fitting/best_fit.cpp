@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
-#include <numbers>
 #include <span>
 #include <vector>
 
@@ -12,52 +10,18 @@ namespace core {
 
 namespace {
 
-/// A run of iterations with the same settings; it ends early when a step moves the joints less than `convergedMm`.
-struct Phase {
-    int iterations;
-    bool rigidOnly;
-    double tauDeg;
-    Detail detail;
-    int points;
-    double convergedMm;
-};
-
 constexpr double kTangentWeight = 0.1; ///< rims may slide along the outline: what is measured is across it
-constexpr double kStartPrior = 1;      ///< mm^2 per rad^2 and correspondence: holds what the outlines do not tell
-
-// The palm first, then the fingers, on the coarse level; the full mesh has the last word.
-constexpr Phase kPalm{8, true, 45, Detail::Coarse, 120, 0.1};
-constexpr Phase kFingers{17, false, 45, Detail::Coarse, 120, 0.05};
-constexpr Phase kPolish{4, false, 22.5, Detail::Full, 300, 0.02};
-
-// Other ways out of the start, tried only where the outlines are left unexplained.
-constexpr Phase kLongPalm{16, true, 90, Detail::Coarse, 120, 0.1};
-constexpr Phase kNarrowFingers{25, false, 22.5, Detail::Coarse, 200, 0.05};
-constexpr Phase kWideFingers{25, false, 90, Detail::Coarse, 200, 0.05};
-
-constexpr Phase kLivePalm{4, true, 45, Detail::Coarse, 100, 0.2};
-constexpr Phase kLiveFingers{7, false, 45, Detail::Coarse, 100, 0.1};
-constexpr Phase kLivePolish{1, false, 22.5, Detail::Medium, 150, 0};
+constexpr double kStartPrior = 1;      ///< mm^2 per rad^2 and correspondence: holds what the outlines do not determine
 
 /// Mean distance of the two silhouettes' outlines, px, above which other starts are tried; good fits reach 0.4 to 0.6.
 constexpr double kUnexplainedPx = 0.75;
 
-constexpr double kNarrowTauDeg = 22.5;
-
-IterationSettings settingsOf(const Phase& phase, const BestIdeas& ideas) {
+IterationSettings baseSettings(const Method& method) {
     IterationSettings settings;
-    const double tauDeg = ideas.wide ? phase.tauDeg : kNarrowTauDeg;
-    settings.rule.tauRad = static_cast<float>(tauDeg * std::numbers::pi / 180);
-    if (ideas.withinTau) {
-        settings.rule.search = MatchRule::Search::WithinTau;
-    }
-    settings.detail = ideas.coarse ? phase.detail : Detail::Full;
-    settings.pointsPerCamera = phase.points;
-    settings.contourPointsPerCamera = ideas.bothWays ? phase.points : 0;
-    settings.rigidOnly = phase.rigidOnly && ideas.palm;
-    settings.tangentWeight = ideas.across ? kTangentWeight : 1;
-    settings.startPrior = ideas.prior ? kStartPrior : 0;
-    settings.robustMm = ideas.robustMm;
+    settings.rule = matchRule(method);
+    settings.tangentWeight = method.best->across ? kTangentWeight : 1;
+    settings.startPrior = method.best->prior ? kStartPrior : 0;
+    settings.robustMm = method.best->robustMm;
     return settings;
 }
 
@@ -86,95 +50,46 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
     return poses;
 }
 
-class BestFit {
-public:
-    BestFit(PoseRefiner& refiner, const Method& method, std::stop_token stop, const FitProgress& progress,
-            int expectedIterations)
-        : m_refiner(refiner)
-        , m_ideas(method.ideas)
-        , m_loop(refiner, stop, progress, expectedIterations) {}
-
-    /// False if the fit is over: stopped or without matches.
-    bool run(const Phase& phase, FitAttempt& attempt) {
-        const IterationSettings settings = settingsOf(phase, m_ideas);
-        for (int i = 0; i < phase.iterations; ++i) {
-            const FitLoop::Outcome outcome = m_loop.iterate(attempt, settings, phase.convergedMm);
-            if (outcome == FitLoop::Outcome::Over) {
-                return false;
-            }
-            if (outcome == FitLoop::Outcome::Settled) {
-                attempt.termination = FitTermination::Converged;
-                return true;
-            }
-        }
-        attempt.termination = FitTermination::MaxIterations;
-        return true;
-    }
-
-    bool runAll(std::initializer_list<Phase> phases, FitAttempt& attempt) {
-        return std::all_of(phases.begin(), phases.end(), [&](const Phase& phase) { return run(phase, attempt); });
-    }
-
-    double score(const FitAttempt& attempt) { return m_refiner.silhouetteDifferencePx(attempt.poses); }
-
-    /// Replaces `best` by the alternative that explains the masks better. False if the fit is over.
-    bool improve(FitAttempt& best, const HandPoses& start, std::span<const StartKind> otherStarts) {
-        if (!m_ideas.restarts) {
+/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if the fit is
+/// over.
+bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
+             const HandPoses& start, FitAttempt& best) {
+    double bestScore = refiner.silhouetteDifferencePx(best.poses);
+    for (const StartKind kind : otherStarts) {
+        if (bestScore <= kUnexplainedPx) {
             return true;
         }
-        double bestScore = score(best);
-        const auto tryFrom = [&](const HandPoses& from, std::initializer_list<Phase> phases) {
-            FitAttempt attempt;
-            attempt.poses = from;
-            if (!runAll(phases, attempt)) {
-                best.termination = attempt.termination;
-                return false;
-            }
-            const double attemptScore = score(attempt);
-            if (attemptScore < bestScore) {
-                bestScore = attemptScore;
-                best = std::move(attempt);
-            }
-            return true;
-        };
-        for (const StartKind kind : otherStarts) {
-            if (bestScore <= kUnexplainedPx) {
-                return true;
-            }
-            const bool goOn = kind == StartKind::Start ? tryFrom(start, {kLongPalm, kNarrowFingers})
-                                                       : tryFrom(withFingers(m_refiner.hands(), best.poses, kind),
-                                                                 {kWideFingers, kNarrowFingers});
-            if (!goOn) {
-                return false;
-            }
+        const bool again = kind == StartKind::Start;
+        FitAttempt attempt;
+        attempt.poses = again ? start : withFingers(refiner.hands(), best.poses, kind);
+        if (!loop.run(again ? phases.again : phases.fromOtherFingers, attempt)) {
+            best.termination = attempt.termination;
+            return false;
         }
-        return true;
+        const double score = refiner.silhouetteDifferencePx(attempt.poses);
+        if (score < bestScore) {
+            bestScore = score;
+            best = std::move(attempt);
+        }
     }
-
-    bool polish(const Phase& phase, FitAttempt& attempt) { return !m_ideas.polish || run(phase, attempt); }
-
-private:
-    PoseRefiner& m_refiner;
-    const BestIdeas& m_ideas;
-    FitLoop m_loop;
-};
+    return true;
+}
 
 } // namespace
 
 FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& start, std::stop_token stop,
                    const FitProgress& progress) {
-    const bool live = method.live;
-    const int expected = live ? kLivePalm.iterations + kLiveFingers.iterations + kLivePolish.iterations
-                              : kPalm.iterations + kFingers.iterations + kPolish.iterations;
-    BestFit fit(refiner, method, stop, progress, expected);
+    const BestOptions& options = *method.best;
+    const BestPhases phases = bestPhases(options);
+    const int expected = mostIterations(phases.main) + mostIterations(phases.polish);
+    FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
+    const std::span<const StartKind> otherStarts =
+        options.live ? std::span<const StartKind>(kOtherLiveStarts) : std::span<const StartKind>(kOtherStarts);
     FitAttempt attempt;
     attempt.poses = start;
-    if (live) {
-        if (fit.runAll({kLivePalm, kLiveFingers}, attempt) && fit.improve(attempt, start, kOtherLiveStarts)) {
-            fit.polish(kLivePolish, attempt);
-        }
-    } else if (fit.runAll({kPalm, kFingers}, attempt) && fit.improve(attempt, start, kOtherStarts)) {
-        fit.polish(kPolish, attempt);
+    if (loop.run(phases.main, attempt) &&
+        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, attempt))) {
+        loop.run(phases.polish, attempt);
     }
     return attempt;
 }

@@ -5,7 +5,7 @@
 
 namespace core {
 
-FitLoop::Outcome FitLoop::iterate(FitAttempt& attempt, const IterationSettings& settings, double settledMm) {
+FitLoop::Outcome FitLoop::iterate(const IterationSettings& settings, double settledMm, FitAttempt& attempt) {
     if (m_stop.stop_requested()) {
         attempt.termination = FitTermination::Stopped;
         return Outcome::Over;
@@ -25,6 +25,35 @@ FitLoop::Outcome FitLoop::iterate(FitAttempt& attempt, const IterationSettings& 
         return Outcome::Over;
     }
     return settled ? Outcome::Settled : Outcome::Moving;
+}
+
+FitLoop::Outcome FitLoop::runPhase(const Phase& phase, FitAttempt& attempt) {
+    const IterationSettings settings = settingsOf(phase, m_base);
+    const int first = static_cast<int>(attempt.history.size());
+    attempt.termination = FitTermination::MaxIterations;
+    for (int i = first; i < phase.until && i - first < phase.iterations; ++i) {
+        const Outcome outcome = iterate(settings, phase.settledMm, attempt);
+        if (outcome == Outcome::Settled) {
+            attempt.termination = FitTermination::Converged;
+        }
+        if (outcome != Outcome::Moving) {
+            return outcome;
+        }
+    }
+    return Outcome::Moving;
+}
+
+bool FitLoop::run(std::span<const Phase> phases, FitAttempt& attempt) {
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+        const Outcome outcome = runPhase(phases[p], attempt);
+        if (outcome == Outcome::Over) {
+            return false;
+        }
+        while (outcome == Outcome::Settled && p + 1 < phases.size() && phases[p + 1].stage == phases[p].stage) {
+            ++p; // the rest of this stage would move no further
+        }
+    }
+    return true;
 }
 
 } // namespace core

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <stop_token>
 #include <vector>
 
-#include "core/fitting/pose_estimator.h"
+#include "core/fitting/fit_result.h"
+#include "core/fitting/phases.h"
 #include "core/fitting/pose_refiner.h"
 
 namespace core {
 
-/// One way from a start to a pose, with its own history.
+/// From one start to a pose, with its own history.
 struct FitAttempt {
     HandPoses poses;
     std::vector<FitIteration> history;
@@ -19,22 +21,30 @@ struct FitAttempt {
 /// The one loop of every method: it asks whether to stop, iterates, records and reports.
 class FitLoop {
 public:
-    /// `expectedIterations` is what progress is measured against; more may follow.
-    FitLoop(PoseRefiner& refiner, std::stop_token stop, const FitProgress& progress, int expectedIterations)
+    /// `base` holds what all phases share. `expectedIterations` is what progress is measured against; more may follow.
+    FitLoop(PoseRefiner& refiner, const IterationSettings& base, std::stop_token stop, const FitProgress& progress,
+            int expectedIterations)
         : m_refiner(refiner)
-        , m_stop(stop)
+        , m_base(base)
+        , m_stop(std::move(stop))
         , m_progress(progress)
         , m_expected(expectedIterations) {}
 
+    /// Runs the phases in their order from attempt.poses on. False if the fit is over: it was stopped or has no matches, as
+    /// attempt.termination says. Else the termination is that of the last phase.
+    bool run(std::span<const Phase> phases, FitAttempt& attempt);
+
+private:
     enum class Outcome {
-        Moving,  ///< the step moved the joints by `settledMm` or more
+        Moving,  ///< the step moved the joints by `settledMm` or more on average
         Settled, ///< by less
         Over     ///< stopped or without matches, as attempt.termination says
     };
-    Outcome iterate(FitAttempt& attempt, const IterationSettings& settings, double settledMm);
+    Outcome iterate(const IterationSettings& settings, double settledMm, FitAttempt& attempt);
+    Outcome runPhase(const Phase& phase, FitAttempt& attempt);
 
-private:
     PoseRefiner& m_refiner;
+    IterationSettings m_base;
     std::stop_token m_stop;
     const FitProgress& m_progress;
     int m_expected;

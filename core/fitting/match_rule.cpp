@@ -12,30 +12,18 @@ namespace core {
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
-constexpr int kQuantBins = 8;       // design: fewer bins are better for Quant
-constexpr int kDt3Bins = 16;        // paper: more than 8 are needed, 16 suffice
+constexpr int kQuantBins = 8;       // fewer bins are better for Quant (Tzionas and Gall 2013)
+constexpr int kDt3Bins = 16;        // more than 8 are needed, 16 suffice (same)
 constexpr double kQuantGatePx = 60; // without a gate a hard bin finds matches at any distance
-
-MatchRule::Search searchOf(MethodKind kind) {
-    switch (kind) {
-    case MethodKind::DchQuant:
-        return MatchRule::Search::InBin;
-    case MethodKind::DchQuant2:
-        return MatchRule::Search::InTwoBins;
-    case MethodKind::DchDt3:
-        return MatchRule::Search::Directional;
-    default:
-        return MatchRule::Search::Nearest;
-    }
-}
 
 } // namespace
 
 MatchRule matchRule(const Method& method) {
     MatchRule rule;
-    rule.search = searchOf(method.kind);
-    const bool quant = rule.search == MatchRule::Search::InBin || rule.search == MatchRule::Search::InTwoBins;
-    if (method.kind == MethodKind::DchThres) {
+    rule.distance = method.distance;
+    rule.withinTau = method.best && method.best->withinTau;
+    const bool quant = method.distance == DistanceKind::DchQuant || method.distance == DistanceKind::DchQuant2;
+    if (method.distance == DistanceKind::DchThres) {
         rule.tauRad = static_cast<float>(method.tauDeg * kRadPerDeg);
     }
     if (method.gatePx > 0) {
@@ -46,7 +34,7 @@ MatchRule matchRule(const Method& method) {
     rule.lambdaPxPerRad = static_cast<float>(method.lambdaPxPerRad);
     rule.truncatePx2 = static_cast<float>(method.truncatePx2);
     rule.binWeights = method.binWeights;
-    rule.wholePixels = method.kind == MethodKind::DchDt3;
+    rule.wholePixels = method.distance == DistanceKind::DchDt3;
     const int bins = method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins);
     rule.bins = OrientationBins(bins, method.signedOrientation, method.binCentre);
     return rule;
@@ -54,10 +42,11 @@ MatchRule matchRule(const Method& method) {
 
 namespace {
 
+/// DCH-Quant and DCH-Quant2: the nearest point in the bin of phi_p, or in each of the two bins nearest to it.
 void addInBins(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim, double angle,
                std::vector<WeightedMatch>& matches) {
     const auto bins = rule.bins.nearestTwo(angle);
-    const int count = rule.search == MatchRule::Search::InBin || bins[0] == bins[1] ? 1 : 2;
+    const int count = rule.distance == DistanceKind::DchQuant || bins[0] == bins[1] ? 1 : 2;
     for (int k = 0; k < count; ++k) {
         const ContourMatch match = target.index.nearestInBin(rim.px.x(), rim.px.y(), bins[k], rule.gatePx);
         if (match.index >= 0) {
@@ -73,9 +62,34 @@ ContourMatch nearestInTensor(const CameraTarget& target, const Eigen::Vector2f& 
     return match ? ContourMatch{match->index, static_cast<float>(match->distancePx)} : ContourMatch{};
 }
 
-bool withinTau(const CameraTarget& target, const MatchRule& rule, int index, double angle) {
+/// circ(phi_p, phi_q) < tau
+bool isWithinTau(const CameraTarget& target, const MatchRule& rule, int index, double angle) {
     return std::isinf(rule.tauRad) || circularDistance(static_cast<double>(target.contour.angleRad[index]), angle,
                                                        rule.bins.isSigned()) < static_cast<double>(rule.tauRad);
+}
+
+/// DCH-Thres: the nearest point, then the threshold; with `withinTau`, the nearest of those that pass it.
+ContourMatch nearestByThreshold(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px, float angle) {
+    if (rule.withinTau) {
+        return target.index.nearestWithin(px.x(), px.y(), angle, rule.tauRad, rule.gatePx);
+    }
+    const ContourMatch match = target.index.nearest(px.x(), px.y(), rule.gatePx);
+    return match.index >= 0 && isWithinTau(target, rule, match.index, static_cast<double>(angle)) ? match : ContourMatch{};
+}
+
+/// DCH-DT3. The tensor holds the best of all points, which is not the best within a gate: then the points are searched.
+ContourMatch nearestOriented(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px, float angle) {
+    if (target.tensor && std::isinf(rule.gatePx)) {
+        return nearestInTensor(target, px, angle);
+    }
+    return target.index.nearestDirectional(std::round(px.x()), std::round(px.y()), rule.bins.binOf(static_cast<double>(angle)),
+                                           rule.lambdaPxPerRad, rule.gatePx);
+}
+
+void addIfFound(const ContourMatch& match, std::vector<WeightedMatch>& matches) {
+    if (match.index >= 0) {
+        matches.push_back({match.index, 1});
+    }
 }
 
 } // namespace
@@ -85,36 +99,19 @@ void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoi
     const float x = rim.px.x(), y = rim.px.y();
     const float angle = std::atan2(rim.normalPx.y(), rim.normalPx.x());
     const std::size_t before = matches.size();
-    ContourMatch match;
-    switch (rule.search) {
-    case MatchRule::Search::InBin:
-    case MatchRule::Search::InTwoBins:
+    switch (rule.distance) {
+    case DistanceKind::Ch:
+        addIfFound(target.index.nearest(x, y, rule.gatePx), matches);
+        break;
+    case DistanceKind::DchThres:
+        addIfFound(nearestByThreshold(target, rule, rim.px, angle), matches);
+        break;
+    case DistanceKind::DchQuant:
+    case DistanceKind::DchQuant2:
         addInBins(target, rule, rim, static_cast<double>(angle), matches);
         break;
-    case MatchRule::Search::Nearest:
-        match = target.index.nearest(x, y, rule.gatePx);
-        if (match.index >= 0 && withinTau(target, rule, match.index, static_cast<double>(angle))) {
-            matches.push_back({match.index, 1});
-        }
-        break;
-    case MatchRule::Search::Directional:
-        // The tensor holds the best of all points, which is not the best within a gate.
-        if (target.tensor && std::isinf(rule.gatePx)) {
-            match = nearestInTensor(target, rim.px, angle);
-        } else {
-            match = target.index.nearestDirectional(std::round(x), std::round(y),
-                                                    rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
-                                                    rule.gatePx);
-        }
-        if (match.index >= 0) {
-            matches.push_back({match.index, 1});
-        }
-        break;
-    case MatchRule::Search::WithinTau:
-        match = target.index.nearestWithin(x, y, angle, rule.tauRad, rule.gatePx);
-        if (match.index >= 0) {
-            matches.push_back({match.index, 1});
-        }
+    case DistanceKind::DchDt3:
+        addIfFound(nearestOriented(target, rule, rim.px, angle), matches);
         break;
     }
     const auto tooFar = [&](const WeightedMatch& m) {

@@ -5,31 +5,28 @@
 
 #include "core/contour/visible_rim.h"
 #include "core/distance/contour_index.h"
+#include "core/distance/distance_kind.h"
 #include "core/fitting/fit_target.h"
 #include "core/fitting/method.h"
 
 namespace core {
 
-/// How a rim point finds its contour point, with every default of the method filled in.
+/// How a rim point p finds its contour point q, with every default of the method filled in. docs/method.md has the equations.
 struct MatchRule {
-    enum class Search {
-        Nearest,     ///< on position only (CH); with a finite tauRad: match first, then reject (DCH-Thres)
-        InBin,       ///< nearest in the own orientation bin (DCH-Quant)
-        InTwoBins,   ///< nearest in each of the two nearest bins (DCH-Quant2)
-        Directional, ///< least |p - q| + lambda circ(phi_p, phi_q) (DCH-DT3)
-        WithinTau    ///< nearest among those within tauRad
-    };
-    Search search = Search::Nearest;
-    float tauRad = std::numeric_limits<float>::infinity();
-    float gatePx = std::numeric_limits<float>::infinity();
-    float lambdaPxPerRad = 0;
-    float truncatePx2 = 0; ///< K of the truncated penalty; farther matches exert no pull; 0 = none
-    bool binWeights = false;
-    bool wholePixels = false;
+    /// Which q is taken, and whether the match is kept.
+    DistanceKind distance = DistanceKind::DchThres;
+    float tauRad = std::numeric_limits<float>::infinity(); ///< DchThres: kept if circ(phi_p, phi_q) < tau
+    /// DchThres: q = argmin |p - q| over those with circ(phi_p, phi_q) < tau, instead of over all with a rejection afterwards.
+    bool withinTau = false;
+    float lambdaPxPerRad = 0;                              ///< DchDt3: d = |p - q| + lambda circ(phi_p, phi_q)
+    float gatePx = std::numeric_limits<float>::infinity(); ///< matches with |p - q| above it are not made
+    float truncatePx2 = 0;    ///< K of min(|p - q|^2, K): farther matches have no gradient and are dropped; 0 = none
+    bool binWeights = false;  ///< DchQuant2: weight 1 - circ(phi_p, bin centre) / bin width; the two weights sum to 1
+    bool wholePixels = false; ///< p is rounded to its pixel, as a distance transform does
     OrientationBins bins{16, true};
 };
 
-/// The rule of one of the paper's methods. For `best` use its own phases.
+/// The rule of a method; for `best`, tau is that of its phases.
 MatchRule matchRule(const Method& method);
 
 /// A contour point and its weight.

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/contour/visible_rim.h"
+#include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
 #include "core/fitting/match_rule.h"
-#include "core/fitting/pose_estimator.h"
 #include "core/fitting/ray_equations.h"
 #include "core/hand/skinned_surface.h"
 

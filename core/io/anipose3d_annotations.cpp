@@ -5,6 +5,7 @@
 #include "core/io/annotation_jobs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
+#include "core/text/number_text.h"
 
 // Anipose's 3D table: per joint x, y, z, error, ncams, score; then M_00..M_22 and center_0..2, which tell how the world was
 // turned (X_table = M X_world - center; M need not be orthogonal), and the frame's number fnum.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 
 #include <toml++/toml.h>
@@ -9,6 +8,7 @@
 #include "core/error.h"
 #include "core/io/calibration_readers.h"
 #include "core/io/text_file.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -71,23 +71,21 @@ Camera cameraOf(const Section& section) {
     return camera;
 }
 
-std::string number(double value) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.17g", value);
-    const std::string plain(text);
-    return plain.find_first_of(".en") == std::string::npos ? plain + ".0" : plain; // a TOML float needs a point
+std::string tomlFloat(double value) {
+    const std::string text = exactText(value);
+    return text.find_first_of(".en") == std::string::npos ? text + ".0" : text; // a TOML float needs a point
 }
 
 template <typename List>
 std::string numberList(const List& values) {
     std::string text = "[ ";
     for (const double value : values) {
-        text += number(value) + ", ";
+        text += tomlFloat(value) + ", ";
     }
     return text + "]";
 }
 
-std::string quoted(const std::string& text) {
+std::string tomlString(const std::string& text) {
     std::ostringstream out;
     out << toml::value<std::string>(text);
     return out.str();
@@ -102,7 +100,7 @@ std::string formatCamera(const Camera& camera, std::size_t index) {
         rows += numberList(row) + ", ";
     }
     const Eigen::Vector3d rotation = rotationLog(camera.cameraFromWorld.rotation);
-    return "[cam_" + std::to_string(index) + "]\nname = " + quoted(camera.name) + "\nsize = [ " + std::to_string(camera.size.width) + ", " +
+    return "[cam_" + std::to_string(index) + "]\nname = " + tomlString(camera.name) + "\nsize = [ " + std::to_string(camera.size.width) + ", " +
            std::to_string(camera.size.height) + ",]\nmatrix = [ " + rows + "]\ndistortions = " + numberList(lens) + "\nrotation = " + numberList(rotation) +
            "\ntranslation = " + numberList(Eigen::Vector3d(camera.cameraFromWorld.translation)) + "\nfisheye = " + (camera.fisheye ? "true" : "false") + "\n\n";
 }

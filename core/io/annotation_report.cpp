@@ -9,8 +9,8 @@
 #include "core/io/dataset_annotations.h"
 #include "core/io/gnuplot.h"
 #include "core/io/sequence_pictures.h"
-#include "core/benchmark/html_text.h"
-#include "core/numeric/number_text.h"
+#include "core/text/html_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

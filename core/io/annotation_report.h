@@ -9,7 +9,7 @@
 
 #include "core/annotation/annotation_summary.h"
 #include "core/io/dataset.h"
-#include "core/benchmark/gnuplot_text.h"
+#include "core/text/gnuplot_text.h"
 
 namespace core {
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cctype>
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
@@ -233,23 +231,6 @@ void writeCalibration(const fs::path& file, std::string_view kind, const std::ve
     } else {
         throw Error(ErrorCode::Usage, "", "--to", "\"" + std::string(kind) + "\" cannot be written");
     }
-}
-
-std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras) {
-    // Least squares over the axes: sum (I - d d^T) x = sum (I - d d^T) c.
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-    for (const Camera& camera : cameras) {
-        const Eigen::Vector3d axis = camera.cameraFromWorld.rotation.row(2).transpose();
-        const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-        normal += across;
-        rhs += across * camera.centreInWorld();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal);
-    if (solver.eigenvalues()[0] < 1e-4 * static_cast<double>(cameras.size())) { // all axes within about half a degree
-        return std::nullopt;
-    }
-    return normal.ldlt().solve(rhs);
 }
 
 std::vector<fs::path> calibrationFiles(const fs::path& path, const std::vector<std::string>& extensions) {

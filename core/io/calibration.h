@@ -39,10 +39,6 @@ std::vector<Camera> readCalibration(const std::filesystem::path& path, const Cal
 /// Writes all cameras into one file of that kind (mm). Throws Error(Usage) for a kind that cannot be written.
 void writeCalibration(const std::filesystem::path& file, std::string_view kind, const std::vector<Camera>& cameras);
 
-/// The point nearest to all optical axes (mm), where the cameras look; nothing if they are parallel or there is only one.
-/// For a check after an import: its distance from the cameras tells a wrong unit or a transposed rotation at a glance.
-std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras);
-
 /// What is odd about the length unit of cameras that were read with `mmPerUnit` (readCalibration's, resolved), with the --mm-per-unit that would
 /// mend it, English; empty if nothing is. Cameras that are less than 100 mm (or more than 200 m) from where they look are of another unit.
 std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit = 1);

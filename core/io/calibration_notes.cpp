@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/geometry/camera_target.h"
 #include "core/io/calibration.h"
 
 namespace core {

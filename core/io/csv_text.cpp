@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/io/text_file.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -87,23 +88,6 @@ private:
 std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file) { return CsvParser(text, file).parse(); }
 
 std::vector<CsvRow> readCsv(const std::filesystem::path& file) { return parseCsv(readTextFile(file), file.string()); }
-
-std::string csvLine(const CsvRow& row) {
-    std::string line;
-    for (const std::string& cell : row) {
-        line += line.empty() && &cell == &row.front() ? "" : ",";
-        if (cell.find_first_of(",\"\r\n") == std::string::npos) {
-            line += cell;
-            continue;
-        }
-        line += '"';
-        for (const char c : cell) {
-            line += c == '"' ? "\"\"" : std::string(1, c);
-        }
-        line += '"';
-    }
-    return line + "\n";
-}
 
 std::optional<double> cellNumber(std::string_view cell, const std::string& file, const std::string& field) {
     const std::size_t first = std::min(cell.find_first_not_of(" \t"), cell.size());

@@ -7,19 +7,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/numeric/number_text.h"
+#include "core/text/csv_line.h"
 
 namespace core {
-
-using CsvRow = std::vector<std::string>;
 
 /// Cells of a CSV text (RFC 4180: quotes, doubled quotes, line breaks inside them; LF or CRLF). A byte order mark and empty
 /// lines are skipped. Throws Error(BadInput) naming the line of a quote that is never closed.
 std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file);
 std::vector<CsvRow> readCsv(const std::filesystem::path& file);
-
-/// One line with its line end; cells are quoted where needed.
-std::string csvLine(const CsvRow& row);
 
 /// The number in a cell; nothing for a missing value (empty, NaN, nan, null, NA). Throws Error(BadInput) naming file and
 /// `field` for anything else.

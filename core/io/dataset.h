@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/geometry/camera.h"
-#include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace core {
 
@@ -81,9 +81,6 @@ std::string maskPattern(const Sequence& sequence, const std::string& camera);
 bool hasMasks(const Sequence& sequence);
 /// How many cameras have a picture: a video, images or a rendered view.
 int countViews(const Sequence& sequence);
-
-/// Recorded poses of all hands, one entry per frame.
-using Motion = std::vector<HandPoses>;
 
 /// Reads dataset.json, cameras.json and the hand models. Throws Error.
 Dataset readDataset(const std::filesystem::path& folder);

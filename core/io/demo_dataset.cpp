@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/camera_ring.h"
-#include "core/hand/choreography.h"
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/choreography.h"
+#include "core/demo_hand/demo_hand.h"
 #include "core/io/demo_files.h"
 #include "core/io/embedded_resources.h"
 #include "core/io/rig_file.h"

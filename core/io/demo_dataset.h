@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/hand/choreography.h"
+#include "core/demo_hand/choreography.h"
 #include "core/io/ring_views.h"
 
 namespace core {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/hand/choreography.h"
-#include "core/hand/demo_hand.h"
+#include "core/demo_hand/choreography.h"
+#include "core/demo_hand/demo_hand.h"
 
 namespace core {
 

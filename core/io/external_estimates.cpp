@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include "core/io/json_file.h"
 #include "core/io/text_file.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -5,7 +5,7 @@
 
 #include "core/io/instants.h"
 #include "core/io/measured_footage.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

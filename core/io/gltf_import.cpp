@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/error.h"
-#include "core/hand/choreography.h"
+#include "core/demo_hand/choreography.h"
 #include "core/io/demo_dataset.h"
 #include "core/io/gltf_scene.h"
 #include "core/io/hand_file.h"

@@ -6,6 +6,7 @@
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
 #include "core/io/sequence_pictures.h"
+#include "core/text/number_text.h"
 
 // Plain tables for spreadsheets and scripts: one line per joint with its 3D point, or one line per mark.
 namespace core {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/io/dataset.h"
+#include "core/hand/motion.h"
 
 namespace core {
 

@@ -6,6 +6,7 @@
 #include "core/io/annotation_jobs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
+#include "core/text/number_text.h"
 
 // Tables of one view with the header rows scorer, bodyparts, coords. DeepLabCut and Lightning Pose label files have x and y and
 // name a picture in the first column(s); Anipose's 2D tables (as DeepLabCut's predictions) have a likelihood too and count

@@ -2,9 +2,10 @@
 #include "core/io/text_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
+
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -49,14 +50,6 @@ std::vector<std::string_view> splitWords(std::string_view line, bool commas) {
 bool isFileName(std::string_view name) {
     return !name.empty() && name.size() <= 200 && name != "." && name != ".." &&
            std::none_of(name.begin(), name.end(), [](char c) { return c == '/' || static_cast<unsigned char>(c) < 32; });
-}
-
-bool parseNumber(std::string_view word, double& value) {
-    if (word.starts_with('+')) {
-        word.remove_prefix(1);
-    }
-    const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return failure == std::errc() && end == word.data() + word.size() && std::isfinite(value);
 }
 
 LineReader::LineReader(const fs::path& file) : LineReader(file.string(), readTextFile(file)) {}

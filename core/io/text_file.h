@@ -41,8 +41,6 @@ private:
     int m_lineRead = 0; ///< number of the line read last, from 1
 };
 
-/// One number out of a word; false if it is anything else, or not finite.
-bool parseNumber(std::string_view word, double& value);
 /// True if a name can be that of a file: not empty, no slash, no control characters, not "." or "..".
 bool isFileName(std::string_view name);
 /// Splits at blanks and tabs (and commas if `commas`).

@@ -2,6 +2,7 @@
 #include "core/io/annotation_jobs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/csv_text.h"
+#include "core/text/number_text.h"
 
 // Motion Analysis' Track Row Column file: tab-separated, a header of five lines, frames counted from 1, millimetres.
 namespace core {

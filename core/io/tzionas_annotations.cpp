@@ -7,6 +7,7 @@
 #include "core/io/annotation_jobs.h"
 #include "core/io/atomic_file.h"
 #include "core/io/text_file.h"
+#include "core/text/number_text.h"
 
 // The annotation files of the method's authors: per camera a folder with NNN.txt per frame, lines "id<TAB>x<TAB>y", whole
 // pixels, 0 0 for what cannot be seen, no line end after the last line.

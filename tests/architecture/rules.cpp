@@ -14,8 +14,9 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kMostFunctionLines = 60;
 
 // Lowest first: a folder may include those before it.
-const std::vector<std::string> kCoreFolders{"core/numeric", "core/geometry",   "core/hand",      "core/contour", "core/distance",
-                                            "core/fitting", "core/annotation", "core/benchmark", "core/io"};
+const std::vector<std::string> kCoreFolders{"core/numeric",   "core/text",    "core/geometry", "core/hand",
+                                            "core/demo_hand", "core/contour", "core/distance", "core/fitting",
+                                            "core/annotation", "core/benchmark", "core/io"};
 const std::vector<std::string> kWidgetFolders{"widgets/document", "widgets/jobs", "widgets/models", "widgets/views", "widgets/panels"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 

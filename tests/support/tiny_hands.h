@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/hand/hand_model.h"
+#include "core/hand/motion.h"
 
 namespace test {
 
@@ -54,8 +54,8 @@ inline std::vector<core::HandModel> tinyHands() {
 }
 
 /// A motion of the tiny hands: both drift and bend a little from frame to frame.
-inline std::vector<core::HandPoses> tinyMotion(int frames) {
-    std::vector<core::HandPoses> motion;
+inline core::Motion tinyMotion(int frames) {
+    core::Motion motion;
     for (int frame = 0; frame < frames; ++frame) {
         core::Pose pose(7);
         pose << 0.5 * frame, 10 * std::sin(0.1 * frame), 0.2 * frame, 0.01 * frame, 0, 0.005 * frame, 0.02 * frame;

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/error.h"
+#include "core/fitting/method_name.h"
 
 namespace widgets {
 

@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include "core/error.h"
-#include "core/fitting/method.h"
+#include "core/fitting/method_name.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/views/method_chip.h"
 

@@ -12,7 +12,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "core/fitting/method.h"
+#include "core/fitting/method_name.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/views/joint_colours.h"

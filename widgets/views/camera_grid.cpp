@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QPainter>
 
+#include "core/numeric/median.h"
 #include "widgets/views/grid_packing.h"
 
 namespace widgets {
@@ -22,9 +23,7 @@ double medianAspect(const std::vector<CameraView*>& views) {
         const core::ImageSize& size = view->camera().size;
         aspects.push_back(size.height > 0 ? static_cast<double>(size.width) / size.height : 1);
     }
-    const auto middle = aspects.begin() + static_cast<std::ptrdiff_t>(aspects.size() / 2);
-    std::nth_element(aspects.begin(), middle, aspects.end());
-    return *middle;
+    return core::medianOf(std::move(aspects));
 }
 
 } // namespace

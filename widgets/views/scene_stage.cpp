@@ -12,6 +12,8 @@
 #include <vtkLight.h>
 #include <vtkTextProperty.h>
 
+#include "core/geometry/camera_target.h"
+
 namespace widgets {
 
 namespace {
@@ -218,15 +220,7 @@ SceneStage::Ball SceneStage::camerasBall() const {
     if (m_cameras.empty()) {
         return {};
     }
-    Eigen::Matrix3d normal = 1e-6 * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d right = Eigen::Vector3d::Zero();
-    for (const core::Camera& camera : m_cameras) {
-        const Eigen::Vector3d axis = camera.cameraFromWorld.rotation.row(2);
-        const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - axis * axis.transpose();
-        normal += across;
-        right += across * camera.centreInWorld();
-    }
-    Ball ball{normal.ldlt().solve(right), 0};
+    Ball ball{core::commonTargetNearOrigin(m_cameras), 0};
     for (const core::Camera& camera : m_cameras) {
         ball.radiusMm = std::max(ball.radiusMm, (camera.centreInWorld() - ball.centre).norm());
     }

@@ -15,6 +15,7 @@
 #include "app/desktop/script/joint_json.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
+#include "core/numeric/median.h"
 
 namespace app {
 
@@ -273,7 +274,7 @@ QJsonObject ScriptSteps::timing(const QJsonObject&) {
     for (const double ms : times)
         sum += ms;
     answer[QStringLiteral("meanMs")] = sum / static_cast<double>(times.size());
-    answer[QStringLiteral("medianMs")] = times[times.size() / 2];
+    answer[QStringLiteral("medianMs")] = core::medianOf(times);
     answer[QStringLiteral("p95Ms")] = times[std::min(times.size() - 1, times.size() * 95 / 100)];
     answer[QStringLiteral("maxMs")] = times.back();
     return answer;

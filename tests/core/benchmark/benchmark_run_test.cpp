@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/rasteriser.h"
+#include "core/fitting/method_name.h"
 #include "tests/core/benchmark/tiny_benchmark.h"
 
 namespace core {

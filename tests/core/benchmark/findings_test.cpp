@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/benchmark/sweep.h"
+#include "core/fitting/method_name.h"
 
 namespace core {
 namespace {
@@ -15,21 +16,22 @@ namespace {
 double papersError(const std::string& method) {
     const Method m = parseMethod(method);
     const auto among = [](double value, const std::map<double, double>& table) { return table.at(value); };
-    switch (m.kind) {
-    case MethodKind::DchThres:
+    if (m.best) {
+        return 0.5;
+    }
+    switch (m.distance) {
+    case DistanceKind::DchThres:
         return (m.signedOrientation ? 0 : 0.4) + among(m.tauDeg, {{11.25, 2.6}, {22.5, 2.2}, {45, 2.7}, {90, 3.2}});
-    case MethodKind::DchDt3:
+    case DistanceKind::DchDt3:
         return (m.signedOrientation ? 0 : 0.4) +
                among(m.lambdaPxPerRad, {{0, 4.4}, {5, 3.9}, {15, 3.65}, {25, 3.6}, {35, 3.62}, {50, 3.8}}) +
                (m.bins == 0 ? 0 : among(m.bins, {{4, 2}, {8, 0.5}, {16, 0}, {32, 0.01}}));
-    case MethodKind::DchQuant:
+    case DistanceKind::DchQuant:
         return m.bins == 0 ? 5.1 : among(m.bins, {{4, 5.0}, {8, 5.1}, {16, 6.0}, {32, 8.0}});
-    case MethodKind::DchQuant2:
+    case DistanceKind::DchQuant2:
         return m.bins == 0 ? 4.2 : among(m.bins, {{4, 4.0}, {8, 4.2}, {16, 5.0}, {32, 6.0}});
-    case MethodKind::Ch:
+    case DistanceKind::Ch:
         return 3.7;
-    case MethodKind::Best:
-        return 0.5;
     }
     return 0;
 }

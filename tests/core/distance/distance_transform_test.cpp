@@ -114,5 +114,38 @@ TEST(DistanceTransform, AnswersBetweenPixelsAndOutsideTheRegion) {
     }
 }
 
+TEST(DistanceTransform, OfABinAnswersWithinThatBinBetweenPixelsAndOutsideTheRegion) {
+    const OrientedContour contour = gridContour(crossingHandsMask(90, 70));
+    const OrientationBins bins(8, true);
+    const auto transforms = computeBinTransforms(contour, bins, cv::Rect(0, 0, 90, 70));
+    for (int bin = 0; bin < bins.count(); ++bin) {
+        for (double x = -20.3; x < 110; x += 7.7) {
+            for (double y = -20.6; y < 90; y += 6.3) {
+                const auto match = nearestFromBinTransforms(transforms, contour, bins, bin, {x, y});
+                const auto exact = nearestPointInBin(contour, bins, bin, {x, y});
+                ASSERT_TRUE(match && exact);
+                EXPECT_EQ(bins.binOf(contour.angleRad[static_cast<std::size_t>(match->index)]), bin);
+                EXPECT_DOUBLE_EQ(match->distancePx, distancePx(contour, match->index, {x, y}));
+                const bool inside = x > -0.5 && x < 89.5 && y > -0.5 && y < 69.5;
+                EXPECT_LE(match->distancePx, exact->distancePx + (inside ? std::sqrt(2.0) : 0.0));
+            }
+        }
+    }
+}
+
+TEST(DistanceTransform, OfAnEmptyBinHasNoAnswer) {
+    OrientedContour contour = gridContour(crossingHandsMask(90, 70));
+    for (float& angle : contour.angleRad) {
+        angle = 0;
+    }
+    const OrientationBins bins(4, true);
+    const auto transforms = computeBinTransforms(contour, bins, cv::Rect(0, 0, 90, 70));
+    EXPECT_TRUE(nearestFromBinTransforms(transforms, contour, bins, 0, {40, 30}));
+    for (int bin = 1; bin < 4; ++bin) {
+        EXPECT_FALSE(nearestFromBinTransforms(transforms, contour, bins, bin, {40, 30}));
+        EXPECT_FALSE(nearestFromBinTransforms(transforms, contour, bins, bin, {-40, 300}));
+    }
+}
+
 } // namespace
 } // namespace core

@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 std::vector<double> expectedTerms(const OrientedContour& observed, const DirectionalDistance& distance,
                                   const ChamferPenalty& penalty, double x, double y, double angle) {
     const OrientationBins bins(distance.bins, distance.isSigned);
-    const bool two = distance.kind == DistanceKind::TwoNearestBins;
+    const bool two = distance.kind == DistanceKind::DchQuant2;
     std::vector<double> terms;
     for (int choice = 0; choice < (two ? 2 : 1); ++choice) {
         double least = kInfinity;
@@ -28,9 +28,9 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
         for (std::size_t i = 0; i < observed.size(); ++i) {
             const double d = std::hypot(x - observed.x[i], y - observed.y[i]);
             const int bin = bins.binOf(observed.angleRad[i]);
-            const bool binned = distance.kind == DistanceKind::SameBin || two;
+            const bool binned = distance.kind == DistanceKind::DchQuant || two;
             double cost = binned && bin != bins.nearestTwo(angle)[static_cast<std::size_t>(choice)] ? kInfinity : d;
-            if (distance.kind == DistanceKind::Oriented) {
+            if (distance.kind == DistanceKind::DchDt3) {
                 cost += distance.lambdaPxPerRad * bins.distanceRad(bin, bins.binOf(angle));
             }
             if (cost < least) {
@@ -40,7 +40,7 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
             }
         }
         const bool kept = least < kInfinity && positionPx <= distance.gatePx &&
-                          (distance.kind != DistanceKind::NearestBelowTau || circ < distance.tauRad);
+                          (distance.kind != DistanceKind::DchThres || circ < distance.tauRad);
         const double squared = penalty.kind == PenaltyKind::Absolute ? least : least * least;
         const double f = penalty.kind == PenaltyKind::TruncatedSquared ? std::min(squared, penalty.rejectedPx2) : squared;
         terms.push_back(kept ? f : penalty.rejectedPx2);
@@ -48,8 +48,8 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
     return terms;
 }
 
-const DistanceKind kKinds[] = {DistanceKind::Nearest, DistanceKind::NearestBelowTau, DistanceKind::SameBin,
-                            DistanceKind::TwoNearestBins, DistanceKind::Oriented};
+const DistanceKind kKinds[] = {DistanceKind::Ch, DistanceKind::DchThres, DistanceKind::DchQuant,
+                            DistanceKind::DchQuant2, DistanceKind::DchDt3};
 const PenaltyKind kPenalties[] = {PenaltyKind::Absolute, PenaltyKind::Squared, PenaltyKind::TruncatedSquared};
 
 class EveryDistance : public ::testing::TestWithParam<std::tuple<DistanceKind, bool, PenaltyKind>> {
@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryDistance,
 
 TEST(GeneralizedChamfer, IsZeroOnTheContourItself) {
     const OrientedContour contour = testing::gridContour(testing::crossingHandsMask(100, 80));
-    for (const DistanceKind kind : {DistanceKind::Nearest, DistanceKind::SameBin, DistanceKind::Oriented}) {
+    for (const DistanceKind kind : {DistanceKind::Ch, DistanceKind::DchQuant, DistanceKind::DchDt3}) {
         DirectionalDistance distance;
         distance.kind = kind;
         EXPECT_EQ(generalizedChamferDistance(contour, contour, distance).value, 0);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
 
 namespace {
@@ -79,7 +80,7 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
     }
 }
 
-TEST_F(BestFit, EveryIdeaCanBeSwitched) {
+TEST_F(BestFit, EveryOptionChangesTheFit) {
     const FitAttempt all = fit(false);
     for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "both=1", "within=1", "robust=5"}) {
         const FitAttempt without = fit(core::parseMethod(std::string("best:") + idea));

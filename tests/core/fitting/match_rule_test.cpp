@@ -9,11 +9,13 @@
 #include <opencv2/core.hpp>
 
 #include "core/distance/circular_distance.h"
+#include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
 
 namespace {
 
 using core::CameraTarget;
+using core::DistanceKind;
 using core::MatchRule;
 using core::parseMethod;
 using core::RimPoint;
@@ -82,13 +84,13 @@ void forRandomMatches(const char* method, bool wholePixels, Check&& check) {
     }
 }
 
-TEST(MatchRule, DefaultsAreTheMethods) {
+TEST(MatchRule, HoldsTheDefaultsOfTheMethod) {
     const MatchRule ch = core::matchRule(parseMethod("ch"));
-    EXPECT_EQ(ch.search, MatchRule::Search::Nearest);
+    EXPECT_EQ(ch.distance, DistanceKind::Ch);
     EXPECT_TRUE(std::isinf(ch.tauRad) && std::isinf(ch.gatePx));
     EXPECT_EQ(ch.truncatePx2, 0);
     const MatchRule thres = core::matchRule(parseMethod("dch-thres"));
-    EXPECT_EQ(thres.search, MatchRule::Search::Nearest);
+    EXPECT_EQ(thres.distance, DistanceKind::DchThres);
     EXPECT_NEAR(thres.tauRad, 22.5 * pi / 180, 1e-6);
     EXPECT_TRUE(thres.bins.isSigned());
     EXPECT_TRUE(std::isinf(thres.gatePx));
@@ -98,10 +100,10 @@ TEST(MatchRule, DefaultsAreTheMethods) {
         EXPECT_EQ(quant.bins.count(), 8);
         EXPECT_TRUE(std::isinf(quant.tauRad));
     }
-    EXPECT_EQ(core::matchRule(parseMethod("dch-quant")).search, MatchRule::Search::InBin);
-    EXPECT_EQ(core::matchRule(parseMethod("dch-quant2")).search, MatchRule::Search::InTwoBins);
+    EXPECT_EQ(core::matchRule(parseMethod("dch-quant")).distance, DistanceKind::DchQuant);
+    EXPECT_EQ(core::matchRule(parseMethod("dch-quant2")).distance, DistanceKind::DchQuant2);
     const MatchRule dt3 = core::matchRule(parseMethod("dch-dt3"));
-    EXPECT_EQ(dt3.search, MatchRule::Search::Directional);
+    EXPECT_EQ(dt3.distance, DistanceKind::DchDt3);
     EXPECT_EQ(dt3.bins.count(), 16);
     EXPECT_EQ(dt3.lambdaPxPerRad, 25);
     EXPECT_TRUE(dt3.wholePixels);
@@ -291,7 +293,7 @@ TEST(MatchRule, Dt3FindsTheSameInTheTensor) {
 TEST(MatchRule, WithinTauSkipsPointsOfOtherDirections) {
     test::RandomValues random("within tau");
     MatchRule rule;
-    rule.search = MatchRule::Search::WithinTau;
+    rule.withinTau = true;
     rule.tauRad = 0.5f;
     const core::OrientedContour contour = randomContour(random, 120, false);
     const CameraTarget target = makeTarget(contour, rule);

@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/io/tzionas_import.h"
+#include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
 
 namespace {
@@ -177,13 +178,6 @@ TEST_F(Estimator, InputOfTheWrongSizeIsAnError) {
     broken[0][4] = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(complaint(masks, broken), "start: pose 0 does not fit its hand");
     EXPECT_EQ(complaint(masks, start), "");
-}
-
-TEST(FitTermination, HasANameForEach) {
-    EXPECT_EQ(core::terminationName(FitTermination::Converged), "converged");
-    EXPECT_EQ(core::terminationName(FitTermination::MaxIterations), "max_iterations");
-    EXPECT_EQ(core::terminationName(FitTermination::NoMatches), "no_matches");
-    EXPECT_EQ(core::terminationName(FitTermination::Stopped), "stopped");
 }
 
 TEST(EstimatorOnRecordedHands, ComesWithinOneAndAHalfMillimetresFiveFramesApart) {

@@ -263,14 +263,6 @@ TEST_F(Calibration, UnknownAndMissingFilesAreNamed) {
     expectRefused(m_folder / "void", "no calibration of a known kind", Unsupported);
 }
 
-TEST(CommonTarget, IsWhereTheAxesMeet) {
-    const std::vector<core::Camera> ring = test::cameraRing(4);
-    ASSERT_TRUE(core::commonTarget(ring));
-    EXPECT_LT(core::commonTarget(ring)->norm(), 1e-6);
-    EXPECT_FALSE(core::commonTarget({ring[0]}));
-    EXPECT_FALSE(core::commonTarget({ring[0], ring[0]}));
-}
-
 TEST(NaturalLess, CountsNumbersByValue) {
     EXPECT_TRUE(core::naturalLess("cam_2", "cam_10"));
     EXPECT_FALSE(core::naturalLess("cam_10", "cam_2"));

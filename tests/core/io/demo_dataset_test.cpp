@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/hand/choreography.h"
+#include "core/hand/motion.h"
 #include "tests/support/penetration.h"
 #include "tests/support/temporary_folder.h"
 
