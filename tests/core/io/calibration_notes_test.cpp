@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "core/geometry/camera_target.h"
 #include "core/io/calibration.h"
 #include "core/io/calibration_readers.h"
 #include "core/io/cameras_file.h"
