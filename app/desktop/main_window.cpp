@@ -17,6 +17,7 @@
 #include "app/desktop/file_actions.h"
 #include "app/desktop/menus.h"
 #include "app/desktop/panel_actions.h"
+#include "app/desktop/preferences_window.h"
 #include "app/desktop/resources.h"
 #include "app/desktop/window_actions.h"
 
@@ -57,6 +58,8 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     bindPanelActions(*this);
     bindFileActions(*this);
     buildMenus(*this);
+    buildToolbar(*this);
+    applyPreferences(*this);
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
@@ -256,6 +259,13 @@ void MainWindow::showHints() {
                 [this] { m_settings.setValue(QStringLiteral("hintsSeen"), true); });
     }
     m_hints->show();
+}
+
+bool MainWindow::closeHints() {
+    const bool wereShown = m_hints && m_hints->isVisible();
+    if (wereShown)
+        m_hints->dismiss();
+    return wereShown;
 }
 
 QWidget* MainWindow::part(const QString& name) {

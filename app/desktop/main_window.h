@@ -41,6 +41,8 @@ public:
     /// Says at the top of the window what went wrong; an empty text takes it away.
     void showMessage(const QString& text);
     void showHints();
+    /// False if they were not shown.
+    bool closeHints();
 
     widgets::Workbench& workbench() { return m_workbench; }
     widgets::Workspaces& workspaces() { return *m_workspaces; }

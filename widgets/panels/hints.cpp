@@ -22,14 +22,16 @@ Hints::Hints(QWidget* parent) : QFrame(parent) {
                              tr("A and D step through the frames, W and S through the joints; F1 shows every key.")};
     for (const QString& hint : hints)
         column->addWidget(new QLabel(QStringLiteral("\u2022  ") + hint, this));
-    auto* close = new QPushButton(tr("Got it"), this);
+    auto* close = new QPushButton(tr("Got it (Esc)"), this);
     close->setFocusPolicy(Qt::NoFocus);
     column->addWidget(close, 0, Qt::AlignRight);
-    connect(close, &QPushButton::clicked, this, [this] {
-        hide();
-        emit closed();
-    });
+    connect(close, &QPushButton::clicked, this, &Hints::dismiss);
     parent->installEventFilter(this);
+}
+
+void Hints::dismiss() {
+    hide();
+    emit closed();
 }
 
 void Hints::place() {

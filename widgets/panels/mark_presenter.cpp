@@ -9,6 +9,7 @@
 #include <QLocale>
 
 #include "core/geometry/epipolar_curve.h"
+#include "widgets/document/advice.h"
 #include "widgets/panels/camera_colours.h"
 #include "widgets/panels/joint_bones.h"
 #include "widgets/views/joint_colours.h"
@@ -98,6 +99,15 @@ void MarkPresenter::setProposalsShown(bool shown) {
     refresh();
 }
 
+void MarkPresenter::setHandShown(core::Side hand, bool shown) {
+    m_handShown[hand == core::Side::Left ? 0 : 1] = shown;
+    refresh();
+}
+
+bool MarkPresenter::isShown(const core::JointId& joint) const {
+    return m_handShown[joint.hand == core::Side::Left ? 0 : 1] || joint == m_selection.joint();
+}
+
 void MarkPresenter::refresh() {
     m_namedCamera = m_selection.camera();
     if (!m_dataset)
@@ -154,7 +164,7 @@ std::vector<ViewMark> MarkPresenter::marksIn(int camera) const {
         marks.back().named = isSelected && m_grid.view(camera)->camera().name == m_selection.camera();
     };
     for (const auto& [joint, found] : m_reconstructions.joints()) {
-        if (camera < static_cast<int>(found.views.size()))
+        if (camera < static_cast<int>(found.views.size()) && isShown(joint))
             add(joint, found);
     }
     return marks;
@@ -193,6 +203,7 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
     ViewTitle title;
     title.name = QString::fromStdString(name);
     title.detail = offsetText(name);
+    title.colour = cameraColour(camera);
     const core::JointReconstruction& selected = m_reconstructions.selected();
     if (camera >= static_cast<int>(selected.views.size()))
         return title;
@@ -201,6 +212,8 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
         title.error = tr("cannot be placed");
     else if (view.errorPx)
         title.error = tr("%1 px").arg(QLocale().toString(*view.errorPx, 'f', 1));
+    if (advisedCamera(selected) == name)
+        title.next = tr("click here next");
     title.warning = view.outlier || (!selected.suspect.empty() && selected.suspect == name);
     return title;
 }
@@ -212,7 +225,7 @@ void MarkPresenter::refreshScene() {
         std::map<std::string, Eigen::Vector3d> places;
         std::vector<std::string> names;
         for (const auto& [joint, found] : m_reconstructions.joints()) {
-            if (joint.hand != hand || !found.hasPoint())
+            if (joint.hand != hand || !found.hasPoint() || !isShown(joint))
                 continue;
             const auto& point = *found.result.point;
             joints.push_back({joint, point.pointInWorld, point.covariance, fingerColour(joint.joint), joint == m_selection.joint()});

@@ -21,7 +21,7 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
       m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
       m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
       m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
-      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)),
+      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)), m_framing(new HandFraming(workbench, *m_grid, this)),
       m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
       m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)) {
     build();
@@ -124,6 +124,7 @@ void Workspaces::takeSequence() {
         showPicture(camera, m_workbench.frames.picture(camera));
     showCurrentCamera();
     m_scene->resetView();
+    m_framing->frameHands();
     m_options->setAdjustmentsFromText(m_workbench.document.setting(kAdjustmentsSetting).value_or(std::string()));
 }
 

@@ -10,6 +10,7 @@
 #include "widgets/jobs/workbench.h"
 #include "widgets/panels/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
+#include "widgets/panels/hand_framing.h"
 #include "widgets/panels/inspect_page.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/layer_presenter.h"
@@ -43,6 +44,7 @@ public:
     FittingPanel* fittingPanel() const { return m_fitting; }
     MarkPresenter* marks() const { return m_marks; }
     LayerPresenter* layers() const { return m_layers; }
+    HandFraming* framing() const { return m_framing; }
     ViewOptions* options() const { return m_options; }
     QualityPanel* qualityPanel() const { return m_quality; }
     RatersPanel* ratersPanel() const { return m_raters; }
@@ -86,6 +88,7 @@ private:
     MarkPresenter* m_marks;
     LayerPresenter* m_layers;
     ViewOptions* m_options;
+    HandFraming* m_framing;
     QualityPanel* m_quality;
     RatersPanel* m_raters;
     ViewPanel* m_viewPanel;

@@ -10,6 +10,7 @@ namespace {
 
 const QColor kWarning(0xE5, 0x8E, 0x26);
 constexpr int kPadding = 6;
+constexpr int kChip = 8; // side of the colour's square, logical pixels
 
 } // namespace
 
@@ -24,7 +25,7 @@ void ViewTitleBar::setTitle(const ViewTitle& title) {
         return;
     }
     m_title = title;
-    setToolTip(QStringList{title.name, title.detail, title.error}.join(QLatin1Char(' ')).simplified());
+    setToolTip(QStringList{title.name, title.detail, title.error, title.next}.join(QLatin1Char(' ')).simplified());
     update();
 }
 
@@ -40,22 +41,28 @@ QSize ViewTitleBar::sizeHint() const {
 void ViewTitleBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QPalette& colours = palette();
-    painter.fillRect(rect(), m_title.warning ? kWarning : colours.color(QPalette::Window));
-    const QColor text = m_title.warning ? QColor(Qt::black) : colours.color(QPalette::WindowText);
+    const bool isNext = !m_title.next.isEmpty() && !m_title.warning;
+    painter.fillRect(rect(), m_title.warning ? kWarning : colours.color(isNext ? QPalette::Highlight : QPalette::Window));
+    const QColor text = m_title.warning ? QColor(Qt::black) : colours.color(isNext ? QPalette::HighlightedText : QPalette::WindowText);
     QColor faint = text;
     faint.setAlphaF(0.62);
     QRect space = rect().adjusted(kPadding, 0, -kPadding, 0);
 
     const QFontMetrics metrics = fontMetrics();
-    const int errorWidth = std::min(metrics.horizontalAdvance(m_title.error), space.width());
+    if (m_title.colour.isValid()) {
+        painter.fillRect(QRect(space.left(), (height() - kChip) / 2, kChip, kChip), m_title.colour);
+        space.setLeft(space.left() + kChip + kPadding);
+    }
+    const QString right = m_title.error.isEmpty() && isNext ? m_title.next : m_title.error;
+    const int errorWidth = std::min(metrics.horizontalAdvance(right), space.width());
     painter.setPen(text);
-    painter.drawText(space, Qt::AlignRight | Qt::AlignVCenter, m_title.error);
+    painter.drawText(space, Qt::AlignRight | Qt::AlignVCenter, right);
     space.setRight(space.right() - errorWidth - kPadding);
 
     QFont bold = font();
     bold.setBold(true);
     painter.setFont(bold);
-    painter.setPen(m_current && !m_title.warning ? colours.color(QPalette::Highlight) : text);
+    painter.setPen(m_current && !m_title.warning && !isNext ? colours.color(QPalette::Highlight) : text);
     const QString name = QFontMetrics(bold).elidedText(m_title.name, Qt::ElideRight, space.width());
     painter.drawText(space, Qt::AlignLeft | Qt::AlignVCenter, name);
     space.setLeft(space.left() + QFontMetrics(bold).horizontalAdvance(name) + kPadding);

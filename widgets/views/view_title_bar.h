@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QColor>
 #include <QString>
 #include <QWidget>
 
@@ -12,6 +13,8 @@ struct ViewTitle {
     QString detail;       ///< such as the frame offset; grey
     QString error;        ///< of the selected joint here, with its unit; right-aligned
     bool warning = false; ///< this view disagrees: the line turns into a warning colour
+    QColor colour = {};   ///< of the lines that this view draws into the others; a chip before the name
+    QString next = {};    ///< says that a click is wanted here next: the line turns into the accent colour
     bool operator==(const ViewTitle&) const = default;
 };
 
