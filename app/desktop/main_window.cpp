@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
@@ -289,7 +290,7 @@ void MainWindow::remember(const QString& folder) {
 }
 
 void MainWindow::restoreLayout() {
-    resize(1366, 768);
+    resize(QSize(1366, 768).boundedTo(screen()->availableSize()));
     restoreGeometry(m_settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_workspaces->restoreState(m_settings.value(QStringLiteral("window/workspaces")).toByteArray());
 }

@@ -95,7 +95,7 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
     for (const char* name : {"annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove"})
         menu->addAction(window.actions().action(id(name)));
     menu->addSeparator();
-    for (const char* name : {"view.fitAll", "view.zoomJoint", "view.adjust"})
+    for (const char* name : {"view.frameHands", "view.fitAll", "view.zoomJoint", "view.adjust"})
         menu->addAction(window.actions().action(id(name)));
     menu->addSeparator();
     window.workspaces().grid()->view(camera)->addPictureActions(*menu);

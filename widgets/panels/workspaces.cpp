@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QDataStream>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
@@ -12,6 +13,19 @@ namespace widgets {
 
 namespace {
 constexpr const char* kAdjustmentsSetting = "adjustments";
+
+/// A panel that scrolls where there is no room for it: it never makes the window larger than a small screen.
+QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(panel);
+    panel->setAutoFillBackground(false);
+    area->viewport()->setAutoFillBackground(false);
+    return area;
+}
+
 } // namespace
 
 Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
@@ -49,8 +63,8 @@ void Workspaces::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_columns);
     m_middle->addWidget(m_grid);
-    m_middle->addWidget(m_inspect);
-    m_middle->addWidget(m_benchmark);
+    m_middle->addWidget(scrolled(m_inspect, this));
+    m_middle->addWidget(scrolled(m_benchmark, this));
     m_tabs->addTab(m_quality, tr("Quality"));
     m_tabs->addTab(m_fitting, tr("Fit"));
     m_tabs->addTab(m_viewPanel, tr("View"));
@@ -68,9 +82,22 @@ void Workspaces::build() {
         splitter->setChildrenCollapsible(false);
     }
     m_columns->setStretchFactor(1, 1);
-    m_columns->setSizes({290, 1280, 350});
+    connect(m_columns, &QSplitter::splitterMoved, this, [this] { m_columnsMoved = true; });
+    shareWidth();
     m_right->setStretchFactor(0, 1);
     m_right->setSizes({420, 420});
+}
+
+/// The views come first: on a small screen the columns beside them are narrow.
+void Workspaces::shareWidth() {
+    const int left = std::clamp(width() * 21 / 100, 200, 290), right = std::clamp(width() * 25 / 100, 220, 350);
+    m_columns->setSizes({left, std::max(0, width() - left - right), right});
+}
+
+void Workspaces::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (!m_columnsMoved)
+        shareWidth();
 }
 
 void Workspaces::connectGrid() {
@@ -234,7 +261,7 @@ void Workspaces::restoreState(const QByteArray& state) {
     QDataStream stream(state);
     QByteArray columns, right;
     stream >> columns >> right;
-    m_columns->restoreState(columns);
+    m_columnsMoved = m_columns->restoreState(columns);
     m_right->restoreState(right);
 }
 

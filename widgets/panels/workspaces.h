@@ -65,8 +65,12 @@ signals:
     /// A right click in a view; `joint` has an empty name if there is no mark.
     void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();
+    void shareWidth();
     void connectView(int camera, CameraView* view);
     void connectGrid();
     void takeSequence();
@@ -77,6 +81,7 @@ private:
 
     Workbench& m_workbench;
     Kind m_kind = Kind::Annotate;
+    bool m_columnsMoved = false; ///< a person has chosen the columns' widths
     QSplitter* m_columns;
     QStackedWidget* m_middle;
     QSplitter* m_right;
