@@ -22,11 +22,18 @@ struct ActionRow {
     const char* tip;       ///< one sentence; empty if the text says it all
     ActionKind kind = ActionKind::Plain;
     bool separatorBefore = false;
+    bool inMenu = true; ///< false: it has a key and a place in a window of its own
+};
+
+/// One menu, or a part of one.
+struct MenuRow {
+    const char* title;
+    const char* parent; ///< title of the menu that holds it; null for the menu bar's own
 };
 
 /// Every action, in the order of the menus: the one table that menus, shortcuts and the shortcut page are made from.
 const std::vector<ActionRow>& actionTable();
-/// The menus in their order.
-const std::vector<const char*>& menuTitles();
+/// The menus; those of the menu bar in their order. A part of a menu stands where its first action does.
+const std::vector<MenuRow>& menuTable();
 
 } // namespace app

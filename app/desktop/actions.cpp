@@ -157,12 +157,12 @@ QString Actions::plainText(const QString& id) const {
 
 void Actions::refreshToolTip(const QString& id) {
     QAction* changed = m_actions.at(id);
-    QString tip = translated(m_rows.at(id)->tip);
-    if (tip.isEmpty())
-        tip = plainText(id);
+    QString text = plainText(id);
     if (!changed->shortcut().isEmpty())
-        tip += QStringLiteral(" (%1)").arg(changed->shortcut().toString(QKeySequence::NativeText));
-    changed->setToolTip(tip);
+        text += QStringLiteral(" (%1)").arg(changed->shortcut().toString(QKeySequence::NativeText));
+    if (const QString tip = translated(m_rows.at(id)->tip); !tip.isEmpty())
+        text += QLatin1Char('\n') + tip;
+    changed->setToolTip(text);
 }
 
 } // namespace app

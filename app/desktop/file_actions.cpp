@@ -9,6 +9,8 @@
 #include <QDir>
 #include <QFileDialog>
 
+#include "app/desktop/annotation_format_text.h"
+#include "app/desktop/export_window.h"
 #include "app/desktop/main_window.h"
 #include "core/io/annotation_formats.h"
 
@@ -18,42 +20,6 @@ namespace {
 
 QString id(const char* text) {
     return QString::fromLatin1(text);
-}
-
-/// What a person calls a kind of annotation file.
-struct FormatText {
-    const char* kind;
-    const char* text;
-    const char* suffix; ///< of the files that are written; empty for folders
-};
-constexpr FormatText kFormats[] = {
-    {"handlens", QT_TRANSLATE_NOOP("app::FileActions", "Handlens ground truth"), "json"},
-    {"tzionas", QT_TRANSLATE_NOOP("app::FileActions", "Files of the method's authors"), ""},
-    {"coco", QT_TRANSLATE_NOOP("app::FileActions", "COCO keypoints"), "json"},
-    {"anipose2d", QT_TRANSLATE_NOOP("app::FileActions", "Anipose, 2D"), ""},
-    {"anipose3d", QT_TRANSLATE_NOOP("app::FileActions", "Anipose, 3D"), "csv"},
-    {"deeplabcut", QT_TRANSLATE_NOOP("app::FileActions", "DeepLabCut, Lightning Pose"), ""},
-    {"trc", QT_TRANSLATE_NOOP("app::FileActions", "TRC, marker motion"), "trc"},
-    {"interhand", QT_TRANSLATE_NOOP("app::FileActions", "InterHand2.6M"), "json"},
-    {"freihand", QT_TRANSLATE_NOOP("app::FileActions", "FreiHAND, HanCo"), "json"},
-    {"csv", QT_TRANSLATE_NOOP("app::FileActions", "Table of 3D joints"), "csv"},
-    {"csv-marks", QT_TRANSLATE_NOOP("app::FileActions", "Table of marks"), "csv"},
-};
-
-const FormatText& formatText(std::string_view kind) {
-    for (const FormatText& format : kFormats) {
-        if (kind == format.kind)
-            return format;
-    }
-    return kFormats[0];
-}
-
-/// A filter of a file dialog, such as "COCO keypoints (*.json)"; folders have none.
-QString filterText(const core::AnnotationFormat& format) {
-    const FormatText& text = formatText(format.kind);
-    const QString name = QCoreApplication::translate("app::FileActions", text.text);
-    return format.isFolder ? QCoreApplication::translate("app::FileActions", "%1 \u2013 a new folder (*)").arg(name)
-                           : QStringLiteral("%1 (*.%2)").arg(name, QString::fromLatin1(text.suffix));
 }
 
 /// A filter of a file dialog, and the ending that a name without one gets; empty for folders.
@@ -86,21 +52,20 @@ void askForFile(MainWindow& window, const QString& title, const std::vector<File
     dialog->open();
 }
 
-/// The kinds of annotations that can be written or read.
+/// The kinds of annotations that can be read.
 struct FormatChoice {
     std::vector<std::string_view> kinds;
     std::vector<FileKind> files; ///< parallel to them
 };
 
-FormatChoice formatChoice(bool toImport) {
+FormatChoice importChoice() {
     FormatChoice choice;
     for (const core::AnnotationFormat& format : core::annotationFormats()) {
-        if (toImport && !format.canImport)
+        if (!format.canImport)
             continue;
+        const AnnotationFormatText text = annotationFormatText(format.kind);
         choice.kinds.push_back(format.kind);
-        const FormatText& text = formatText(format.kind);
-        const QString name = QCoreApplication::translate("app::FileActions", text.text);
-        choice.files.push_back({toImport ? QStringLiteral("%1 (*)").arg(name) : filterText(format), QString::fromLatin1(text.suffix)});
+        choice.files.push_back({QStringLiteral("%1 (*)").arg(text.name), text.suffix});
     }
     return choice;
 }
@@ -115,14 +80,21 @@ QString text(std::string_view kind) {
     return QString::fromUtf8(kind.data(), static_cast<int>(kind.size()));
 }
 
+/// First what kind of file, then where to. The kind is remembered.
 void exportAnnotations(MainWindow& window) {
-    const FormatChoice choice = formatChoice(false);
-    askForFile(window, MainWindow::tr("Export annotations"), choice.files, sequenceName(window),
-               [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.exportTo(text(choice.kinds[kind]), path); });
+    const QString setting = QStringLiteral("exportKind");
+    auto* dialog = new ExportWindow(window.settings().value(setting).toString(), &window);
+    QObject::connect(dialog, &ExportWindow::chosen, &window, [&window, setting](const QString& kind) {
+        window.settings().setValue(setting, kind);
+        const core::AnnotationFormat& format = core::annotationFormat(kind.toStdString());
+        askForFile(window, MainWindow::tr("Export annotations"), {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
+                   [&window, kind](const QString& path, std::size_t) { window.workbench().files.exportTo(kind, path); });
+    });
+    dialog->open();
 }
 
 void importAnnotations(MainWindow& window) {
-    const FormatChoice choice = formatChoice(true);
+    const FormatChoice choice = importChoice();
     askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
                [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.importFrom(text(choice.kinds[kind]), path); });
 }

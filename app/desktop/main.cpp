@@ -69,8 +69,7 @@ int run(int argc, char** argv, const app::CommandLine& line) {
     const QString language = line.language.empty() ? settings.value(QStringLiteral("language")).toString()
                                                    : QString::fromStdString(line.language);
     app::applyLanguage(application, language.isEmpty() && line.offscreen ? QStringLiteral("en") : language);
-    const bool light = settings.value(QStringLiteral("look")).toString() == QLatin1String("light");
-    app::applyLook(application, light ? app::Look::Light : app::Look::Dark);
+    app::applyLook(application, app::lookFromName(settings.value(QStringLiteral("look")).toString()));
     app::MainWindow window(settings, {line.rater, !line.offscreen});
     if (line.offscreen) {
         QTimer::singleShot(0, &window, [&] { QCoreApplication::exit(runScript(window, line)); });

@@ -11,6 +11,7 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QStandardPaths>
 #include <QStatusTipEvent>
 #include <QVBoxLayout>
@@ -22,6 +23,7 @@
 #include "app/desktop/new_dataset_window.h"
 #include "app/desktop/number_keys.h"
 #include "app/desktop/panel_actions.h"
+#include "app/desktop/preferences_window.h"
 #include "app/desktop/resources.h"
 #include "app/desktop/window_actions.h"
 
@@ -76,6 +78,8 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     new NumberKeys(*this);
     buildMenus(*this);
     m_mayAsk = options.hints;
+    buildToolbar(*this);
+    applyPreferences(*this);
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
@@ -315,6 +319,13 @@ void MainWindow::showHints() {
     m_hints->show();
 }
 
+bool MainWindow::closeHints() {
+    const bool wereShown = m_hints && m_hints->isVisible();
+    if (wereShown)
+        m_hints->dismiss();
+    return wereShown;
+}
+
 QWidget* MainWindow::part(const QString& name) {
     if (name == QLatin1String("window"))
         return this;
@@ -336,7 +347,7 @@ void MainWindow::remember(const QString& folder) {
 }
 
 void MainWindow::restoreLayout() {
-    resize(1366, 768);
+    resize(QSize(1366, 768).boundedTo(screen()->availableSize()));
     restoreGeometry(m_settings.value(QStringLiteral("window/geometry")).toByteArray());
     m_workspaces->restoreState(m_settings.value(QStringLiteral("window/workspaces")).toByteArray());
 }

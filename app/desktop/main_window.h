@@ -52,6 +52,8 @@ public:
     /// Whether the tabs of the workspaces can be chosen.
     void setWorkspacesEnabled(bool enabled) { m_workspaceBar->setEnabled(enabled); }
     void showHints();
+    /// False if they were not shown.
+    bool closeHints();
 
     widgets::Workbench& workbench() { return m_workbench; }
     widgets::Workspaces& workspaces() { return *m_workspaces; }

@@ -7,5 +7,7 @@ class MainWindow;
 
 /// Makes the menu bar from the action table.
 void buildMenus(MainWindow& window);
+/// Makes the slim bar of icons, with their texts on hover, and binds the action that hides it.
+void buildToolbar(MainWindow& window);
 
 } // namespace app

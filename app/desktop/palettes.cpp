@@ -51,7 +51,22 @@ QPalette paletteFor(Look look) {
     return palette;
 }
 
-void applyLook(QApplication& application, Look look) {
+QString lookName(Look look) {
+    return look == Look::Light ? QStringLiteral("light") : look == Look::System ? QStringLiteral("system") : QStringLiteral("dark");
+}
+
+Look lookFromName(const QString& name) {
+    for (const Look look : {Look::Light, Look::System}) {
+        if (name == lookName(look))
+            return look;
+    }
+    return Look::Dark;
+}
+
+void applyLook(QApplication& application, Look wanted) {
+    constexpr int kMiddleGrey = 128;
+    static const bool kDesktopIsDark = application.palette().color(QPalette::Window).lightness() < kMiddleGrey;
+    const Look look = wanted != Look::System ? wanted : kDesktopIsDark ? Look::Dark : Look::Light;
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(paletteFor(look));
     QIcon::setThemeName(look == Look::Dark ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));

@@ -7,6 +7,7 @@
 #include <QMessageBox>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/preferences_window.h"
 #include "app/desktop/shortcut_window.h"
 #include "widgets/document/edit_text.h"
 
@@ -30,14 +31,8 @@ void bindNames(MainWindow& window) {
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setWindowTitle(MainWindow::tr("Your name"));
         dialog->setLabelText(MainWindow::tr("Your marks are kept under this name:"));
-        dialog->setTextValue(QString::fromStdString(widgets::ownName(window.workbench().document.rater())));
-        QObject::connect(dialog, &QInputDialog::textValueSelected, &window, [&window](const QString& name) {
-            const QString rater = QString::fromStdString(widgets::ownName(name.trimmed().toStdString())).trimmed();
-            if (rater.isEmpty())
-                return;
-            window.settings().setValue(QStringLiteral("rater"), rater);
-            window.workbench().document.setRater(rater.toStdString());
-        });
+        dialog->setTextValue(ownName(window));
+        QObject::connect(dialog, &QInputDialog::textValueSelected, &window, [&window](const QString& name) { keepOwnName(window, name); });
         dialog->open();
     });
 }
@@ -84,23 +79,26 @@ void bindComparing(MainWindow& window) {
 void bindPanels(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::Workspaces& spaces = window.workspaces();
-    for (const char* name : {"view.adjust", "view.cameras"})
-        actions.bind(id(name), [&spaces] { spaces.raisePanel(spaces.viewPanel()); });
+    actions.bind(id("view.adjust"), [&spaces] { spaces.raisePanel(spaces.viewPanel()); });
+    actions.bind(id("view.cameras"), [&spaces] {
+        spaces.raisePanel(spaces.viewPanel());
+        spaces.viewPanel()->askForCameras();
+    });
     actions.bind(id("fit.show"), [&spaces] { spaces.raisePanel(spaces.fittingPanel()); });
     actions.bind(id("go.threshold"), [&spaces] {
         spaces.raisePanel(spaces.qualityPanel());
         spaces.qualityPanel()->askForThreshold();
     });
-    for (const char* name : {"edit.shortcuts", "help.shortcuts"}) {
-        actions.bind(id(name), [&window] {
-            auto* page = window.findChild<ShortcutWindow*>();
-            if (!page)
-                page = new ShortcutWindow(window.actions(), &window);
-            page->show();
-            page->raise();
-            page->activateWindow();
-        });
-    }
+    actions.bind(id("edit.preferences"), [&window] { showPreferences(window); });
+    actions.bind(id("edit.shortcuts"), [&window] { showPreferences(window).showKeys(); });
+    actions.bind(id("help.shortcuts"), [&window] {
+        auto* page = window.findChild<ShortcutWindow*>();
+        if (!page)
+            page = new ShortcutWindow(window.actions(), &window);
+        page->show();
+        page->raise();
+        page->activateWindow();
+    });
     actions.bind(id("help.hints"), [&window] { window.showHints(); });
     actions.bind(id("help.about"), [&window] {
         auto* about = new QMessageBox(QMessageBox::NoIcon, MainWindow::tr("About Handlens"),
@@ -125,7 +123,7 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
     for (const char* name : {"annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove"})
         menu->addAction(window.actions().action(id(name)));
     menu->addSeparator();
-    for (const char* name : {"view.fitAll", "view.zoomJoint", "view.adjust"})
+    for (const char* name : {"view.frameHands", "view.fitAll", "view.zoomJoint", "view.adjust"})
         menu->addAction(window.actions().action(id(name)));
     menu->addSeparator();
     window.workspaces().grid()->view(camera)->addPictureActions(*menu);
@@ -145,6 +143,18 @@ void showListMenu(MainWindow& window, const QPoint& position) {
 }
 
 } // namespace
+
+QString ownName(MainWindow& window) {
+    return QString::fromStdString(widgets::ownName(window.workbench().document.rater()));
+}
+
+void keepOwnName(MainWindow& window, const QString& name) {
+    const QString rater = QString::fromStdString(widgets::ownName(name.trimmed().toStdString())).trimmed();
+    if (rater.isEmpty() || rater == ownName(window))
+        return;
+    window.settings().setValue(QStringLiteral("rater"), rater);
+    window.workbench().document.setRater(rater.toStdString());
+}
 
 void bindPanelActions(MainWindow& window) {
     bindNames(window);

@@ -1,92 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/shortcut_window.h"
 
-#include <QHBoxLayout>
-#include <QHeaderView>
-#include <QKeySequenceEdit>
-#include <QLabel>
-#include <QLineEdit>
+#include <QDialogButtonBox>
 #include <QPushButton>
-#include <QSortFilterProxyModel>
-#include <QStyledItemDelegate>
-#include <QTableView>
 #include <QVBoxLayout>
 
-#include "app/desktop/actions.h"
-#include "app/desktop/shortcut_model.h"
-#include "widgets/panels/state_colours.h"
-#include "widgets/panels/table_style.h"
-#include "widgets/views/message_bar.h"
+#include "app/desktop/shortcut_page.h"
 
 namespace app {
-
-namespace {
-
-/// Edits a shortcut by pressing it.
-class ShortcutDelegate : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-
-    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override {
-        auto* editor = new QKeySequenceEdit(parent);
-        connect(editor, &QKeySequenceEdit::editingFinished, this, [this, editor] {
-            auto* self = const_cast<ShortcutDelegate*>(this);
-            emit self->commitData(editor);
-            emit self->closeEditor(editor);
-        });
-        return editor;
-    }
-    void setEditorData(QWidget* editor, const QModelIndex& index) const override {
-        static_cast<QKeySequenceEdit*>(editor)->setKeySequence(index.data(Qt::EditRole).value<QKeySequence>());
-    }
-    void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override {
-        const QKeySequence pressed = static_cast<QKeySequenceEdit*>(editor)->keySequence();
-        model->setData(index, QVariant::fromValue(pressed.isEmpty() ? pressed : QKeySequence(pressed[0])));
-    }
-};
-
-} // namespace
 
 ShortcutWindow::ShortcutWindow(Actions& actions, QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Shortcuts"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(980, 640);
     auto* column = new QVBoxLayout(this);
-    column->setSpacing(widgets::kSpacing);
-    auto* message = new widgets::MessageBar(this);
-    auto* search = new QLineEdit(this);
-    search->setPlaceholderText(tr("Search"));
-    search->setClearButtonEnabled(true);
-    auto* model = new ShortcutModel(actions, this);
-    auto* proxy = new QSortFilterProxyModel(this);
-    proxy->setSourceModel(model);
-    proxy->setFilterKeyColumn(-1);
-    proxy->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    auto* table = new QTableView(this);
-    table->setModel(proxy);
-    widgets::styleTable(*table);
-    table->setWordWrap(true);
-    table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(ShortcutModel::Tip, QHeaderView::Stretch);
-    table->setItemDelegateForColumn(ShortcutModel::Shortcut, new ShortcutDelegate(table));
-    table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    auto* reset = new QPushButton(tr("Reset all"), this);
-    auto* close = new QPushButton(tr("Close"), this);
-    close->setDefault(true);
-    auto* row = new QHBoxLayout;
-    row->addWidget(new QLabel(tr("Double-click a shortcut to change it."), this), 1);
-    row->addWidget(reset);
-    row->addWidget(close);
-    column->addWidget(message);
-    column->addWidget(search);
-    column->addWidget(table, 1);
-    column->addLayout(row);
-    connect(search, &QLineEdit::textChanged, proxy, &QSortFilterProxyModel::setFilterFixedString);
-    connect(reset, &QPushButton::clicked, &actions, &Actions::resetShortcuts);
-    connect(close, &QPushButton::clicked, this, &QDialog::close);
-    connect(model, &ShortcutModel::clashed, message, &widgets::MessageBar::setMessage);
-    connect(model, &ShortcutModel::accepted, message, [message] { message->setMessage({}); });
+    column->addWidget(new ShortcutPage(actions, this), 1);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
 }
 
 } // namespace app

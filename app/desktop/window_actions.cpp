@@ -80,6 +80,13 @@ void bindOverlays(MainWindow& window) {
     actions.bindToggle(id("view.skeleton"), [marks](bool on) { marks->setSkeletonShown(on); });
     actions.bindToggle(id("view.guides"), [marks](bool on) { marks->setGuidesShown(on); });
     actions.bindToggle(id("view.proposals"), [marks](bool on) { marks->setProposalsShown(on); });
+    widgets::HandFraming* framing = window.workspaces().framing();
+    actions.bind(id("view.frameHands"), [&window, framing] {
+        if (!framing->frameHands())
+            window.statusLine().sayBriefly(MainWindow::tr("Nothing tells yet where the hands are: mark some joints, then frame them."));
+    });
+    actions.action(id("view.handLabels"))->setChecked(framing->labelsShown());
+    actions.bindToggle(id("view.handLabels"), [framing](bool on) { framing->setLabelsShown(on); });
     actions.bind(id("view.fitAll"), [&options] { options.showWholeImages(); });
     actions.bind(id("view.zoomJoint"), [&options] { options.zoomToJoint(); });
 }
@@ -126,14 +133,32 @@ void bindMeshLook(MainWindow& window) {
     constexpr double kStep = 0.1;
     actions.bind(id("view.meshMore"), [change] { change([](auto& look) { look.opacity = std::min(1.0, look.opacity + kStep); }); });
     actions.bind(id("view.meshLess"), [change] { change([](auto& look) { look.opacity = std::max(0.05, look.opacity - kStep); }); });
-    for (const char* name : {"view.leftHand", "view.rightHand", "view.recordedMesh"})
-        actions.action(id(name))->setChecked(true);
+    actions.action(id("view.recordedMesh"))->setChecked(true);
     layers->setLayerShown(id(widgets::LayerPresenter::kStart), false);
-    actions.bindToggle(id("view.leftHand"), [change](bool on) { change([on](auto& look) { look.leftShown = on; }); });
-    actions.bindToggle(id("view.rightHand"), [change](bool on) { change([on](auto& look) { look.rightShown = on; }); });
     actions.bindToggle(id("view.recordedMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kRecorded), on); });
     actions.bindToggle(id("view.modelOfMarks"), [&window](bool on) { window.workbench().model.setOn(on); });
     actions.bindToggle(id("view.startMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kStart), on); });
+}
+
+/// A hand's mesh is shown if the hand is, and its mesh.
+void bindHand(MainWindow& window, core::Side hand, const char* wholeHand, const char* meshOnly) {
+    Actions& actions = window.actions();
+    QAction* whole = actions.action(id(wholeHand));
+    QAction* mesh = actions.action(id(meshOnly));
+    whole->setChecked(true);
+    mesh->setChecked(true);
+    const auto showMesh = [&window, hand, whole, mesh] {
+        widgets::LayerLook look = window.workspaces().layers()->look();
+        (hand == core::Side::Left ? look.leftShown : look.rightShown) = whole->isChecked() && mesh->isChecked();
+        window.workspaces().layers()->setLook(look);
+    };
+    actions.bindToggle(id(meshOnly), [showMesh](bool) { showMesh(); });
+    actions.bindToggle(id(wholeHand), [&window, hand, mesh, showMesh](bool on) {
+        mesh->setEnabled(on);
+        window.workspaces().marks()->setHandShown(hand, on);
+        window.workspaces().framing()->setHandShown(hand, on);
+        showMesh();
+    });
 }
 
 void bindView(MainWindow& window) {
@@ -149,7 +174,10 @@ void bindView(MainWindow& window) {
             window.workbench().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
         });
     }
-    actions.bind(id("view.restore"), [grid] { grid->setMaximised(-1); });
+    actions.bind(id("view.restore"), [&window, grid] {
+        if (!window.closeHints()) // what lies on top goes first
+            grid->setMaximised(-1);
+    });
     widgets::SceneView* scene = window.workspaces().scene();
     actions.bind(id("view.resetScene"), [scene] { scene->resetView(); });
     actions.bindToggle(id("view.lookThrough"), [&window, scene, grid](bool on) { scene->lookThrough(on ? grid->current() : -1); });
@@ -158,10 +186,11 @@ void bindView(MainWindow& window) {
             scene->lookThrough(camera);
     });
     QAction* light = actions.action(id("view.light"));
-    light->setChecked(window.settings().value(QStringLiteral("look")).toString() == QLatin1String("light"));
+    light->setChecked(lookFromName(window.settings().value(QStringLiteral("look")).toString()) == Look::Light);
     actions.bindToggle(id("view.light"), [&window](bool on) {
-        window.settings().setValue(QStringLiteral("look"), on ? QStringLiteral("light") : QStringLiteral("dark"));
-        applyLook(*qApp, on ? Look::Light : Look::Dark);
+        const Look look = on ? Look::Light : Look::Dark;
+        window.settings().setValue(QStringLiteral("look"), lookName(look));
+        applyLook(*qApp, look);
     });
     actions.bindToggle(id("view.fullScreen"), [&window](bool on) { on ? window.showFullScreen() : window.showNormal(); });
 }
@@ -264,6 +293,8 @@ void bindWindowActions(MainWindow& window) {
     bindOverlays(window);
     bindMeshStyles(window);
     bindMeshLook(window);
+    bindHand(window, core::Side::Left, "view.leftMarks", "view.leftHand");
+    bindHand(window, core::Side::Right, "view.rightMarks", "view.rightHand");
     bindView(window);
     bindMarks(window);
     bindFrames(window);

@@ -121,4 +121,10 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         .arg(next, number(found.nextViews.front().predictedSigmaMm, 2));
 }
 
+std::string advisedCamera(const core::JointReconstruction& found) {
+    const bool isStuck = !found.suspect.empty() || (!found.hasPoint() && found.manualViews >= 2);
+    const bool asks = found.manualViews > 0 && !isStuck && found.status != core::JointStatus::Done;
+    return asks && !found.nextViews.empty() ? found.nextViews.front().camera : std::string();
+}
+
 } // namespace widgets

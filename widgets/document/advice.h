@@ -20,4 +20,7 @@ QString summaryText(const core::JointId& joint, const core::JointReconstruction&
 /// What to do next, in words: "click cam5 next (0.22 mm)".
 QString adviceText(const core::JointId& joint, const core::JointReconstruction& found);
 
+/// The camera in which adviceText() asks for the next click; empty if it names none.
+std::string advisedCamera(const core::JointReconstruction& found);
+
 } // namespace widgets

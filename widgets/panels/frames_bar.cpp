@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/panels/timeline_legend.h"
 
 namespace widgets {
 
@@ -24,13 +25,17 @@ FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, c
                      QWidget* parent)
     : QWidget(parent), m_selection(selection), m_document(document), m_coverage(coverage), m_joints(joints),
       m_sequences(new QComboBox(this)), m_previous(flatButton(this)), m_frame(new QSpinBox(this)), m_next(flatButton(this)),
-      m_play(flatButton(this)), m_timeline(new Timeline(this)) {
+      m_play(flatButton(this)), m_timeline(new Timeline(this)), m_legend(flatButton(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
     row->setSpacing(kSpacing);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_sequences, m_previous, m_frame, m_next, m_play})
         row->addWidget(widget);
     row->addWidget(m_timeline, 1);
+    row->addWidget(m_legend);
+    m_legend->setText(QStringLiteral("?"));
+    m_legend->setToolTip(tr("What the colours of the timeline mean"));
+    connect(m_legend, &QToolButton::clicked, this, &FramesBar::showLegend);
     m_sequences->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_sequences->setMinimumContentsLength(8);
     m_sequences->setFocusPolicy(Qt::NoFocus);
@@ -79,6 +84,14 @@ void FramesBar::setSequence(const QString& name) {
 void FramesBar::askForFrame() {
     m_frame->setFocus(Qt::ShortcutFocusReason);
     m_frame->selectAll();
+}
+
+void FramesBar::showLegend() {
+    auto* legend = new TimelineLegend(this);
+    legend->setAttribute(Qt::WA_DeleteOnClose);
+    legend->adjustSize();
+    legend->move(m_legend->mapToGlobal(QPoint(m_legend->width() - legend->width(), m_legend->height())));
+    legend->show();
 }
 
 void FramesBar::refreshFrame() {

@@ -44,6 +44,7 @@ private:
     void refreshFrame();
     void refreshCoverage();
     void refreshNotes();
+    void showLegend();
 
     Selection& m_selection;
     const AnnotationDocument& m_document;
@@ -55,6 +56,7 @@ private:
     QToolButton* m_next;
     QToolButton* m_play;
     Timeline* m_timeline;
+    QToolButton* m_legend;
 };
 
 } // namespace widgets

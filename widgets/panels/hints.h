@@ -12,6 +12,9 @@ class Hints : public QFrame {
 public:
     explicit Hints(QWidget* parent);
 
+    /// Away with them: a button or Esc.
+    void dismiss();
+
 signals:
     void closed();
 

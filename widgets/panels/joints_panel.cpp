@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/joints_panel.h"
 
+#include <algorithm>
+
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
@@ -22,10 +25,10 @@ JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const 
     column->addWidget(m_note);
     m_table->setModel(m_model);
     styleTable(*m_table);
-    const int widest = m_table->fontMetrics().horizontalAdvance(QStringLiteral("00.00"));
+    m_widthOfNumbers = m_table->fontMetrics().horizontalAdvance(QStringLiteral("00.00")) + kSpacing;
     for (const int wide : {JointTableModel::Views, JointTableModel::ErrorPx, JointTableModel::SigmaMm}) {
         m_table->horizontalHeader()->setSectionResizeMode(wide, QHeaderView::Fixed);
-        m_table->setColumnWidth(wide, widest + kSpacing);
+        m_table->setColumnWidth(wide, m_widthOfNumbers);
     }
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -35,11 +38,38 @@ JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const 
     connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) { m_selection.setJoint(m_model->jointAt(index.row())); });
     connect(&m_selection, &Selection::jointChanged, this, &JointsPanel::selectRow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::selectRow);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::fitColumns);
 }
 
 void JointsPanel::setBadRmsPx(double px) {
     m_model->setBadRmsPx(px);
     m_diagram->setBadRmsPx(px);
+}
+
+void JointsPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitColumns();
+}
+
+/// In a narrow window, columns give way until the joints' names can be read: the drawing above shows the state, too.
+void JointsPanel::fitColumns() {
+    const QAbstractItemView& cells = *m_table; // whose size hints are public
+    const QHeaderView* header = m_table->horizontalHeader();
+    const int optional[] = {JointTableModel::State, JointTableModel::SigmaMm, JointTableModel::Views};
+    for (const int column : optional)
+        m_table->setColumnHidden(column, false); // a hidden one has no width
+    const auto width = [&](int column) {
+        return header->sectionResizeMode(column) == QHeaderView::Fixed ? m_widthOfNumbers
+                                                                       : std::max(cells.sizeHintForColumn(column), header->sectionSizeHint(column));
+    };
+    const int scrollBar = m_table->verticalScrollBar()->sizeHint().width();
+    int room = m_table->width() - scrollBar - width(JointTableModel::Joint);
+    for (int column = 0; column < JointTableModel::ColumnCount; ++column)
+        room -= column == JointTableModel::Joint ? 0 : width(column);
+    for (const int column : optional) {
+        m_table->setColumnHidden(column, room < 0);
+        room += room < 0 ? width(column) : 0;
+    }
 }
 
 void JointsPanel::selectRow() {

@@ -30,8 +30,12 @@ signals:
     /// The table's header asks for the menu that changes the list of joints.
     void listMenuRequested(const QPoint& globalPosition);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void selectRow();
+    void fitColumns();
 
     JointList& m_joints;
     Selection& m_selection;
@@ -39,6 +43,7 @@ private:
     QTableView* m_table;
     JointTableModel* m_model;
     NoteEdit* m_note;
+    int m_widthOfNumbers = 0;
 };
 
 } // namespace widgets

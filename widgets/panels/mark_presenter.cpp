@@ -105,6 +105,15 @@ void MarkPresenter::setProposalsShown(bool shown) {
     refresh();
 }
 
+void MarkPresenter::setHandShown(core::Side hand, bool shown) {
+    m_handShown[hand == core::Side::Left ? 0 : 1] = shown;
+    refresh();
+}
+
+bool MarkPresenter::isShown(const core::JointId& joint) const {
+    return m_handShown[joint.hand == core::Side::Left ? 0 : 1] || joint == m_selection.joint();
+}
+
 void MarkPresenter::refresh() {
     m_namedCamera = m_selection.camera();
     if (!m_dataset)
@@ -165,7 +174,7 @@ std::vector<ViewMark> MarkPresenter::marksIn(int camera) const {
         marks.back().named = isSelected && m_grid.view(camera)->camera().name == m_selection.camera();
     };
     for (const auto& [joint, found] : m_reconstructions.joints()) {
-        if (camera < static_cast<int>(found.views.size()))
+        if (camera < static_cast<int>(found.views.size()) && isShown(joint))
             add(joint, found);
     }
     return marks;
@@ -204,6 +213,7 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
     ViewTitle title;
     title.name = QString::fromStdString(name);
     title.detail = offsetText(name);
+    title.colour = cameraColour(camera);
     const core::JointReconstruction& selected = m_reconstructions.selected();
     if (camera >= static_cast<int>(selected.views.size()))
         return title;
@@ -220,6 +230,8 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
     else if (view.mark && view.mark->placement != core::Placement::Manual)
         title.error = view.mark->isPlaced() ? tr("accepted") : tr("proposed");
     title.warning = view.outlier || gap || (!selected.suspect.empty() && selected.suspect == name);
+    if (advisedCamera(selected) == name)
+        title.next = tr("click here next");
     return title;
 }
 
@@ -230,7 +242,7 @@ void MarkPresenter::refreshScene() {
         std::map<std::string, Eigen::Vector3d> places;
         std::vector<std::string> names;
         for (const auto& [joint, found] : m_reconstructions.joints()) {
-            if (joint.hand != hand || !found.hasPoint())
+            if (joint.hand != hand || !found.hasPoint() || !isShown(joint))
                 continue;
             const auto& point = *found.result.point;
             joints.push_back({joint, point.pointInWorld, point.covariance, fingerColour(joint.joint), joint == m_selection.joint()});

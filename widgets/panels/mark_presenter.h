@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include <QObject>
@@ -29,6 +30,8 @@ public:
     void setGuidesShown(bool shown);
     /// Whether joints that are pre-placed but not accepted are shown.
     void setProposalsShown(bool shown);
+    /// Marks of a hand that is not shown are left out, but for the selected joint's.
+    void setHandShown(core::Side hand, bool shown);
     bool skeletonShown() const { return m_skeletonShown; }
     bool guidesShown() const { return m_guidesShown; }
     bool proposalsShown() const { return m_proposalsShown; }
@@ -39,6 +42,7 @@ private:
     void refreshView(int camera);
     void refreshScene();
     void moveName();
+    bool isShown(const core::JointId& joint) const;
     std::vector<ViewMark> marksIn(int camera) const;
     std::vector<EpipolarGuide> guidesIn(int camera) const;
     ViewTitle titleOf(int camera) const;
@@ -52,6 +56,7 @@ private:
     std::shared_ptr<const core::Dataset> m_dataset;
     const core::Sequence* m_sequence = nullptr;
     std::string m_namedCamera; ///< whose view names the selected joint
+    std::array<bool, 2> m_handShown{true, true}; ///< left, right
     bool m_skeletonShown = true;
     bool m_guidesShown = true;
     bool m_proposalsShown = true;

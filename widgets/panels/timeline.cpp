@@ -11,6 +11,7 @@
 
 #include "widgets/document/edit_text.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/panels/timeline_legend.h"
 
 namespace widgets {
 
@@ -155,10 +156,14 @@ QString Timeline::describe(int frame) const {
     return text;
 }
 
+QString Timeline::toolTipOf(int frame) const {
+    return describe(frame).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")) + timelineLegendText(palette());
+}
+
 bool Timeline::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip && m_frames > 0) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), describe(frameAt(help->pos().x())), this);
+        QToolTip::showText(help->globalPos(), toolTipOf(frameAt(help->pos().x())), this);
         return true;
     }
     return QWidget::event(event);

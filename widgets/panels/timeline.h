@@ -27,6 +27,9 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+    /// What the tool tip says over a frame: its state and what the colours mean.
+    QString toolTipOf(int frame) const;
+
 signals:
     void frameRequested(int frame);
 

@@ -110,7 +110,9 @@ void ViewOptions::follow() {
         return;
     for (int camera = 0; camera < m_grid.count(); ++camera) {
         const auto joint = jointIn(camera);
-        if (joint && !m_grid.view(camera)->isFitted())
+        const CameraView& view = *m_grid.view(camera);
+        const bool isZoomed = !view.isFitted() || !view.home().isEmpty();
+        if (joint && isZoomed)
             m_grid.view(camera)->lookAt(*joint);
     }
 }
@@ -123,8 +125,10 @@ void ViewOptions::zoomToJoint() {
 }
 
 void ViewOptions::showWholeImages() {
-    for (CameraView* view : m_grid.views())
+    for (CameraView* view : m_grid.views()) {
+        view->setHome({});
         view->fitImage();
+    }
 }
 
 } // namespace widgets

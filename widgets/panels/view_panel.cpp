@@ -97,13 +97,19 @@ QWidget* ViewPanel::makeCameraGroup() {
     auto* column = new QVBoxLayout(group);
     m_cameras = new QListWidget(this);
     m_cameras->setDragDropMode(QAbstractItemView::InternalMove);
-    m_cameras->setFocusPolicy(Qt::NoFocus);
+    m_cameras->setFocusPolicy(Qt::ClickFocus);
     m_cameras->setToolTip(tr("Untick to hide a view; drag to change the order"));
     m_cameras->setFrameShape(QFrame::NoFrame);
     column->addWidget(m_cameras);
     connect(m_cameras, &QListWidget::itemChanged, this, &ViewPanel::changeCameras);
     connect(m_cameras->model(), &QAbstractItemModel::rowsMoved, this, &ViewPanel::changeCameras);
     return group;
+}
+
+void ViewPanel::askForCameras() {
+    m_cameras->setFocus(Qt::ShortcutFocusReason);
+    if (m_cameras->currentRow() < 0)
+        m_cameras->setCurrentRow(0);
 }
 
 void ViewPanel::showLook() {

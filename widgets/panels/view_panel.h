@@ -24,6 +24,9 @@ class ViewPanel : public QWidget {
 public:
     ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& options, QWidget* parent = nullptr);
 
+    /// The keyboard goes to the list of cameras.
+    void askForCameras();
+
 private:
     QWidget* makeMeshGroup();
     QWidget* makeImageGroup();

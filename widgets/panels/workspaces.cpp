@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QDataStream>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "widgets/jobs/footage_finder.h"
@@ -14,6 +15,19 @@ namespace widgets {
 
 namespace {
 constexpr const char* kAdjustmentsSetting = "adjustments";
+
+/// A panel that scrolls where there is no room for it: it never makes the window larger than a small screen.
+QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(panel);
+    panel->setAutoFillBackground(false);
+    area->viewport()->setAutoFillBackground(false);
+    return area;
+}
+
 } // namespace
 
 Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
@@ -23,7 +37,7 @@ Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
       m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
       m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
       m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
-      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)),
+      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)), m_framing(new HandFraming(workbench, *m_grid, this)),
       m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
       m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)),
       m_scenePanel(new ScenePanel(m_scene, *m_layers, this)), m_masks(workbench.session, workbench.selection, workbench.pool) {
@@ -51,8 +65,8 @@ void Workspaces::build() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_columns);
     m_middle->addWidget(m_grid);
-    m_middle->addWidget(m_inspect);
-    m_middle->addWidget(m_benchmark);
+    m_middle->addWidget(scrolled(m_inspect, this));
+    m_middle->addWidget(scrolled(m_benchmark, this));
     m_tabs->addTab(m_quality, tr("Quality"));
     m_tabs->addTab(m_fitting, tr("Fit"));
     m_tabs->addTab(m_viewPanel, tr("View"));
@@ -70,9 +84,22 @@ void Workspaces::build() {
         splitter->setChildrenCollapsible(false);
     }
     m_columns->setStretchFactor(1, 1);
-    m_columns->setSizes({290, 1280, 350});
+    connect(m_columns, &QSplitter::splitterMoved, this, [this] { m_columnsMoved = true; });
+    shareWidth();
     m_right->setStretchFactor(0, 1);
     m_right->setSizes({420, 420});
+}
+
+/// The views come first: on a small screen the columns beside them are narrow.
+void Workspaces::shareWidth() {
+    const int left = std::clamp(width() * 21 / 100, 200, 290), right = std::clamp(width() * 25 / 100, 220, 350);
+    m_columns->setSizes({left, std::max(0, width() - left - right), right});
+}
+
+void Workspaces::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (!m_columnsMoved)
+        shareWidth();
 }
 
 void Workspaces::connectGrid() {
@@ -186,6 +213,7 @@ void Workspaces::takeSequence() {
         showPicture(camera, m_workbench.frames.picture(camera));
     showCurrentCamera();
     m_scene->resetView();
+    m_framing->frameHands();
     m_options->setAdjustmentsFromText(m_workbench.document.setting(kAdjustmentsSetting).value_or(std::string()));
 }
 
@@ -324,7 +352,7 @@ void Workspaces::restoreState(const QByteArray& state) {
     QDataStream stream(state);
     QByteArray columns, right;
     stream >> columns >> right;
-    m_columns->restoreState(columns);
+    m_columnsMoved = m_columns->restoreState(columns);
     m_right->restoreState(right);
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/jobs/workbench.h"
 #include "widgets/panels/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
+#include "widgets/panels/hand_framing.h"
 #include "widgets/panels/inspect_page.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/layer_presenter.h"
@@ -46,6 +47,7 @@ public:
     FittingPanel* fittingPanel() const { return m_fitting; }
     MarkPresenter* marks() const { return m_marks; }
     LayerPresenter* layers() const { return m_layers; }
+    HandFraming* framing() const { return m_framing; }
     ViewOptions* options() const { return m_options; }
     QualityPanel* qualityPanel() const { return m_quality; }
     RatersPanel* ratersPanel() const { return m_raters; }
@@ -73,8 +75,12 @@ signals:
     /// A right click in a view; `joint` has an empty name if there is no mark.
     void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void build();
+    void shareWidth();
     void connectView(int camera, CameraView* view);
     void connectGrid();
     void connectInspect();
@@ -93,6 +99,7 @@ private:
 
     Workbench& m_workbench;
     Kind m_kind = Kind::Annotate;
+    bool m_columnsMoved = false; ///< a person has chosen the columns' widths
     QSplitter* m_columns;
     QStackedWidget* m_middle;
     QSplitter* m_right;
@@ -104,6 +111,7 @@ private:
     MarkPresenter* m_marks;
     LayerPresenter* m_layers;
     ViewOptions* m_options;
+    HandFraming* m_framing;
     QualityPanel* m_quality;
     RatersPanel* m_raters;
     ViewPanel* m_viewPanel;

@@ -113,6 +113,12 @@ void CameraView::setSkeleton(const std::vector<SkeletonLine>& lines) {
 void CameraView::setEpipolarGuides(const std::vector<EpipolarGuide>& guides) {
     m_items->setGuides(guides);
 }
+void CameraView::setHandLabels(const std::vector<HandLabel>& labels) {
+    m_items->setHandLabels(labels);
+}
+const std::vector<HandLabel>& CameraView::handLabels() const {
+    return m_items->handLabels();
+}
 void CameraView::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
     m_items->setEllipse(ellipse);
 }
@@ -130,10 +136,6 @@ void CameraView::setFieldImage(const QImage& field, double opacity) {
     m_field = field;
     m_fieldOpacity = opacity;
     viewport()->update();
-}
-
-void CameraView::setTitle(const ViewTitle& title) {
-    m_titleBar->setTitle(title);
 }
 
 void CameraView::setMessage(const QString& text) {

@@ -50,6 +50,9 @@ public:
     const std::vector<ViewMark>& marks() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
     void setEpipolarGuides(const std::vector<EpipolarGuide>& guides);
+    /// Which hand is which; hidden with the other overlays.
+    void setHandLabels(const std::vector<HandLabel>& labels);
+    const std::vector<HandLabel>& handLabels() const;
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
     /// Where the guides fade from: usually the selected joint's reprojection or the pointer.
     void setGuideFocus(const std::optional<QPointF>& px);
@@ -58,6 +61,7 @@ public:
     void setFieldImage(const QImage& field, double opacity = 0.6);
 
     void setTitle(const ViewTitle& title);
+    const ViewTitle& title() const;
     /// A bar at the top of the picture that says what is wrong and what to do; empty hides it.
     void setMessage(const QString& text);
     /// The same with buttons that do something about it.
@@ -80,6 +84,7 @@ public:
     void fitImage();
     /// What fitImage() shows, image px; an empty rectangle is the whole image.
     void setHome(const QRectF& homePx);
+    const QRectF& home() const { return m_home; }
     bool isFitted() const { return m_fitted; }
     /// Puts image pixel `centrePx` into the middle, at `scale` screen pixels per image pixel (0: keeps the scale).
     void lookAt(QPointF centrePx, double scale = 0);

@@ -3,6 +3,7 @@
 
 #include <QGraphicsScene>
 
+#include "widgets/views/hand_label_item.h"
 #include "widgets/views/line_items.h"
 #include "widgets/views/mark_item.h"
 
@@ -55,6 +56,23 @@ void CameraViewItems::setMarks(const std::vector<ViewMark>& marks) {
 void CameraViewItems::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_skeleton->setLines(lines);
 }
+void CameraViewItems::setHandLabels(const std::vector<HandLabel>& labels) {
+    if (labels == m_handLabels) {
+        return;
+    }
+    m_handLabels = labels;
+    while (m_labelItems.size() > labels.size()) {
+        delete m_labelItems.back();
+        m_labelItems.pop_back();
+    }
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (i == m_labelItems.size()) {
+            m_labelItems.push_back(new HandLabelItem(m_root));
+        }
+        m_labelItems[i]->setLabel(labels[i]);
+    }
+}
+
 void CameraViewItems::setGuides(const std::vector<EpipolarGuide>& guides) {
     m_guides->setGuides(guides);
 }

@@ -15,11 +15,13 @@ namespace widgets {
 
 class EllipseItem;
 class GuidesItem;
+class HandLabelItem;
 class MarkItem;
 class ReprojectionItem;
 class SkeletonItem;
 
-/// The vector items that lie over a view's image. Bottom to top: skeleton, guides, ellipse, reprojection lines, marks.
+/// The vector items that lie over a view's image. Bottom to top: skeleton, guides, ellipse, reprojection lines, hand
+/// labels, marks.
 /// The scene's coordinates are image pixels + 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
 class CameraViewItems {
 public:
@@ -29,11 +31,13 @@ public:
     void setSkeleton(const std::vector<SkeletonLine>& lines);
     void setGuides(const std::vector<EpipolarGuide>& guides);
     void setGuideFocus(const std::optional<QPointF>& px);
+    void setHandLabels(const std::vector<HandLabel>& labels);
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
     void setReprojectionScale(double factor);
     void setLabelsShown(bool shown);
     void setVisible(bool visible);
 
+    const std::vector<HandLabel>& handLabels() const { return m_handLabels; }
     const std::vector<ViewMark>& marks() const { return m_marks; }
 
 private:
@@ -42,6 +46,8 @@ private:
     GuidesItem* m_guides;
     EllipseItem* m_ellipse;
     ReprojectionItem* m_reprojections;
+    std::vector<HandLabelItem*> m_labelItems;
+    std::vector<HandLabel> m_handLabels;
     std::vector<MarkItem*> m_markItems;
     std::vector<ViewMark> m_marks;
     bool m_labelsShown = false;

@@ -168,6 +168,14 @@ void CameraView::addPictureActions(QMenu& menu) {
                                 [this](const QString& text) { setMessage(text); }});
 }
 
+void CameraView::setTitle(const ViewTitle& title) {
+    m_titleBar->setTitle(title);
+}
+
+const ViewTitle& CameraView::title() const {
+    return m_titleBar->title();
+}
+
 void CameraView::layOut() {
     const int titleHeight = m_titleBar->sizeHint().height();
     setViewportMargins(0, titleHeight, 0, 0);

@@ -50,6 +50,15 @@ struct UncertaintyEllipse {
     QColor colour;
 };
 
+/// Which hand this is, written beside it.
+struct HandLabel {
+    core::Side side = core::Side::Left;
+    QPointF px;          ///< on the hand, where the arm begins
+    QPointF awayScreenPx; ///< from there to the label's middle: away from the fingers
+    QString text;        ///< a letter
+    bool operator==(const HandLabel&) const = default;
+};
+
 /// A bone: a straight line between two joints.
 struct SkeletonLine {
     QPointF fromPx;

@@ -85,6 +85,17 @@ widgets::CameraView& ScriptSteps::cameraView(const QJsonObject& step) const {
     return *view;
 }
 
+/// The views show the hands when a sequence opens; a script that means another part of the picture gets the whole one.
+void ScriptSteps::bringIntoSight(const QJsonObject& step, const char* field) const {
+    widgets::CameraView& view = cameraView(step);
+    const QPointF px = pointField(step, field);
+    const bool isInSight = QRectF(view.viewport()->rect()).contains(view.imageToViewport(px));
+    if (isInSight || view.home().isEmpty() || !core::isInside(view.camera().size, {px.x(), px.y()}))
+        return;
+    view.setHome({});
+    view.fitImage();
+}
+
 QString ScriptSteps::outPath(const QJsonObject& step) const {
     return m_out.absoluteFilePath(textField(step, "path"));
 }
@@ -122,23 +133,27 @@ QJsonObject ScriptSteps::select(const QJsonObject& step) {
 }
 
 QJsonObject ScriptSteps::click(const QJsonObject& step) {
+    bringIntoSight(step, "px");
     m_input.click(cameraView(step), pointField(step, "px"), buttonField(step), modifiersField(step));
     return {};
 }
 
 QJsonObject ScriptSteps::doubleClick(const QJsonObject& step) {
+    bringIntoSight(step, "px");
     m_input.doubleClick(cameraView(step), pointField(step, "px"));
     return {};
 }
 
 QJsonObject ScriptSteps::drag(const QJsonObject& step) {
     constexpr int kMoves = 12;
+    bringIntoSight(step, "from");
     m_input.drag(cameraView(step), pointField(step, "from"), pointField(step, "to"), buttonField(step), modifiersField(step),
                  std::clamp(intField(step, "moves", kMoves), 1, 10000));
     return {};
 }
 
 QJsonObject ScriptSteps::wheel(const QJsonObject& step) {
+    bringIntoSight(step, "px");
     m_input.wheel(cameraView(step), pointField(step, "px"), std::clamp(intField(step, "steps"), -1000, 1000));
     return {};
 }

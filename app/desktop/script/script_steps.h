@@ -39,6 +39,7 @@ private:
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();
     widgets::CameraView& cameraView(const QJsonObject& step) const;
+    void bringIntoSight(const QJsonObject& step, const char* field) const;
     QString outPath(const QJsonObject& step) const;
     void settle();
 

@@ -64,6 +64,20 @@ TEST_F(JointsPanelTest, NotesBelongToTheirFrameAndAreNeverLost) {
     EXPECT_EQ(bench.document.annotations().notes.count(13), 0u);
 }
 
+TEST_F(JointsPanelTest, NamesCanBeReadInANarrowWindow) {
+    bench.joints.setChoice(widgets::JointChoice::TwentyOne, *bench.session.dataset());
+    widgets::JointsPanel panel(bench.joints, bench.document, bench.reconstructions, bench.selection);
+    for (const int width : {200, 240, 290, 420}) {
+        panel.resize(width, 600);
+        panel.show();
+        QApplication::processEvents();
+        const QTableView& table = *panel.table();
+        EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint), static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint)) << width;
+        EXPECT_FALSE(table.isColumnHidden(widgets::JointTableModel::ErrorPx));
+        EXPECT_EQ(table.isColumnHidden(widgets::JointTableModel::State), width <= 240) << width;
+    }
+}
+
 TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
     widgets::StatusLine line(bench.document, bench.reconstructions, bench.selection);
     line.resize(900, 24);

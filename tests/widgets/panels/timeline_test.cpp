@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/timeline.h"
 
+#include <set>
+
+#include <QLabel>
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/pointer.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/panels/timeline_legend.h"
 
 namespace {
 
@@ -59,6 +63,27 @@ TEST_F(TimelineTest, APressGoesToItsFrame) {
     ASSERT_EQ(asked.count(), 2);
     EXPECT_EQ(asked[0][0].toInt(), 42);
     EXPECT_EQ(asked[1][0].toInt(), 99);
+}
+
+TEST_F(TimelineTest, TheLegendExplainsTheColoursThatArePainted) {
+    std::set<QRgb> explained;
+    for (const widgets::TimelineMeaning& meaning : widgets::timelineMeanings(timeline.palette())) {
+        EXPECT_FALSE(meaning.text.isEmpty());
+        EXPECT_TRUE(explained.insert(meaning.colour.rgb()).second) << "two meanings of one colour";
+    }
+    widgets::FrameCoverage frames;
+    frames[20][core::Side::Left].done = 14;
+    frames[30][core::Side::Left].partial = 14;
+    frames[40][core::Side::Left].bad = frames[40][core::Side::Left].partial = 1;
+    frames[50][core::Side::Left].occluded = frames[50][core::Side::Left].done = 14;
+    timeline.setCoverage(frames, 14, 14);
+    for (const QColor& painted : {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour})
+        EXPECT_TRUE(explained.count(painted.rgb()));
+    const QString tip = timeline.toolTipOf(20);
+    EXPECT_TRUE(tip.contains(QStringLiteral("Frame 20")));
+    EXPECT_TRUE(tip.contains(widgets::kBadColour.name())) << "the tool tip holds the legend";
+    widgets::TimelineLegend legend;
+    EXPECT_GE(legend.findChildren<QLabel*>().size(), 2 * static_cast<int>(explained.size()));
 }
 
 } // namespace

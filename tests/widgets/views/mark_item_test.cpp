@@ -128,6 +128,39 @@ TEST_F(MarkItemTest, MeasuresElevenPixelsWithItsOutlineAtEveryZoom) {
     EXPECT_EQ(at(image, 7.5, 0.5), kSkin);
 }
 
+TEST_F(MarkItemTest, EveryKindKeepsItsSizeAtEveryZoom) {
+    for (const MarkOrigin origin : {MarkOrigin::Manual, MarkOrigin::Auto, MarkOrigin::Proposed}) {
+        for (const bool selected : {false, true}) {
+            ViewMark m = mark(core::Side::Right);
+            m.origin = origin;
+            m.selected = selected;
+            look(1);
+            const int atOne = changed(draw(m));
+            for (const double scale : {0.06, 0.25, 3.0, 64.0}) {
+                look(scale);
+                EXPECT_NEAR(changed(draw(m)), atOne, selected ? 0.1 * atOne : 0) << scale;
+            }
+        }
+    }
+}
+
+TEST_F(MarkItemTest, AHandsLetterKeepsItsSizeAndPlace) {
+    for (const double scale : {0.2, 1.0, 20.0}) {
+        look(scale);
+        view.setHandLabels({{core::Side::Left, {500, 700}, {0, 24}, QStringLiteral("L")}});
+        centre = view.imageToViewport({500, 700});
+        const QImage image = view.viewport()->grab().toImage();
+        EXPECT_NE(at(image, 7.5, 24.5), kSkin) << scale;
+        EXPECT_EQ(at(image, 0.5, 12.5), kSkin) << "off the hand";
+        EXPECT_EQ(at(image, 8.5, 32.5), kSkin) << "round for the left hand";
+        view.setHandLabels({{core::Side::Right, {500, 700}, {0, 24}, QStringLiteral("R")}});
+        EXPECT_NE(at(view.viewport()->grab().toImage(), 8.5, 32.5), kSkin) << "square for the right one";
+        view.setOverlaysHidden(true);
+        EXPECT_EQ(at(view.viewport()->grab().toImage(), 8.5, 32.5), kSkin);
+        view.setOverlaysHidden(false);
+    }
+}
+
 TEST_F(MarkItemTest, ClickedAcceptedAndProposedDiffer) {
     const QColor colour = fingerColour("index_mcp");
     ViewMark m = mark();

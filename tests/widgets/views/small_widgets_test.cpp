@@ -36,6 +36,23 @@ TEST(ViewTitleBar, WarnsInColour) {
     EXPECT_TRUE(bar.toolTip().contains(QStringLiteral("14.2 px")));
 }
 
+TEST(ViewTitleBar, HasAChipOfItsCamerasColourAndSaysWhereToClickNext) {
+    ViewTitleBar bar;
+    bar.resize(200, bar.sizeHint().height());
+    ViewTitle title{"cam7", {}, {}, false};
+    title.colour = QColor(10, 200, 90);
+    bar.setTitle(title);
+    EXPECT_EQ(bar.grab().toImage().pixelColor(10, bar.height() / 2), title.colour);
+    EXPECT_EQ(bar.grab().toImage().pixelColor(100, 1), bar.palette().color(QPalette::Window));
+    title.next = QStringLiteral("click here next");
+    bar.setTitle(title);
+    EXPECT_EQ(bar.grab().toImage().pixelColor(100, 1), bar.palette().color(QPalette::Highlight));
+    EXPECT_TRUE(bar.toolTip().contains(title.next));
+    title.warning = true;
+    bar.setTitle(title);
+    EXPECT_NE(bar.grab().toImage().pixelColor(100, 1), bar.palette().color(QPalette::Highlight)) << "a warning comes first";
+}
+
 TEST(ViewTitleBar, LongTextsAreElidedNotOverlaid) {
     ViewTitleBar bar;
     bar.resize(60, bar.sizeHint().height());
