@@ -13,6 +13,7 @@ packages=(
   nlohmann-json3-dev libvalijson-dev libtomlplusplus-dev libmatio-dev libcli11-dev libsqlitecpp-dev libsqlite3-dev
   qtbase5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools libvtk9-dev libvtk9-qt-dev
   qttranslations5-l10n breeze-icon-theme gnuplot-nox xvfb
+  clang-format clang-tidy desktop-file-utils dpkg-dev
   googletest libgtest-dev libgmock-dev libbenchmark-dev libceres-dev ffmpeg
 )
 

@@ -1,18 +1,18 @@
 # One interface target holds the warnings and the code generation that every part of the project shares.
-add_library(handlens_compiler INTERFACE)
-target_compile_options(handlens_compiler INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
+include(cmake/processor.cmake)
+
+set(HANDLENS_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Woverloaded-virtual)
 # GCC 12 sees loads past the end in Eigen's vectorised code paths that are never taken, and overlaps and overflows in joined strings.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(handlens_compiler INTERFACE -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow
+  list(APPEND HANDLENS_WARNINGS -Wno-array-bounds -Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow
     -Wno-stringop-overread -Wno-error=invalid-pch)
 endif()
 if(HANDLENS_WARNINGS_AS_ERRORS)
-  target_compile_options(handlens_compiler INTERFACE -Werror)
+  list(APPEND HANDLENS_WARNINGS -Werror)
 endif()
-if(HANDLENS_CPU)
-  target_compile_options(handlens_compiler INTERFACE -march=${HANDLENS_CPU})
-endif()
+
+add_library(handlens_compiler INTERFACE)
+target_compile_options(handlens_compiler INTERFACE ${HANDLENS_WARNINGS} ${HANDLENS_MARCH})
 # Eigen's alignment stays that of the system's libraries, whatever the processor.
 target_compile_definitions(handlens_compiler INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 if(HANDLENS_SANITIZE)

@@ -121,8 +121,7 @@ void benchmark(const BenchmarkArguments& arguments) {
     core::writeBenchmarkTables(arguments.out, folder);
     std::printf("%s", core::markdownTable(core::resultTable(folder.results, options.setup)).c_str());
     if (folder.results.stopped) {
-        throw core::Error(core::ErrorCode::Io, arguments.out, "",
-                          "stopped; what is finished is kept, and the same command goes on from there");
+        throw Interrupted(arguments.out + ": stopped; what is finished is kept, and the same command continues from there");
     }
 }
 

@@ -19,7 +19,7 @@ struct ExportArguments {
     double sigmaPx = 1;
 };
 
-std::string kindList() {
+std::string exportKinds() {
     std::string kinds;
     for (const core::AnnotationFormat& format : core::annotationFormats()) {
         kinds += (kinds.empty() ? "" : ", ") + std::string(format.kind);
@@ -57,7 +57,7 @@ void addExportVerb(CLI::App& program) {
     CLI::App* verb = program.add_subcommand("export", "Write the annotations of a sequence for other programs");
     verb->add_option("dataset", arguments->dataset, "Dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
-    verb->add_option("--to", arguments->kind, "Kind: " + kindList())->required();
+    verb->add_option("--to", arguments->kind, "Kind: " + exportKinds())->required();
     verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
     verb->add_option("--rater", arguments->rater, "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
     verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")

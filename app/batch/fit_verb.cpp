@@ -90,6 +90,9 @@ void fit(const FitArguments& arguments) {
     }
     const core::PoseEstimator estimator(dataset.hands, dataset.cameras);
     const core::FitResult result = estimator.fit(masks, start, method, interruptToken(), {}, arguments.threads);
+    if (result.termination == core::FitTermination::Stopped) {
+        throw Interrupted(arguments.out + ": stopped; nothing was written");
+    }
     const double initialErrorMm = core::meanJointDistanceMm(dataset.hands, start, truth);
     const double errorMm = core::meanJointDistanceMm(dataset.hands, result.poses, truth);
     core::writeJsonFile(arguments.out, {{"method", core::methodName(method)},

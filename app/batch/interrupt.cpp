@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/batch/interrupt.h"
 
+#include <atomic>
 #include <csignal>
 #include <pthread.h>
 #include <thread>
@@ -14,6 +15,8 @@ std::stop_source& stopSource() {
     static std::stop_source source;
     return source;
 }
+
+std::atomic<int> firstSignal = 0;
 
 sigset_t endingSignals() {
     sigset_t signals;
@@ -32,6 +35,7 @@ void watchForInterrupts() {
     std::thread([signals] {
         int signal = 0;
         sigwait(&signals, &signal);
+        firstSignal = signal;
         stopSource().request_stop();
         sigwait(&signals, &signal);
         _exit(128 + signal);
@@ -39,5 +43,7 @@ void watchForInterrupts() {
 }
 
 std::stop_token interruptToken() { return stopSource().get_token(); }
+
+int interruptStatus() { return firstSignal == 0 ? 0 : 128 + firstSignal; }
 
 } // namespace app

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
         program.require_subcommand(1);
         addVerbs(program);
         if (argc > 1 && argv[1][0] != '-' && !isVerb(program, argv[1])) {
-            return fail("\"" + std::string(argv[1]) + "\" is no verb (see --help)", kBadUsage);
+            return fail("\"" + std::string(argv[1]) + "\": unknown command (see --help)", kBadUsage);
         }
         try {
             program.parse(argc, argv);
@@ -68,9 +68,11 @@ int main(int argc, char** argv) {
             return fail(std::string(error.what()) + " (see --help)", kBadUsage);
         }
         return 0;
+    } catch (const app::Interrupted& interrupted) {
+        return fail(interrupted.what(), app::interruptStatus());
     } catch (const core::Error& error) {
         const int status = error.code() == core::ErrorCode::Usage ? kBadUsage : kFailure;
-        return fail(error.what(), app::interruptToken().stop_requested() ? kFailure : status);
+        return fail(error.what(), app::interruptStatus() != 0 ? app::interruptStatus() : status);
     } catch (const std::bad_alloc&) {
         return fail("out of memory", kFailure);
     } catch (const std::exception& error) {

@@ -46,8 +46,7 @@ void Progress::printLine(int done, int total) {
     }
     m_lastTenth = tenth;
     m_lastShown = now;
-    std::printf("%s: %d of %d%s\n", m_label.c_str(), done, total, timeLeft(done, total).c_str());
-    std::fflush(stdout);
+    std::fprintf(stderr, "%s: %d of %d%s\n", m_label.c_str(), done, total, timeLeft(done, total).c_str());
 }
 
 std::string Progress::timeLeft(int done, int total) const {

@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// Shows how far long work is: a bar that redraws itself on a terminal (standard error), else a plain line on standard output
-/// at every tenth of the work and at most once a second.
+/// Shows on standard error how far long work is: a bar that redraws itself on a terminal, else a plain line at every tenth of
+/// the work and at most once a second. Standard output holds results only.
 class Progress {
 public:
     explicit Progress(std::string label);

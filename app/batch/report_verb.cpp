@@ -7,7 +7,6 @@
 #include "app/batch/interrupt.h"
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
-#include "core/error.h"
 #include "core/io/annotation_report.h"
 #include "core/io/dataset_paths.h"
 
@@ -33,7 +32,7 @@ void report(const ReportArguments& arguments) {
         isWritten = core::writeAnnotationReport(dataset, out, options, interruptToken(), [&](int done, int total) { progress.show(done, total); });
     }
     if (!isWritten) {
-        throw core::Error(core::ErrorCode::Usage, out.string(), "", "stopped before it was written");
+        throw Interrupted(out.string() + ": stopped; nothing was written");
     }
     std::printf("%s\n", out.string().c_str());
 }

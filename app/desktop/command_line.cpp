@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/command_line.h"
 
+#include <filesystem>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
 
 namespace app {
 
+namespace {
+
+/// A file manager passes the file of a dataset that was double-clicked; the dataset is its folder.
+std::string datasetFolder(const std::string& path) {
+    const std::filesystem::path file(path);
+    return file.filename() == "dataset.json" && std::filesystem::is_regular_file(file) ? std::filesystem::absolute(file).parent_path().string()
+                                                                                      : path;
+}
+
+} // namespace
+
 ParsedCommandLine parseCommandLine(int argc, char** argv) {
     CommandLine line;
     CLI::App parser("Make and inspect 3D hand ground truth in calibrated multi-camera footage.", "handlens");
-    parser.add_option("dataset", line.dataset, "Dataset folder to open");
+    parser.add_option("dataset", line.dataset, "Dataset to open: its folder, or its dataset.json");
     parser.add_option("--sequence", line.sequence, "Sequence to open (default: the first one)");
     parser.add_option("--frame", line.frame, "Frame to show, from 0")->check(CLI::NonNegativeNumber);
     parser.add_option("--language", line.language, "Language of the window: en, de, ... (default: the system's)");
@@ -30,6 +42,7 @@ ParsedCommandLine parseCommandLine(int argc, char** argv) {
         std::cerr << "handlens: " << error.what() << '\n';
         return {std::nullopt, 2};
     }
+    line.dataset = datasetFolder(line.dataset);
     return {line, 0};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,8 @@ struct Ended {
 
 /// Runs handlens-batch with these arguments to its end.
 Ended runBatch(const std::vector<std::string>& arguments);
+
+/// Runs it, sends it `signal` as soon as `file` holds something, and waits for its end.
+Ended runBatchUntil(const std::vector<std::string>& arguments, const std::filesystem::path& file, int signal);
 
 } // namespace test

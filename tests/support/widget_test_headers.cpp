@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// Built with the precompiled headers that the test programs of the window share.
