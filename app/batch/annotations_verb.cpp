@@ -5,11 +5,12 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verbs.h"
-#include "core/annotation/edits.h"
+#include "core/annotation/import_edit.h"
 #include "core/error.h"
 #include "core/io/annotation_formats.h"
 #include "core/io/annotation_store.h"
 #include "core/io/dataset_annotations.h"
+#include "core/io/login_name.h"
 
 namespace app {
 
@@ -19,6 +20,15 @@ struct AnnotationsArguments {
     std::string dataset, sequence, kind, file, camera;
     core::AnnotationImportOptions options;
     std::string map;
+    double minLikelihood = 0;
+    bool replace = false, keep = false, add = false;
+
+    std::optional<core::ImportMode> mode() const {
+        return replace ? std::optional(core::ImportMode::Replace)
+               : keep  ? std::optional(core::ImportMode::Keep)
+               : add   ? std::optional(core::ImportMode::Add)
+                       : std::nullopt;
+    }
 };
 
 /// Mean distance between imported marks and what their own points reproject to: a wrong convention shows here at once.
@@ -45,27 +55,63 @@ void printCheck(const core::Dataset& dataset, const core::AnnotationSet& set) {
     }
 }
 
-void importFile(const AnnotationsArguments& arguments) {
+/// Refuses a file from which nothing would be taken.
+void requireSomething(const AnnotationsArguments& arguments, const core::ImportedAnnotations& imported) {
+    if (!imported.set.marks.empty() || !imported.set.notes.empty()) {
+        return;
+    }
+    if (!imported.otherVideos.empty()) {
+        std::string names;
+        for (const std::string& video : imported.otherVideos) {
+            names += (names.empty() ? "" : ", ") + video;
+        }
+        throw core::Error(core::ErrorCode::BadInput, arguments.file, "",
+                          "has labels of " + names + ", but none of sequence " + arguments.sequence + ": if they belong there, say --video " +
+                              imported.otherVideos.front());
+    }
+    if (!imported.warnings.empty()) {
+        throw core::Error(core::ErrorCode::BadInput, arguments.file, "", "has nothing that fits the sequence: " + imported.warnings.front());
+    }
+}
+
+core::ImportMode requiredMode(const AnnotationsArguments& arguments, const core::ImportConflicts& conflicts) {
+    if (!conflicts.empty() && !arguments.mode()) {
+        throw core::Error(core::ErrorCode::BadInput, arguments.file, "",
+                          "would replace " + core::conflictText(conflicts) + ": choose --replace or --keep (or another --rater); nothing was imported");
+    }
+    return arguments.mode().value_or(core::ImportMode::Replace);
+}
+
+void printResult(const core::ImportedAnnotations& imported, const core::Edit& edit, const core::ImportConflicts& conflicts, core::ImportMode mode) {
+    for (const std::string& warning : imported.warnings) {
+        std::printf("note: %s\n", warning.c_str());
+    }
+    if (!conflicts.empty()) {
+        std::printf("note: %s: %s\n", mode == core::ImportMode::Replace ? "replaced" : "kept", core::conflictText(conflicts).c_str());
+    }
+    std::printf("%zu marks read, %zu changed\n", imported.set.marks.size(), edit.marks.size());
+    if (!imported.set.notes.empty()) {
+        std::printf("%zu notes read, %zu changed\n", imported.set.notes.size(), edit.notes.size());
+    }
+}
+
+void importFile(const AnnotationsArguments& arguments, core::AnnotationImportOptions options) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const core::Sequence& sequence = dataset.sequence(arguments.sequence);
-    core::AnnotationImportOptions options = arguments.options;
     options.jointMap = arguments.map;
     options.camera = arguments.camera;
     const core::ImportedAnnotations imported = core::importAnnotations(dataset, sequence, arguments.kind, arguments.file, options);
-    if (imported.set.marks.empty() && !imported.warnings.empty()) {
-        throw core::Error(core::ErrorCode::BadInput, arguments.file, "", "holds nothing that fits the sequence: " + imported.warnings.front());
-    }
+    requireSomething(arguments, imported);
+    const core::ImportConflicts conflicts = core::importConflicts(core::readAnnotations(dataset, sequence), imported.set);
+    const core::ImportMode mode = requiredMode(arguments, conflicts);
     auto store = core::AnnotationStore::open(core::annotationFile(dataset, sequence));
     if (store.isReadOnly()) {
         throw core::Error(core::ErrorCode::Io, store.file().string(), "", "is read-only: " + store.readOnlyReason());
     }
     const std::string name = std::filesystem::path(arguments.file).filename().string();
-    const core::Edit edit = core::importEdit(store.annotations(), imported.set, "import " + name);
+    const core::Edit edit = core::importEdit(store.annotations(), imported.set, "import " + name, mode);
     store.commit(edit, options.rater);
-    for (const std::string& warning : imported.warnings) {
-        std::printf("%s\n", warning.c_str());
-    }
-    std::printf("%zu marks read, %zu changed\n", imported.set.marks.size(), edit.marks.size());
+    printResult(imported, edit, conflicts, mode);
     printCheck(dataset, imported.set);
 }
 
@@ -79,19 +125,41 @@ std::string kindList() {
     return kinds;
 }
 
+/// What happens to joints that the same rater has marked already.
+void addModeOptions(CLI::App& verb, AnnotationsArguments& arguments) {
+    CLI::Option* replace = verb.add_flag("--replace", arguments.replace, "Joints that the same rater has marked otherwise are replaced as a whole, notes too");
+    CLI::Option* keep = verb.add_flag("--keep", arguments.keep, "Joints that the same rater has marked otherwise stay as they are, notes too");
+    CLI::Option* add = verb.add_flag("--add", arguments.add, "Only views that the rater has not marked get marks: for one file per view after another");
+    replace->excludes(keep)->excludes(add);
+    keep->excludes(add);
+}
+
 } // namespace
 
 void addAnnotationsVerb(CLI::App& program) {
     auto arguments = std::make_shared<AnnotationsArguments>();
+    arguments->options.rater = core::loginName();
     CLI::App* verb = program.add_subcommand("annotations", "Import annotations of another program into a sequence, as one step of its history");
     verb->add_option("dataset", arguments->dataset, "Dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--from", arguments->kind, "Kind: " + kindList())->required();
     verb->add_option("file", arguments->file, "The file (or folder) to read")->required();
     verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
-    verb->add_option("--rater", arguments->options.rater, "Whose marks they are, for kinds that do not say")->capture_default_str();
+    CLI::Option* rater = verb->add_option("--rater", arguments->options.rater, "Whose marks they are (default: as the file says, else your login name)")
+                             ->check([](const std::string& name) { return name.empty() ? std::string("must not be empty") : std::string(); });
     verb->add_option("--camera", arguments->camera, "Which camera they are for, for kinds with one view per file");
-    verb->callback([arguments] { importFile(*arguments); });
+    verb->add_option("--video", arguments->options.videos, "Take the labels of this video (or sequence) though it is called otherwise; may be repeated")
+        ->allow_extra_args(false);
+    CLI::Option* least = verb->add_option("--min-likelihood", arguments->minLikelihood, "Leave out guesses of a program that are less likely");
+    addModeOptions(*verb, *arguments);
+    verb->callback([arguments, rater, least] {
+        core::AnnotationImportOptions options = arguments->options;
+        options.raterForAll = rater->count() > 0;
+        if (least->count() > 0) {
+            options.minLikelihood = arguments->minLikelihood;
+        }
+        importFile(*arguments, options);
+    });
 }
 
 } // namespace app

@@ -64,6 +64,7 @@ const std::vector<ActionRow> kRows = {
     {"view.skeleton", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "S&keleton"), "K", "", "", kCheck, true},
     {"view.guides", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "&Epipolar guides"), "J", "", QT_TRANSLATE_NOOP("app::ActionTable", "Lines on which the selected joint must lie, as the other views say"), kCheck},
     {"view.proposals", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "P&re-placed marks"), "Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "Marks that wait to be accepted"), kCheck},
+    {"view.otherRaters", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Other people's marks"), "Ctrl+Shift+U", "", QT_TRANSLATE_NOOP("app::ActionTable", "What others have marked in this sequence, muted; it cannot be changed here"), kCheck},
     {"view.labels", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Joint &names"), "L", "", "", kCheck},
     {"view.handLabels", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Which hand is &left and which right"), "Ctrl+Shift+L", "", QT_TRANSLATE_NOOP("app::ActionTable", "L and R beside the hands, where they are known"), kCheck},
     {"view.leftMarks", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "L&eft hand"), "Shift+F5", "", QT_TRANSLATE_NOOP("app::ActionTable", "Marks and mesh of the left hand"), kCheck, true},

@@ -23,9 +23,11 @@
 #include "app/desktop/new_dataset_window.h"
 #include "app/desktop/number_keys.h"
 #include "app/desktop/panel_actions.h"
+#include "app/desktop/people_actions.h"
 #include "app/desktop/preferences_window.h"
 #include "app/desktop/resources.h"
 #include "app/desktop/window_actions.h"
+#include "core/io/login_name.h"
 
 namespace app {
 
@@ -83,7 +85,8 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
-    m_workbench.document.setRater(rater.toStdString());
+    m_workbench.document.setRater(rater.isEmpty() ? core::loginName() : rater.toStdString());
+    bindPeopleActions(*this, options.hints && options.rater.empty());
     restoreLayout();
     refreshTitle();
 }
@@ -219,9 +222,12 @@ void MainWindow::connectDocument() {
             m_workbench.joints.setNames(names, *m_workbench.session.dataset());
     });
     connect(&files, &widgets::AnnotationFiles::imported, this,
-            [this](const QString& path, int marks, const QString& warnings) {
-                m_statusLine->sayBriefly(
-                    tr("%n mark(s) imported from %1", nullptr, marks).arg(QFileInfo(path).fileName()));
+            [this](const QString& path, int marks, int notes, const QString& warnings) {
+                const QString file = QFileInfo(path).fileName();
+                QString text = tr("%n mark(s) imported from %1", nullptr, marks).arg(file);
+                if (notes > 0)
+                    text += QStringLiteral(", ") + tr("%n note(s)", nullptr, notes);
+                m_statusLine->sayBriefly(marks + notes > 0 ? text : tr("Nothing was changed: %1 holds nothing that is not there already.").arg(file));
                 if (!warnings.isEmpty())
                     showMessage(warnings);
             });

@@ -23,8 +23,8 @@ namespace app {
 
 /// What the window is told when it is made.
 struct WindowOptions {
-    std::string rater; ///< empty: the one of the settings
-    bool hints = true; ///< whether hints may be shown, and questions asked before something surprising is done
+    std::string rater; ///< empty: the one of the settings, else the login name
+    bool hints = true; ///< whether hints may be shown, the person asked for the name, and questions asked before something surprising is done
 };
 
 /// The window: it builds the parts and wires them; all that it shows and does is theirs.

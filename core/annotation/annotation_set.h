@@ -56,6 +56,8 @@ struct Mark {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     Placement placement = Placement::Manual;
     MarkState state = MarkState::Visible;
+    /// How sure the program that guessed it was, usually 0..1; nothing for what a person placed or accepted.
+    std::optional<double> likelihood = std::nullopt;
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }

@@ -56,6 +56,7 @@ AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCou
     AnnotationSummary summary;
     summary.sequence = sequence;
     summary.frameCount = frameCount;
+    summary.proposals = static_cast<int>(std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); }));
     std::map<JointId, JointSummary> joints;
     std::map<std::string, SequencePoints> points;
     for (const std::string& rater : ratersOf(set)) {

@@ -46,6 +46,8 @@ struct AnnotationSummary {
     std::vector<double> sigmaMm;             ///< parallel to it
     std::vector<RaterComparison> agreement;  ///< of every pair of raters that share something
 
+    int proposals = 0;                       ///< marks that nobody has looked at yet
+
     bool empty() const { return raters.empty(); }
 };
 

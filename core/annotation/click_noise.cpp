@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/annotation/reconstruction.h"
+
 namespace core {
 
 namespace {
@@ -20,7 +22,7 @@ std::vector<Clicks> collectClicks(const AnnotationSet& set, const std::vector<Ca
     const MarkKey* before = nullptr;
     for (const auto& [key, mark] : set.marks) {
         const auto camera = cameraIndex.find(key.camera);
-        if (key.rater != rater || !mark.isEvidence() || camera == cameraIndex.end()) {
+        if (key.rater != rater || camera == cameraIndex.end() || !isEvidenceIn(mark, cameras[static_cast<std::size_t>(camera->second)])) {
             continue;
         }
         if (!before || before->frame != key.frame || before->joint != key.joint) {

@@ -234,19 +234,4 @@ Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int fir
     return edit;
 }
 
-Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label) {
-    Edit edit{label, {}, {}};
-    for (const auto& [key, mark] : imported.marks) {
-        const auto before = markAt(set, key);
-        if (!(mark.isProposal() && before && before->isSettled())) {
-            change(edit, set, key, mark);
-        }
-    }
-    for (const auto& [frame, text] : imported.notes) {
-        const Edit note = noteEdit(set, frame, text);
-        edit.notes.insert(edit.notes.end(), note.notes.begin(), note.notes.end());
-    }
-    return edit;
-}
-
 } // namespace core

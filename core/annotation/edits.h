@@ -61,7 +61,4 @@ Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int first
 Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, int lastFrame,
                      const std::optional<std::vector<JointId>>& joints = std::nullopt);
 
-/// Writes all marks and notes of `imported` into the set; marks of the same key are replaced.
-Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label);
-
 } // namespace core

@@ -16,7 +16,8 @@ enum class QualityKind {
     JointAngle,   ///< the hand model would have to bend beyond its limits; value: degrees beyond
     FingerOrder,  ///< knuckles not in order, or two fingers exchanged; value: mm out of order
     HandMixUp,    ///< looks like the other hand; value: mm, or degrees of bending the wrong way
-    SharedPixel   ///< two joints on one pixel; value: px between them
+    SharedPixel,  ///< two joints on one pixel; value: px between them
+    OutsidePicture ///< a mark outside its view's image, which is no evidence; value: px from the image
 };
 
 /// "disagreement", "bone length", "joint angle", ...
@@ -33,9 +34,11 @@ constexpr std::string_view qualityKindName(QualityKind kind) {
     case QualityKind::HandMixUp:
         return "hand mix-up";
     case QualityKind::SharedPixel:
+        return "shared pixel";
+    case QualityKind::OutsidePicture:
         break;
     }
-    return "shared pixel";
+    return "outside the picture";
 }
 
 /// One row of the list of findings: it says where to look.

@@ -75,10 +75,31 @@ bool coverEachOther(const FrameCheck& check, const JointId& a, const JointId& b,
     return pxA && pxB && (*pxA - *pxB).norm() < gate;
 }
 
+/// Marks that lie where no picture is: proposals are none of the rater's.
+void checkOutside(const FrameCheck& check, const std::vector<Camera>& cameras) {
+    for (const auto& [id, joint] : check.joints) {
+        for (std::size_t i = 0; i < joint.views.size(); ++i) {
+            const ViewReconstruction& view = joint.views[i];
+            if (!view.outside || view.mark->isProposal()) {
+                continue;
+            }
+            const Eigen::Vector2d last(cameras[i].size.width - 1.0, cameras[i].size.height - 1.0);
+            const double distance = (view.mark->px - view.mark->px.cwiseMax(0).cwiseMin(last)).norm();
+            check.report(id, QualityKind::OutsidePicture, distance,
+                         jointLabel(id) + ": the mark in " + view.camera + " lies " + number(distance, 0) + " px outside the picture", view.camera);
+        }
+    }
+}
+
+bool isOutsideItsView(const FrameCheck& check, const MarkKey& key) {
+    const std::vector<ViewReconstruction>& views = check.joints.at(key.joint).views;
+    return std::any_of(views.begin(), views.end(), [&](const ViewReconstruction& view) { return view.camera == key.camera && view.outside; });
+}
+
 void checkSharedPixels(const FrameCheck& check) {
     std::map<std::string, std::vector<std::pair<JointId, Eigen::Vector2d>>> byCamera;
     for (const auto& [key, mark] : marksOfFrame(check.set, check.frame, check.rater)) {
-        if (mark.isEvidence()) {
+        if (mark.isEvidence() && !isOutsideItsView(check, key)) {
             byCamera[key.camera].emplace_back(key.joint, mark.px);
         }
     }
@@ -153,6 +174,7 @@ void QualityChecker::check(const AnnotationSet& set, int frame) {
     std::vector<QualityFinding>& findings = m_markFindings[frame];
     const FrameCheck check{set, frame, m_rater, joints, points, m_options, findings};
     checkDisagreement(check);
+    checkOutside(check, m_cameras);
     checkSharedPixels(check);
     for (const HandModel& hand : m_hands) {
         checkAngles(check, hand);

@@ -111,7 +111,7 @@ Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras
     std::vector<Observation> observations;
     for (const auto& [key, mark] : marksOfFrame(set, frame)) {
         const auto camera = std::find_if(cameras.begin(), cameras.end(), [&name = key.camera](const Camera& c) { return c.name == name; });
-        if (key.joint != joint || !mark.isEvidence() || camera == cameras.end()) {
+        if (key.joint != joint || camera == cameras.end() || !isEvidenceIn(mark, *camera)) {
             continue;
         }
         const auto sigma = sigmaPx.find(key.rater);
@@ -152,5 +152,27 @@ constexpr std::string_view kAgain = " (again)";
 
 std::string repeatRaterName(const std::string& rater) { return rater + std::string(kAgain); }
 bool isRepeatRater(const std::string& rater) { return rater.ends_with(kAgain); }
+std::string ownRaterName(const std::string& rater) { return isRepeatRater(rater) ? rater.substr(0, rater.size() - kAgain.size()) : rater; }
+
+std::vector<RaterWork> raterWork(const AnnotationSet& set) {
+    std::map<std::string, RaterWork> work;
+    std::map<std::string, int> lastFrames;
+    for (const auto& [key, mark] : set.marks) { // by frame
+        if (!mark.isSettled()) {
+            continue;
+        }
+        RaterWork& own = work[key.rater];
+        own.rater = key.rater;
+        ++own.marks;
+        const auto [last, isFirst] = lastFrames.emplace(key.rater, key.frame);
+        own.frames += isFirst || last->second != key.frame ? 1 : 0;
+        last->second = key.frame;
+    }
+    std::vector<RaterWork> list;
+    for (const auto& [rater, own] : work) {
+        list.push_back(own);
+    }
+    return list;
+}
 
 } // namespace core

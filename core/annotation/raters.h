@@ -78,5 +78,17 @@ std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vec
 std::string repeatRaterName(const std::string& rater);
 /// True for such a name.
 bool isRepeatRater(const std::string& rater);
+/// The rater's name without the mark of a second round.
+std::string ownRaterName(const std::string& rater);
+
+/// How much one rater has done.
+struct RaterWork {
+    std::string rater;
+    int marks = 0;  ///< settled ones
+    int frames = 0; ///< that hold them
+    bool operator==(const RaterWork&) const = default;
+};
+/// Everybody who has settled a mark, ascending by name; second rounds count for themselves.
+std::vector<RaterWork> raterWork(const AnnotationSet& set);
 
 } // namespace core

@@ -22,6 +22,9 @@ std::string_view statusName(JointStatus status) {
     return "done";
 }
 
+bool isOutside(const Mark& mark, const Camera& camera) { return mark.hasPlace() && !isInside(camera.size, mark.px); }
+bool isEvidenceIn(const Mark& mark, const Camera& camera) { return mark.isEvidence() && !isOutside(mark, camera); }
+
 double sigmaMm(const Eigen::Matrix3d& covariance) { return std::sqrt(covariance.trace()); }
 
 std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::Vector3d& pointInWorld,
@@ -52,7 +55,7 @@ Evidence collect(const std::vector<ViewReconstruction>& views, bool withGuesses)
     Evidence evidence;
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto& mark = views[i].mark;
-        if (mark && (mark->isEvidence() || (withGuesses && mark->hasPlace()))) {
+        if (mark && !views[i].outside && (mark->isEvidence() || (withGuesses && mark->hasPlace()))) {
             evidence.observations.push_back({static_cast<int>(i), mark->px});
             evidence.views.push_back(i);
         }
@@ -72,6 +75,7 @@ std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vec
         });
         if (view != views.end()) {
             view->mark = mark;
+            view->outside = isOutside(mark, cameras[static_cast<std::size_t>(view - views.begin())]);
         }
     }
     return views;
@@ -95,7 +99,7 @@ void countViews(JointReconstruction& joint) {
         joint.countedViews += view.hasPicture;
         if (view.mark) {
             joint.placedViews += view.mark->isPlaced();
-            joint.manualViews += view.mark->isEvidence();
+            joint.manualViews += view.mark->isEvidence() && !view.outside;
         }
     }
     joint.status = !isBegun ? JointStatus::None : isOpen ? JointStatus::Partial : JointStatus::Done;
@@ -178,7 +182,7 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
 }
 
 bool wantsClick(const ViewReconstruction& view) {
-    return view.hasPicture && (!view.mark || (view.mark->hasPlace() && !view.mark->isEvidence()));
+    return view.hasPicture && (!view.mark || view.outside || (view.mark->hasPlace() && !view.mark->isEvidence()));
 }
 
 /// Ranks the views that would see the point by the uncertainty after one more click there.

@@ -34,6 +34,7 @@ struct PixelEllipse {
 struct ViewReconstruction {
     std::string camera;
     std::optional<Mark> mark;                      ///< nothing, or a proposal: not done yet
+    bool outside = false;                          ///< the mark lies outside the image: nobody can have seen it there, so no evidence
     std::optional<Eigen::Vector2d> reprojectionPx; ///< the joint's point in this view, recorded pixels; may lie outside
     bool reprojectionInside = false;               ///< the reprojection lies within the image
     std::optional<double> errorPx;                 ///< manual mark to reprojection
@@ -48,6 +49,11 @@ struct NextView {
     std::string camera;
     double predictedSigmaMm = 0; ///< sigmaMm of the covariance after one more click of sigmaPx there
 };
+
+/// True if the mark has a place and that place lies outside the camera's image.
+bool isOutside(const Mark& mark, const Camera& camera);
+/// A manual mark within the camera's image: what may enter triangulation and residuals.
+bool isEvidenceIn(const Mark& mark, const Camera& camera);
 
 /// One joint of one frame from the marks of one rater.
 struct JointReconstruction {

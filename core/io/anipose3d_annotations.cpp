@@ -155,7 +155,8 @@ void readAnipose3d(ImportJob& job) {
         const TableFrame tableFrame(row, columns, file);
         for (const auto& [name, joint] : joints) {
             if (const auto point = row.point(name + "_x", name + "_y", name + "_z")) {
-                addPoint(job, static_cast<int>(*frame), joint, tableFrame.toWorld(*point));
+                const auto score = columns.contains(name + "_score") ? row.value(name + "_score") : std::nullopt;
+                addPoint(job, static_cast<int>(*frame), joint, tableFrame.toWorld(*point), score);
             }
         }
     }

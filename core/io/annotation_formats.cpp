@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
+#include "core/annotation/raters.h"
 #include "core/error.h"
 #include "core/io/annotation_jobs.h"
 #include "core/io/ground_truth_file.h"
@@ -78,6 +80,39 @@ std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, cons
     return most == marks.end() || most->second == 0 ? std::string() : most->first;
 }
 
+/// All marks under one name; second rounds stay second rounds. Two people's marks must not meet in one joint.
+AnnotationSet withRater(const AnnotationSet& set, const std::string& rater, const std::string& file) {
+    AnnotationSet renamed;
+    renamed.notes = set.notes;
+    std::map<std::tuple<int, std::string, JointId>, std::string> owners;
+    for (const auto& [key, mark] : set.marks) {
+        MarkKey place = key;
+        place.rater = isRepeatRater(key.rater) ? repeatRaterName(rater) : rater;
+        const auto [owner, isNew] = owners.emplace(std::tuple(key.frame, place.rater, key.joint), key.rater);
+        if (!isNew && owner->second != key.rater) {
+            throw Error(ErrorCode::BadInput, file, "frame " + std::to_string(key.frame) + ", " + jointLabel(key.joint),
+                        "is marked by " + owner->second + " and by " + key.rater + ": they cannot both become " + rater);
+        }
+        renamed.marks.emplace(std::move(place), mark);
+    }
+    return renamed;
+}
+
+/// Marks that lie where no picture is.
+void noteOutside(const Dataset& dataset, ImportedAnnotations& imported) {
+    std::map<std::string, int> outside;
+    for (const auto& [key, mark] : imported.set.marks) {
+        const int camera = dataset.cameraIndex(key.camera);
+        outside[key.camera] += camera >= 0 && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)]) ? 1 : 0;
+    }
+    for (const auto& [camera, count] : outside) {
+        if (count > 0) {
+            imported.warnings.push_back(std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") + " outside the picture of " + camera +
+                                        ": kept, but not used for 3D points");
+        }
+    }
+}
+
 } // namespace
 
 const std::vector<AnnotationFormat>& annotationFormats() {
@@ -118,15 +153,21 @@ ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& se
     if (!handler.format.canImport) {
         throw Error(ErrorCode::Unsupported, "", std::string(kind), "can be written, not read");
     }
-    if (!handler.read) {
-        return readGroundTruth(path, dataset, sequence);
-    }
-    const JointMap map = mapFor(handler, options.jointMap);
-    ImportNotes notes(dataset, sequence);
     ImportedAnnotations imported;
-    ImportJob job{dataset, sequence, options, map, path, notes, imported.set};
-    handler.read(job);
-    imported.warnings = notes.warnings();
+    if (!handler.read) {
+        imported = readGroundTruth(path, dataset, sequence);
+    } else {
+        const JointMap map = mapFor(handler, options.jointMap);
+        ImportNotes notes(dataset, sequence);
+        ImportJob job{dataset, sequence, options, map, path, notes, imported.set};
+        handler.read(job);
+        imported.warnings = notes.warnings();
+        imported.otherVideos = notes.otherVideos();
+    }
+    if (handler.format.namesRaters && options.raterForAll) {
+        imported.set = withRater(imported.set, options.rater, path.string());
+    }
+    noteOutside(dataset, imported);
     return imported;
 }
 

@@ -40,12 +40,18 @@ struct AnnotationImportOptions {
     std::string rater = "import";   ///< for formats that name no rater
     std::filesystem::path jointMap; ///< JSON that renames joints; empty = the format's own
     std::string camera;             ///< for formats of one view per file, if the file name does not tell
+    bool raterForAll = false;       ///< `rater` gets the marks of those whom the file names, too
+    std::optional<double> minLikelihood; ///< guesses below it are left out
+    std::vector<std::string> videos;     ///< only labels of pictures of these videos, whatever the sequence is called; empty: those of the sequence
 };
 struct ImportedAnnotations {
     AnnotationSet set;
-    std::vector<std::string> warnings; ///< what was left out, for people
+    std::vector<std::string> warnings; ///< what was left out, and what is odd; for people
+    std::vector<std::string> otherVideos; ///< whose labels were left out because they are not this sequence's
 };
-/// Reads annotations of another program. Cameras are matched by name. Throws Error(BadInput) naming file and field.
+/// Reads annotations of another program. Cameras are matched by name. What a program guessed (it says how likely it is) comes as
+/// proposals, what a person labelled as manual marks. Throws Error(BadInput) naming file and field; also if two raters of the file
+/// would become one and have marked the same joint.
 ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& sequence, std::string_view kind,
                                       const std::filesystem::path& path, const AnnotationImportOptions& options = {});
 

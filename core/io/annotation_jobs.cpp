@@ -7,6 +7,7 @@
 
 #include "core/annotation/edits.h"
 #include "core/error.h"
+#include "core/numeric/number_text.h"
 
 namespace core {
 
@@ -16,6 +17,8 @@ std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& j
     const auto mark = markAt(job.set, {frame, job.rater, joint, camera});
     return mark && mark->isPlaced() ? mark : std::nullopt;
 }
+
+bool isSeen(const Mark& mark, const Camera& camera) { return mark.state == MarkState::Visible && !isOutside(mark, camera); }
 
 std::vector<JointId> markedJoints(const ExportJob& job) {
     std::set<JointId> joints;
@@ -33,18 +36,36 @@ std::map<JointId, JointReconstruction> pointsOf(const ExportJob& job, int frame)
     return joints;
 }
 
+namespace {
+
+/// False, and it is counted, for a guess below the least likelihood that is wanted.
+bool isLikelyEnough(ImportJob& job, const std::optional<double>& likelihood) {
+    const auto& least = job.options.minLikelihood;
+    if (!least || !likelihood || *likelihood >= *least) {
+        return true;
+    }
+    job.notes.leaveOut("marks with a likelihood below " + exactText(*least));
+    return false;
+}
+
+} // namespace
+
 void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark,
              const std::string& rater) {
     const MarkKey key{frame, rater.empty() ? job.options.rater : rater, joint, camera};
-    if (job.notes.accepts(key) && !job.set.marks.emplace(key, mark).second) {
+    if (job.notes.accepts(key) && isLikelyEnough(job, mark.likelihood) && !job.set.marks.emplace(key, mark).second) {
         throw Error(ErrorCode::BadInput, job.path.string(), "frame " + std::to_string(frame),
                     jointLabel(joint) + " occurs twice in camera \"" + camera + "\"");
     }
 }
 
-void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld) {
-    if (job.notes.acceptsFrame(frame)) {
-        apply(job.set, proposeEdit(job.set, job.dataset.cameras, frame, job.options.rater, {{joint, pointInWorld}}, "import"));
+void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld, const std::optional<double>& likelihood) {
+    if (job.notes.acceptsFrame(frame) && isLikelyEnough(job, likelihood)) {
+        Edit edit = proposeEdit(job.set, job.dataset.cameras, frame, job.options.rater, {{joint, pointInWorld}}, "import");
+        for (MarkChange& change : edit.marks) {
+            change.after->likelihood = likelihood;
+        }
+        apply(job.set, edit);
     }
 }
 
@@ -83,7 +104,8 @@ bool containsWord(const std::string& text, const std::string& word) {
     return false;
 }
 
-/// The camera that is named in a text; the longest name wins, so that "front_left" is not taken for "left".
+} // namespace
+
 std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& text) {
     std::string found;
     for (const Camera& camera : dataset.cameras) {
@@ -93,8 +115,6 @@ std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& t
     }
     return found.empty() ? std::nullopt : std::optional(found);
 }
-
-} // namespace
 
 std::string cameraOfFile(const ImportJob& job, const fs::path& file) {
     if (!job.options.camera.empty()) {

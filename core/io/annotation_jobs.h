@@ -23,6 +23,8 @@ struct ExportJob {
 
 /// The placed mark of the job's rater, or nothing.
 std::optional<Mark> placedMark(const ExportJob& job, int frame, const JointId& joint, const std::string& camera);
+/// True if the joint can be seen at the mark: not hidden, and within the picture.
+bool isSeen(const Mark& mark, const Camera& camera);
 /// Joints that the rater has marked in any frame, ascending.
 std::vector<JointId> markedJoints(const ExportJob& job);
 /// Joints of a frame with a 3D point.
@@ -40,16 +42,19 @@ struct ImportJob {
 };
 
 /// Adds a mark if frame and camera are known, of the options' rater unless another is named. Throws Error(BadInput) if there is one
-/// already.
+/// already. A guess below the options' likelihood is left out.
 void addMark(ImportJob& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark, const std::string& rater = {});
 /// A 3D point becomes proposed marks in all views that see it: it may be shown and moved, but is no evidence.
-void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld);
+void addPoint(ImportJob& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
+              const std::optional<double>& likelihood = std::nullopt);
 
 /// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.
 std::vector<std::filesystem::path> viewFiles(const std::filesystem::path& path, const std::string& extension);
 /// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a word; else
 /// that of its folder. Throws Error(BadInput) if that does not tell.
 std::string cameraOfFile(const ImportJob& job, const std::filesystem::path& file);
+/// The camera that is named in a text, as a word; the longest name wins, so that "front_left" is not taken for "left".
+std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& text);
 /// The number at the end of a file's stem, such as 41 in img041.png; nothing if there is none.
 std::optional<int> trailingNumber(const std::string& name);
 

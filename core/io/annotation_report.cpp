@@ -52,12 +52,17 @@ std::string limitsCell(const BlandAltman& axis, int values) {
 
 constexpr const char* kTableEnd = "</tbody>\n</table>\n";
 
+/// What stands for the rater where nobody has marked anything.
+std::string nobodyText(const AnnotationSummary& sequence) {
+    return sequence.proposals == 0 ? "nobody yet" : "nobody yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
+}
+
 std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
     std::string text = "<h2>Progress</h2>\n" + tableHead({"sequence", "rater", "frames with marks", "of", "clicks", "accepted", "joints done", "partial",
                                                           "bad", "occluded", "click &sigma;, px"});
     for (const AnnotationSummary& sequence : sequences) {
         if (sequence.empty()) {
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell("nobody yet") + count(0) + count(sequence.frameCount) +
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(nobodyText(sequence)) + count(0) + count(sequence.frameCount) +
                     "<td></td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
         }
         for (const RaterSummary& rater : sequence.raters) {

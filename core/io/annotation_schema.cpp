@@ -20,6 +20,7 @@ CREATE TABLE mark(
   state TEXT NOT NULL CHECK(state IN ('visible', 'occluded', 'unplaceable')),
   author TEXT NOT NULL,
   time TEXT NOT NULL,
+  likelihood REAL,
   PRIMARY KEY(frame, rater, hand, joint, camera)) WITHOUT ROWID;
 CREATE TABLE note(
   frame INTEGER PRIMARY KEY,
@@ -47,6 +48,7 @@ CREATE TABLE mark_change(
   x_after REAL, y_after REAL,
   placement_after TEXT CHECK(placement_after IN ('manual', 'auto', 'proposed')),
   state_after TEXT CHECK(state_after IN ('visible', 'occluded', 'unplaceable')),
+  likelihood_before REAL, likelihood_after REAL,
   PRIMARY KEY(entry, position)) WITHOUT ROWID;
 CREATE TABLE note_change(
   entry INTEGER NOT NULL,
@@ -72,15 +74,38 @@ bool isOlderVersion(SQLite::Database& database) {
     return database.execAndGet("PRAGMA user_version").getInt() < kAnnotationVersion;
 }
 
-// Version 1 knew no proposed marks: only the tables' conditions differ.
-void upgradeAnnotationTables(SQLite::Database& database) {
+namespace {
+
+/// Version 1 knew no proposed marks: only the tables' conditions differ.
+void allowProposals(SQLite::Database& database) {
     database.exec("BEGIN IMMEDIATE");
     database.exec("PRAGMA writable_schema = ON");
     database.exec("UPDATE sqlite_master SET sql = replace(sql, 'IN (''manual'', ''auto'')', 'IN (''manual'', ''auto'', ''proposed'')') "
                   "WHERE type = 'table' AND name IN ('mark', 'mark_change')");
-    database.exec("PRAGMA user_version = " + std::to_string(kAnnotationVersion));
+    database.exec("PRAGMA user_version = 2");
     database.exec("COMMIT");
     database.exec("PRAGMA writable_schema = RESET");
+}
+
+/// Version 2 knew no likelihoods.
+void addLikelihoods(SQLite::Database& database) {
+    database.exec("BEGIN IMMEDIATE");
+    database.exec("ALTER TABLE mark ADD COLUMN likelihood REAL");
+    database.exec("ALTER TABLE mark_change ADD COLUMN likelihood_before REAL");
+    database.exec("ALTER TABLE mark_change ADD COLUMN likelihood_after REAL");
+    database.exec("PRAGMA user_version = 3");
+    database.exec("COMMIT");
+}
+
+} // namespace
+
+void upgradeAnnotationTables(SQLite::Database& database) {
+    if (database.execAndGet("PRAGMA user_version").getInt() < 2) {
+        allowProposals(database);
+    }
+    if (database.execAndGet("PRAGMA user_version").getInt() < 3) {
+        addLikelihoods(database);
+    }
 }
 
 std::vector<std::pair<std::string, std::string>> annotationRowConditions() {

@@ -13,7 +13,7 @@ namespace core {
 
 /// Marks an annotation file in SQLite's header ("HLAN"), and the version of its tables.
 inline constexpr int kAnnotationApplicationId = 0x484C414E;
-inline constexpr int kAnnotationVersion = 2;
+inline constexpr int kAnnotationVersion = 3;
 
 /// Creates all tables in an empty database.
 void createAnnotationTables(SQLite::Database& database);

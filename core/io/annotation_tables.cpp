@@ -18,15 +18,18 @@ void bindKey(SQLite::Statement& statement, int first, const MarkKey& key) {
     statement.bind(first + 4, key.camera);
 }
 
-/// x, y, placement, state; four NULLs for no mark.
+constexpr int kMarkColumns = 5;
+
+/// x, y, placement, state, likelihood; NULLs for no mark.
 void bindMark(SQLite::Statement& statement, int first, const std::optional<Mark>& mark) {
     if (mark) {
         statement.bind(first, mark->px.x());
         statement.bind(first + 1, mark->px.y());
         statement.bind(first + 2, std::string(placementName(mark->placement)));
         statement.bind(first + 3, std::string(stateName(mark->state)));
+        mark->likelihood ? statement.bind(first + 4, *mark->likelihood) : statement.bind(first + 4);
     } else {
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < kMarkColumns; ++i) {
             statement.bind(first + i);
         }
     }
@@ -54,7 +57,7 @@ bool readMark(const RowReader& row, int first, std::optional<Mark>& mark) {
     if (!placement || !state || !px.allFinite()) {
         return false;
     }
-    mark = Mark{px, *placement, *state};
+    mark = Mark{px, *placement, *state, row.isNull(first + 4) ? std::nullopt : std::optional(row.real(first + 4))};
     return true;
 }
 
@@ -77,6 +80,13 @@ struct Run {
 AnnotationTables::AnnotationTables(SQLite::Database& database, std::string fileName)
     : m_database(database), m_fileName(std::move(fileName)) {}
 
+std::string AnnotationTables::likelihoodColumn(const std::string& suffix) {
+    if (!m_hasLikelihoods) {
+        m_hasLikelihoods = m_database.execAndGet("SELECT count(*) FROM pragma_table_info('mark') WHERE name = 'likelihood'").getInt() > 0;
+    }
+    return *m_hasLikelihoods ? "likelihood" + suffix : "NULL";
+}
+
 SQLite::Statement& AnnotationTables::prepared(const char* sql) {
     const auto found = m_statements.find(sql);
     return found != m_statements.end() ? found->second
@@ -89,8 +99,9 @@ void AnnotationTables::refuse(const std::string& field, const std::string& detai
 
 AnnotationSet AnnotationTables::readSet() {
     AnnotationSet set;
-    RowReader marks(m_database.getHandle(), "SELECT frame, rater, hand, joint, camera, x, y, placement, state FROM mark "
-                                            "ORDER BY frame, rater, hand, joint, camera");
+    const std::string select = "SELECT frame, rater, hand, joint, camera, x, y, placement, state, " + likelihoodColumn("") +
+                               " FROM mark ORDER BY frame, rater, hand, joint, camera";
+    RowReader marks(m_database.getHandle(), select.c_str());
     while (marks.next()) {
         MarkKey key;
         std::optional<Mark> mark;
@@ -132,14 +143,15 @@ std::vector<JournalEntry> AnnotationTables::readEntries(EntryState state, std::i
     while (journal.next()) {
         entries.push_back({journal.integer64(0), std::string(journal.text(1)), std::string(journal.text(2)), {std::string(journal.text(3)), {}, {}}});
     }
-    RowReader marks(m_database.getHandle(),
-                    "SELECT c.entry, c.frame, c.rater, c.hand, c.joint, c.camera, x_before, y_before, placement_before, state_before, "
-                    "x_after, y_after, placement_after, state_after FROM journal j CROSS JOIN mark_change c ON c.entry = j.id "
-                    "WHERE j.state = ? AND j.id BETWEEN ? AND ? ORDER BY j.id, c.position");
+    const std::string select = "SELECT c.entry, c.frame, c.rater, c.hand, c.joint, c.camera, x_before, y_before, placement_before, state_before, " +
+                               likelihoodColumn("_before") + ", x_after, y_after, placement_after, state_after, " + likelihoodColumn("_after") +
+                               " FROM journal j CROSS JOIN mark_change c ON c.entry = j.id WHERE j.state = ? AND j.id BETWEEN ? AND ? "
+                               "ORDER BY j.id, c.position";
+    RowReader marks(m_database.getHandle(), select.c_str());
     bindRange(marks, state, first, last);
     for (std::size_t place = 0; marks.next();) {
         MarkChange& change = editOf(entries, place, marks.integer64(0)).marks.emplace_back();
-        if (!readKey(marks, 1, change.key) || !readMark(marks, 6, change.before) || !readMark(marks, 10, change.after)) {
+        if (!readKey(marks, 1, change.key) || !readMark(marks, 6, change.before) || !readMark(marks, 6 + kMarkColumns, change.after)) {
             refuse("journal entry " + std::to_string(marks.integer64(0)), "makes no sense");
         }
     }
@@ -181,27 +193,29 @@ void AnnotationTables::applyMark(const MarkChange& change, const std::string& ra
     }
     int changed = 0;
     if (change.before) {
-        constexpr const char* kUpdate = "UPDATE mark SET x = ?, y = ?, placement = ?, state = ?, author = ?, time = ? WHERE frame = ? AND "
-                                        "rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? AND y = ? AND placement = ? AND state = ?";
+        constexpr const char* kUpdate = "UPDATE mark SET x = ?, y = ?, placement = ?, state = ?, likelihood = ?, author = ?, time = ? WHERE frame = ? "
+                                        "AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? AND y = ? AND placement = ? AND state = ? "
+                                        "AND likelihood IS ?";
         constexpr const char* kDelete = "DELETE FROM mark WHERE frame = ? AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? "
-                                        "AND y = ? AND placement = ? AND state = ?";
+                                        "AND y = ? AND placement = ? AND state = ? AND likelihood IS ?";
         const Run run(prepared(change.after ? kUpdate : kDelete));
         int next = 1;
         if (change.after) {
             bindMark(run.m_statement, 1, change.after);
-            run.m_statement.bind(5, rater);
-            run.m_statement.bind(6, time);
-            next = 7;
+            run.m_statement.bind(kMarkColumns + 1, rater);
+            run.m_statement.bind(kMarkColumns + 2, time);
+            next = kMarkColumns + 3;
         }
         bindKey(run.m_statement, next, change.key);
         bindMark(run.m_statement, next + 5, change.before);
         changed = run.m_statement.exec();
     } else if (change.after) {
-        const Run run(prepared("INSERT OR IGNORE INTO mark VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+        const Run run(prepared("INSERT OR IGNORE INTO mark(frame, rater, hand, joint, camera, x, y, placement, state, likelihood, author, time) "
+                               "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
         bindKey(run.m_statement, 1, change.key);
         bindMark(run.m_statement, 6, change.after);
-        run.m_statement.bind(10, rater);
-        run.m_statement.bind(11, time);
+        run.m_statement.bind(6 + kMarkColumns, rater);
+        run.m_statement.bind(7 + kMarkColumns, time);
         changed = run.m_statement.exec();
     } else {
         changed = 1; // nothing before, nothing after
@@ -241,12 +255,15 @@ void AnnotationTables::addEntry(const Edit& edit, const std::string& rater, cons
 void AnnotationTables::addChanges(std::int64_t id, const Edit& edit) {
     int position = 0;
     for (const MarkChange& change : edit.marks) {
-        const Run run(prepared("INSERT INTO mark_change VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+        const Run run(prepared(
+            "INSERT INTO mark_change(entry, position, frame, rater, hand, joint, camera, x_before, y_before, placement_before, state_before, "
+            "likelihood_before, x_after, y_after, placement_after, state_after, likelihood_after) "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
         run.m_statement.bind(1, id);
         run.m_statement.bind(2, position++);
         bindKey(run.m_statement, 3, change.key);
         bindMark(run.m_statement, 8, change.before);
-        bindMark(run.m_statement, 12, change.after);
+        bindMark(run.m_statement, 8 + kMarkColumns, change.after);
         run.m_statement.exec();
     }
     for (const NoteChange& change : edit.notes) {

@@ -55,6 +55,8 @@ public:
 
 private:
     SQLite::Statement& prepared(const char* sql);
+    /// The column of that name, or NULL in a file of a version without.
+    std::string likelihoodColumn(const std::string& suffix);
     void applyMark(const MarkChange& change, const std::string& rater, const std::string& time, const Edit& edit);
     void applyNote(const NoteChange& change, const std::string& rater, const std::string& time, const Edit& edit);
     void addChanges(std::int64_t id, const Edit& edit);
@@ -63,6 +65,7 @@ private:
     SQLite::Database& m_database;
     std::string m_fileName;
     std::map<std::string, SQLite::Statement> m_statements;
+    std::optional<bool> m_hasLikelihoods;
 };
 
 } // namespace core

@@ -12,8 +12,8 @@
 #include "core/io/json_file.h"
 
 // COCO keypoints: one image per frame and camera, one annotation per hand in it; x, y, v with v = 0 not labelled, 1 labelled but
-// not visible, 2 visible. Whole pixels are pixel centres, as here. Beyond the format, images say their frame and camera, and
-// annotations the placement of each keypoint: other readers ignore that.
+// not visible (hidden, or outside the picture), 2 visible. Whole pixels are pixel centres, as here. Beyond the format, images say their frame and camera, and
+// annotations the placement of each keypoint: other readers ignore that. An annotation with a score is a program's guess.
 namespace core {
 
 using nlohmann::json;
@@ -62,14 +62,14 @@ ordered_json categories(const JointMap& map) {
 }
 
 /// One hand in one image; nothing if no joint of the list is placed there.
-std::optional<ordered_json> handAnnotation(const ExportJob& job, int frame, const std::string& camera, Side hand) {
+std::optional<ordered_json> handAnnotation(const ExportJob& job, int frame, const Camera& camera, Side hand) {
     ordered_json keypoints = ordered_json::array(), placements = ordered_json::array();
     Eigen::Vector2d low(1e30, 1e30), high(-1e30, -1e30);
     int count = 0;
     for (const auto& [name, joint] : job.map.handList(hand)) {
-        const auto mark = placedMark(job, frame, joint, camera);
+        const auto mark = placedMark(job, frame, joint, camera.name);
         const Eigen::Vector2d px = mark ? mark->px : Eigen::Vector2d(0, 0);
-        const int visibility = !mark ? 0 : mark->state == MarkState::Visible ? 2 : 1;
+        const int visibility = !mark ? 0 : isSeen(*mark, camera) ? 2 : 1;
         keypoints.insert(keypoints.end(), {px.x(), px.y(), visibility});
         placements.push_back(mark ? ordered_json(placementName(mark->placement)) : ordered_json());
         if (mark) {
@@ -110,7 +110,7 @@ void writeCocoAnnotations(const ExportJob& job) {
                               {"frame", frame},
                               {"camera", camera.name}});
             for (const Side hand : {Side::Left, Side::Right}) {
-                if (auto annotation = handAnnotation(job, frame, camera.name, hand)) {
+                if (auto annotation = handAnnotation(job, frame, camera, hand)) {
                     ordered_json item{{"id", annotations.size() + 1}, {"image_id", imageId}};
                     item.update(*annotation);
                     annotations.push_back(item);
@@ -204,6 +204,10 @@ std::pair<int, std::string> placeOf(const ImportJob& job, const json& image) {
 void readHand(ImportJob& job, const json& annotation, const json& category, Side hand, int frame, const std::string& camera) {
     const json& keypoints = annotation["keypoints"];
     const json placements = annotation.value("placement", json::array());
+    std::optional<double> score; // only a program gives one
+    if (annotation.contains("score") && annotation["score"].is_number()) {
+        score = annotation["score"].get<double>();
+    }
     for (std::size_t i = 0; i < category["keypoints"].size(); ++i) {
         const int visibility = keypoints[3 * i + 2];
         const std::string name = category["keypoints"][i];
@@ -217,8 +221,11 @@ void readHand(ImportJob& job, const json& annotation, const json& category, Side
         }
         const bool isAuto = i < placements.size() && placements[i] == "auto";
         addMark(job, frame, *joint, camera,
-                Mark{Eigen::Vector2d(keypoints[3 * i].get<double>(), keypoints[3 * i + 1].get<double>()), isAuto ? Placement::Auto : Placement::Manual,
-                     visibility == 2 ? MarkState::Visible : MarkState::Occluded});
+                Mark{Eigen::Vector2d(keypoints[3 * i].get<double>(), keypoints[3 * i + 1].get<double>()),
+                     score    ? Placement::Proposed
+                     : isAuto ? Placement::Auto
+                              : Placement::Manual,
+                     visibility == 2 ? MarkState::Visible : MarkState::Occluded, score});
     }
 }
 

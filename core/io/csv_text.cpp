@@ -19,16 +19,24 @@ public:
         if (m_text.starts_with(kByteOrderMark)) {
             m_text.remove_prefix(kByteOrderMark.size());
         }
+        takeSeparatorLine();
+        if (!m_isSeparatorGiven) {
+            m_separator = mostLikelySeparator();
+        }
+        m_cellEnds[0] = m_separator;
     }
 
     std::vector<CsvRow> parse() {
         while (m_at < m_text.size()) {
             CsvRow row{cell()};
-            while (m_at < m_text.size() && m_text[m_at] == ',') {
+            while (m_at < m_text.size() && m_text[m_at] == m_separator) {
                 ++m_at;
                 row.push_back(cell());
             }
             skipLineEnd();
+            if (m_separator == ';') {
+                takeDecimalCommas(row);
+            }
             if (row.size() > 1 || !row[0].empty()) {
                 m_rows.push_back(std::move(row));
             }
@@ -37,11 +45,57 @@ public:
     }
 
 private:
+    /// Excel's own first line, "sep=;".
+    void takeSeparatorLine() {
+        constexpr std::string_view kName = "sep=";
+        const std::size_t end = std::min(m_text.find_first_of("\r\n"), m_text.size());
+        if (m_text.starts_with(kName) && end == kName.size() + 1 && (m_text[kName.size()] == ',' || m_text[kName.size()] == ';')) {
+            m_separator = m_text[kName.size()];
+            m_isSeparatorGiven = true;
+            m_at = end;
+            skipLineEnd();
+        }
+    }
+
+    /// A comma, unless the first line has more semicolons: so tables are written where the comma is the decimal sign.
+    char mostLikelySeparator() const {
+        int commas = 0, semicolons = 0;
+        bool isQuoted = false;
+        for (const char c : m_text.substr(0, m_text.find_first_of("\r\n"))) {
+            isQuoted = isQuoted != (c == '"');
+            commas += !isQuoted && c == ',';
+            semicolons += !isQuoted && c == ';';
+        }
+        return semicolons > commas ? ';' : ',';
+    }
+
+    /// Writes "12,5" as 12.5. A table that has numbers of both kinds cannot be understood: 1.234 may be a thousand there.
+    void takeDecimalCommas(CsvRow& row) {
+        for (std::string& cell : row) {
+            const std::size_t comma = cell.find(',');
+            double value = 0;
+            if (comma == std::string::npos) {
+                m_hasPoints = m_hasPoints || (cell.find('.') != std::string::npos && parseNumber(cell, value));
+                continue;
+            }
+            std::string number = cell;
+            number[comma] = '.';
+            if (number.find('.') == comma && parseNumber(number, value)) {
+                cell = number;
+                m_hasCommas = true;
+            }
+        }
+        if (m_hasCommas && m_hasPoints) {
+            throw Error(ErrorCode::BadInput, m_file, "line " + std::to_string(m_line - 1),
+                        "the table has numbers with a decimal comma and numbers with a decimal point: use one of them");
+        }
+    }
+
     std::string cell() {
         if (m_at < m_text.size() && m_text[m_at] == '"') {
             return quotedCell();
         }
-        const std::size_t end = std::min(m_text.find_first_of(",\r\n", m_at), m_text.size());
+        const std::size_t end = std::min(m_text.find_first_of(m_cellEnds, m_at), m_text.size());
         const std::string_view content = m_text.substr(m_at, end - m_at);
         m_at = end;
         return std::string(content);
@@ -80,6 +134,10 @@ private:
     const std::string& m_file;
     std::size_t m_at = 0;
     int m_line = 1;
+    char m_separator = ',';
+    bool m_isSeparatorGiven = false;
+    std::string m_cellEnds = ",\r\n";
+    bool m_hasCommas = false, m_hasPoints = false; ///< decimal ones, in a table with semicolons
     std::vector<CsvRow> m_rows;
 };
 

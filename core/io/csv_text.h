@@ -12,7 +12,9 @@
 namespace core {
 
 /// Cells of a CSV text (RFC 4180: quotes, doubled quotes, line breaks inside them; LF or CRLF). A byte order mark and empty
-/// lines are skipped. Throws Error(BadInput) naming the line of a quote that is never closed.
+/// lines are skipped. Semicolons separate the cells if the first line has more of them than commas (or says "sep=;"); numbers with a
+/// decimal comma then get a point. Throws Error(BadInput) naming the line of a quote that is never closed.
+/// A table with semicolons that has both decimal commas and points is refused.
 std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file);
 std::vector<CsvRow> readCsv(const std::filesystem::path& file);
 

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <numbers>
 
 #include <nlohmann/json.hpp>
 
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/annotation_store.h"
 #include "core/io/dataset_annotations.h"
@@ -105,9 +107,17 @@ void checkVisible(Findings& findings, const Dataset& dataset, const Sequence& se
 void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence& sequence) {
     const fs::path file = annotationFile(dataset, sequence);
     int lostFrames = 0, lostCameras = 0;
+    std::map<std::string, int> outside; // by camera
     for (const auto& [key, mark] : readAnnotations(dataset, sequence).marks) {
         lostFrames += key.frame < 0 || key.frame >= sequence.frameCount ? 1 : 0;
-        lostCameras += dataset.cameraIndex(key.camera) < 0 ? 1 : 0;
+        const int camera = dataset.cameraIndex(key.camera);
+        lostCameras += camera < 0 ? 1 : 0;
+        if (camera >= 0 && !mark.isProposal() && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)])) {
+            ++outside[key.camera];
+        }
+    }
+    for (const auto& [camera, count] : outside) {
+        findings.push_back({true, file.string() + ": " + std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") + " outside the picture of " + camera});
     }
     if (lostFrames > 0) {
         findings.push_back({true, file.string() + ": " + std::to_string(lostFrames) + " marks lie in frames that the sequence does not have"});

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/io/csv_text.h"
 #include "core/io/json_file.h"
 #include "core/io/text_file.h"
 #include "core/text/number_text.h"
@@ -17,70 +18,58 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::string_view kHeader = "sequence,start,test,hand,name,x,y,z";
-constexpr std::size_t kColumns = 8;
+const CsvRow kHeader{"sequence", "start", "test", "hand", "name", "x", "y", "z"};
 
-/// The fields of a CSV line; a field may be in double quotes, with quotes inside doubled.
-std::vector<std::string> csvFields(std::string_view line) {
-    std::vector<std::string> fields(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const char c = line[i];
-        if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-            fields.back() += line[++i];
-        } else if (c == '"') {
-            quoted = !quoted;
-        } else if (c == ',' && !quoted) {
-            fields.emplace_back();
-        } else {
-            fields.back() += c;
-        }
-    }
-    return fields;
-}
+/// Row of a table, for error messages.
+struct RowPlace {
+    const std::string& file;
+    std::size_t row; ///< from 1, the header included
 
-int frameFrom(const LineReader& reader, const std::string& text, const char* column) {
+    Error error(const std::string& what) const { return {ErrorCode::BadInput, file, "row " + std::to_string(row), what}; }
+};
+
+int frameFrom(const RowPlace& place, const std::string& text, const char* column) {
     int frame = -1;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), frame);
     if (code != std::errc() || end != text.data() + text.size() || frame < 0) {
-        throw reader.errorHere(std::string(column) + " '" + text + "' is not a frame number");
+        throw place.error(std::string(column) + " '" + text + "' is not a frame number");
     }
     return frame;
 }
 
-double lengthFrom(const LineReader& reader, const std::string& text) {
+double lengthFrom(const RowPlace& place, const std::string& text) {
     double value = 0;
     if (!parseNumber(text, value)) {
-        throw reader.errorHere("'" + text + "' is not a finite number");
+        throw place.error("'" + text + "' is not a finite number");
     }
     return value;
 }
 
-void readCsvLine(LineReader& reader, ExternalEstimates& estimates) {
-    const std::vector<std::string> fields = csvFields(reader.next("a joint"));
-    if (fields.size() != kColumns) {
-        throw reader.errorHere("has " + std::to_string(fields.size()) + " columns, not " + std::to_string(kColumns));
+void readRow(const RowPlace& place, const CsvRow& fields, ExternalEstimates& estimates) {
+    if (fields.size() != kHeader.size()) {
+        throw place.error("has " + std::to_string(fields.size()) + " columns, not " + std::to_string(kHeader.size()));
     }
     const std::optional<Side> hand = sideFromName(fields[3]);
     if (!hand) {
-        throw reader.errorHere("hand '" + fields[3] + "' is neither left nor right");
+        throw place.error("hand '" + fields[3] + "' is neither left nor right");
     }
-    const FramePair pair{fields[0], frameFrom(reader, fields[1], "start"), frameFrom(reader, fields[2], "test")};
-    const Eigen::Vector3d position(lengthFrom(reader, fields[5]), lengthFrom(reader, fields[6]),
-                                   lengthFrom(reader, fields[7]));
+    const FramePair pair{fields[0], frameFrom(place, fields[1], "start"), frameFrom(place, fields[2], "test")};
+    const Eigen::Vector3d position(lengthFrom(place, fields[5]), lengthFrom(place, fields[6]), lengthFrom(place, fields[7]));
     if (!estimates.joints[pair].emplace(JointId{*hand, fields[4]}, position).second) {
-        throw reader.errorHere(jointLabel({*hand, fields[4]}) + " is listed twice for this pair");
+        throw place.error(jointLabel({*hand, fields[4]}) + " is listed twice for this pair");
     }
 }
 
-ExternalEstimates readCsv(const std::string& name, const fs::path& file) {
+ExternalEstimates readTable(const std::string& name, const fs::path& path) {
     ExternalEstimates estimates{name, {}};
-    LineReader reader(file);
-    if (reader.next("the header " + std::string(kHeader)) != kHeader) {
-        throw reader.errorHere("must be " + std::string(kHeader));
+    const std::string file = path.string();
+    const std::vector<CsvRow> rows = readCsv(path);
+    if (rows.empty() || rows[0] != kHeader) {
+        const std::string header = csvLine(kHeader);
+        throw Error(ErrorCode::BadInput, file, "header", "must be " + header.substr(0, header.size() - 1));
     }
-    while (!reader.atEnd()) {
-        readCsvLine(reader, estimates);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        readRow({file, i + 1}, rows[i], estimates);
     }
     return estimates;
 }
@@ -136,7 +125,7 @@ ExternalEstimates readJson(const std::string& name, const fs::path& file, const 
 
 ExternalEstimates readExternalEstimates(const std::string& name, const fs::path& file,
                                         const std::vector<HandModel>& hands) {
-    return file.extension() == ".json" ? readJson(name, file, hands) : readCsv(name, file);
+    return file.extension() == ".json" ? readJson(name, file, hands) : readTable(name, file);
 }
 
 } // namespace core

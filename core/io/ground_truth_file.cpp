@@ -21,7 +21,7 @@ namespace {
 ordered_json viewJson(const ViewReconstruction& view) {
     return {{"camera", view.camera},
             {"px", {view.mark->px.x(), view.mark->px.y()}},
-            {"state", stateName(view.mark->state)},
+            {"state", stateName(view.outside ? MarkState::Occluded : view.mark->state)}, // nobody sees what lies outside the picture
             {"placement", placementName(view.mark->placement)},
             {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
 }
@@ -148,6 +148,9 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
     const json value = readOwnFile(file, "ground-truth");
     ImportNotes notes(dataset, sequence);
     AnnotationSet set;
+    if (const std::string name = value["sequence"]; name != sequence.name) {
+        notes.remark("the file is of sequence \"" + name + "\", not of \"" + sequence.name + "\"");
+    }
     for (const json& frame : value["frames"]) {
         const int number = frame["frame"];
         if (frame.contains("note") && notes.acceptsFrame(number)) {
@@ -161,7 +164,7 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
             }
         }
     }
-    return {std::move(set), notes.warnings()};
+    return {std::move(set), notes.warnings(), {}};
 }
 
 } // namespace core

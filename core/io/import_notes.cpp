@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/import_notes.h"
 
+#include <algorithm>
+
 namespace core {
 
 bool ImportNotes::acceptsFrame(int frame) {
@@ -21,8 +23,34 @@ bool ImportNotes::acceptsCamera(const std::string& camera) {
 
 void ImportNotes::leaveOut(const std::string& what) { ++m_left[what]; }
 
+void ImportNotes::leaveOutVideo(const std::string& video) { ++m_videos[video]; }
+
+void ImportNotes::remark(const std::string& what) {
+    if (std::find(m_remarks.begin(), m_remarks.end(), what) == m_remarks.end()) {
+        m_remarks.push_back(what);
+    }
+}
+
+std::vector<std::string> ImportNotes::otherVideos() const {
+    std::vector<std::string> names;
+    for (const auto& [video, count] : m_videos) {
+        names.push_back(video);
+    }
+    return names;
+}
+
 std::vector<std::string> ImportNotes::warnings() const {
-    std::vector<std::string> texts;
+    std::vector<std::string> texts = m_remarks;
+    if (!m_videos.empty()) {
+        int rows = 0;
+        std::string names;
+        for (const auto& [video, count] : m_videos) {
+            rows += count;
+            names += (names.empty() ? "" : ", ") + video;
+        }
+        texts.push_back(std::to_string(rows) + (rows == 1 ? " row" : " rows") + " of other videos left out: " + names +
+                        "; choose a video with --video");
+    }
     for (const auto& [what, count] : m_left) {
         texts.push_back("left out: " + what + " (" + std::to_string(count) + " times)");
     }

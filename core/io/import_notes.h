@@ -22,6 +22,13 @@ public:
     /// Something else that was left out; equal texts are counted.
     void leaveOut(const std::string& what);
 
+    /// A row with labels of another video's picture.
+    void leaveOutVideo(const std::string& video);
+    /// Something that is worth knowing though nothing was left out.
+    void remark(const std::string& what);
+    /// The videos of such rows, ascending.
+    std::vector<std::string> otherVideos() const;
+
     /// One sentence for each kind of thing that was left out.
     std::vector<std::string> warnings() const;
 
@@ -29,6 +36,8 @@ private:
     const Dataset& m_dataset;
     const Sequence& m_sequence;
     std::map<std::string, int> m_left;
+    std::map<std::string, int> m_videos; ///< rows of other videos
+    std::vector<std::string> m_remarks;
 };
 
 } // namespace core

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/error.h"
 #include "core/io/annotation_jobs.h"
@@ -14,6 +16,12 @@ namespace core {
 namespace {
 
 const CsvRow kMarkHeader{"sequence", "frame", "rater", "hand", "joint", "camera", "x_px", "y_px", "state", "placement"};
+/// One more column where a mark has a likelihood.
+const CsvRow kLikelyMarkHeader = [] {
+    CsvRow header = kMarkHeader;
+    header.emplace_back("likelihood");
+    return header;
+}();
 
 CsvRow pointRow(const ExportJob& job, int frame, const std::string& rater, const JointId& id, const JointReconstruction& joint) {
     CsvRow row{job.sequence.name, std::to_string(frame), rater, std::string(sideName(id.hand)), id.joint};
@@ -53,42 +61,88 @@ void writePointCsv(const ExportJob& job) {
 }
 
 void writeMarkCsv(const ExportJob& job) {
-    std::string text = csvLine(kMarkHeader);
+    const auto isWritten = [&](const MarkKey& key) { return job.rater.empty() || key.rater == job.rater; };
+    const bool withLikelihood = std::any_of(job.set.marks.begin(), job.set.marks.end(),
+                                            [&](const auto& item) { return isWritten(item.first) && item.second.likelihood; });
+    std::string text = csvLine(withLikelihood ? kLikelyMarkHeader : kMarkHeader);
     for (const auto& [key, mark] : job.set.marks) {
-        if (job.rater.empty() || key.rater == job.rater) {
-            text += csvLine({job.sequence.name, std::to_string(key.frame), key.rater, std::string(sideName(key.joint.hand)), key.joint.joint,
+        if (isWritten(key)) {
+            CsvRow row{job.sequence.name, std::to_string(key.frame), key.rater, std::string(sideName(key.joint.hand)), key.joint.joint,
                              key.camera, mark.hasPlace() ? exactText(mark.px.x()) : "", mark.hasPlace() ? exactText(mark.px.y()) : "",
-                             std::string(stateName(mark.state)), std::string(placementName(mark.placement))});
+                       std::string(stateName(mark.state)), std::string(placementName(mark.placement))};
+            if (withLikelihood) {
+                row.push_back(mark.likelihood ? exactText(*mark.likelihood) : "");
+            }
+            text += csvLine(row);
         }
     }
     writeFileAtomically(job.path, text);
 }
 
+namespace {
+
+struct MarkRow {
+    MarkKey key;
+    Mark mark;
+};
+
+/// One line of the table. Throws Error(BadInput) naming the row.
+MarkRow markFrom(const CsvRow& row, const std::string& file, const std::string& field) {
+    const auto refuse = [&](const std::string& what) -> Error { return {ErrorCode::BadInput, file, field, what}; };
+    const auto frame = cellNumber(row[1], file, field + ", frame"), x = cellNumber(row[6], file, field), y = cellNumber(row[7], file, field);
+    const auto hand = sideFromName(row[3]);
+    const auto state = stateFromName(row[8]);
+    const auto placement = placementFromName(row[9]);
+    if (!frame || *frame != std::floor(*frame) || !hand || !state || !placement) {
+        throw refuse("frame, hand, state or placement cannot be understood");
+    }
+    if (*state != MarkState::Unplaceable && (!x || !y)) {
+        throw refuse("has no pixel position");
+    }
+    const Eigen::Vector2d px = *state == MarkState::Unplaceable ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(*x, *y);
+    const auto likelihood = row.size() > kMarkHeader.size() ? cellNumber(row.back(), file, field + ", likelihood") : std::nullopt;
+    return {{static_cast<int>(*frame), row[2], {*hand, row[4]}, row[5]}, Mark{px, *placement, *state, likelihood}};
+}
+
+/// The sequences whose rows are read: those that were asked for, else the job's own, else the only one that there is.
+std::set<std::string> sequencesToRead(ImportJob& job, const std::vector<CsvRow>& rows) {
+    if (!job.options.videos.empty()) {
+        return {job.options.videos.begin(), job.options.videos.end()};
+    }
+    std::set<std::string> names;
+    for (std::size_t line = 1; line < rows.size(); ++line) {
+        names.insert(rows[line].front());
+    }
+    names.erase("");
+    if (names.size() == 1 && !names.contains(job.sequence.name)) {
+        job.notes.remark("the table is of sequence \"" + *names.begin() + "\", not of \"" + job.sequence.name + "\"");
+        return names;
+    }
+    return {job.sequence.name};
+}
+
+} // namespace
+
 void readMarkCsv(ImportJob& job) {
     const std::string file = job.path.string();
     const auto rows = readCsv(job.path);
-    if (rows.empty() || rows[0] != kMarkHeader) {
-        throw Error(ErrorCode::BadInput, file, "header", "is not " + csvLine(kMarkHeader).substr(0, csvLine(kMarkHeader).size() - 1));
+    if (rows.empty() || (rows[0] != kMarkHeader && rows[0] != kLikelyMarkHeader)) {
+        const std::string header = csvLine(kMarkHeader);
+        throw Error(ErrorCode::BadInput, file, "header", "is not " + header.substr(0, header.size() - 1));
     }
+    const std::set<std::string> sequences = sequencesToRead(job, rows);
     for (std::size_t line = 1; line < rows.size(); ++line) {
         const CsvRow& row = rows[line];
         const std::string field = "row " + std::to_string(line + 1);
-        const auto refuse = [&](const std::string& what) -> Error { return {ErrorCode::BadInput, file, field, what}; };
-        if (row.size() != kMarkHeader.size()) {
-            throw refuse("has " + std::to_string(row.size()) + " cells, not " + std::to_string(kMarkHeader.size()));
+        if (row.size() != rows[0].size()) {
+            throw Error(ErrorCode::BadInput, file, field, "has " + std::to_string(row.size()) + " cells, not " + std::to_string(rows[0].size()));
         }
-        const auto frame = cellNumber(row[1], file, field + ", frame"), x = cellNumber(row[6], file, field), y = cellNumber(row[7], file, field);
-        const auto hand = sideFromName(row[3]);
-        const auto state = stateFromName(row[8]);
-        const auto placement = placementFromName(row[9]);
-        if (!frame || *frame != std::floor(*frame) || !hand || !state || !placement) {
-            throw refuse("frame, hand, state or placement makes no sense");
+        if (!row[0].empty() && !sequences.contains(row[0])) {
+            job.notes.leaveOutVideo(row[0]);
+            continue;
         }
-        if (*state != MarkState::Unplaceable && (!x || !y)) {
-            throw refuse("has no pixel position");
-        }
-        const Eigen::Vector2d px = *state == MarkState::Unplaceable ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(*x, *y);
-        addMark(job, static_cast<int>(*frame), {*hand, row[4]}, row[5], Mark{px, *placement, *state}, row[2]);
+        const MarkRow found = markFrom(row, file, field);
+        addMark(job, found.key.frame, found.key.joint, found.key.camera, found.mark, found.key.rater);
     }
 }
 

@@ -23,11 +23,11 @@ std::string frameFileName(int frame) {
     return digits + ".txt";
 }
 
-std::string frameText(const ExportJob& job, int frame, const std::string& camera) {
+std::string frameText(const ExportJob& job, int frame, const Camera& camera) {
     std::string text;
     for (const JointMapEntry& entry : job.map.entries()) {
-        const auto mark = placedMark(job, frame, {entry.hand.value_or(Side::Right), entry.joint}, camera);
-        const bool isVisible = mark && mark->state == MarkState::Visible;
+        const auto mark = placedMark(job, frame, {entry.hand.value_or(Side::Right), entry.joint}, camera.name);
+        const bool isVisible = mark && isSeen(*mark, camera);
         const long x = isVisible ? std::lround(mark->px.x()) : 0, y = isVisible ? std::lround(mark->px.y()) : 0;
         text += (text.empty() ? "" : "\n") + entry.name + "\t" + std::to_string(x) + "\t" + std::to_string(y);
     }
@@ -78,7 +78,7 @@ void writeTzionasAnnotations(const ExportJob& job) {
     for (const Camera& camera : job.dataset.cameras) {
         ensureFolder(folder.path() / camera.name);
         for (const int frame : frames) {
-            writeFileAtomically(folder.path() / camera.name / frameFileName(frame), frameText(job, frame, camera.name));
+            writeFileAtomically(folder.path() / camera.name / frameFileName(frame), frameText(job, frame, camera));
         }
     }
     folder.commit();

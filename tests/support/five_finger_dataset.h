@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/annotation/edits.h"
+#include "core/annotation/import_edit.h"
 #include "core/io/dataset.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"

@@ -60,9 +60,11 @@ QString textOf(const core::QualityFinding& found) {
     case core::QualityKind::HandMixUp:
         return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "left and right exchanged?"));
     case core::QualityKind::SharedPixel:
+        return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "on the same pixel as another joint in %1")).arg(QString::fromStdString(found.camera));
+    case core::QualityKind::OutsidePicture:
         break;
     }
-    return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "on the same pixel as another joint in %1")).arg(QString::fromStdString(found.camera));
+    return text(QT_TRANSLATE_NOOP("widgets::QualityFinding", "mark is %1 px outside the picture of %2")).arg(number(size, 0), QString::fromStdString(found.camera));
 }
 
 /// How bad a doubt is, in units of its limit.
@@ -79,6 +81,8 @@ double severityOf(const core::QualityFinding& found, double badRmsPx) {
     case core::QualityKind::FingerOrder:
         return size / limits.knuckleToleranceMm;
     case core::QualityKind::HandMixUp:
+        return kOutlierSeverity;
+    case core::QualityKind::OutsidePicture:
         return kOutlierSeverity;
     case core::QualityKind::SharedPixel:
         break;

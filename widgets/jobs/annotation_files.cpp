@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/annotation_files.h"
 
-#include <memory>
+#include <utility>
 
-#include "core/annotation/edits.h"
-#include "core/io/annotation_formats.h"
 #include "core/io/annotation_report.h"
 #include "core/io/joint_files.h"
 
@@ -19,6 +17,7 @@ AnnotationFiles::AnnotationFiles(AnnotationDocument& document, const DatasetSess
         connect(&m_job, end, this, &AnnotationFiles::idle);
     connect(&m_job, &Job::failed, this, &AnnotationFiles::idle);
     connect(&document, &AnnotationDocument::aboutToClose, this, [this] { // an import is for the sequence that it was asked for
+        cancelImport();
         if (m_job.isRunning() && m_isImport) {
             m_job.stop();
             emit failed(tr("The import was stopped, because another sequence was opened."));
@@ -57,23 +56,55 @@ void AnnotationFiles::exportTo(const QString& kind, const QString& path) {
     });
 }
 
-void AnnotationFiles::importFrom(const QString& kind, const QString& path) {
+void AnnotationFiles::importFrom(const QString& kind, const QString& path, const QStringList& videos) {
     if (isRefused())
         return;
-    start(tr("Importing"), true, [this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
+    cancelImport();
+    start(tr("Importing"), true, [this, kind, path, videos, dataset = m_session.dataset(), sequence = *m_session.sequence(),
                  rater = m_document.rater()](const JobContext&) -> Job::Delivery {
         core::AnnotationImportOptions options;
         options.rater = rater;
+        for (const QString& video : videos)
+            options.videos.push_back(video.toStdString());
         auto read = std::make_shared<const core::ImportedAnnotations>(
             core::importAnnotations(*dataset, sequence, kind.toStdString(), path.toStdString(), options));
-        return [this, path, read] {
-            m_document.push(core::importEdit(m_document.annotations(), read->set, "import " + path.toStdString()));
-            QStringList warnings;
-            for (const std::string& warning : read->warnings)
-                warnings << QString::fromStdString(warning);
-            emit imported(path, static_cast<int>(read->set.marks.size()), warnings.join(QLatin1Char('\n')));
-        };
+        return [this, kind, path, read] { takeImport(kind, path, read); };
     });
+}
+
+void AnnotationFiles::takeImport(const QString& kind, const QString& path, std::shared_ptr<const core::ImportedAnnotations> read) {
+    if (read->set.marks.empty() && read->set.notes.empty() && !read->otherVideos.empty()) {
+        QStringList videos;
+        for (const std::string& video : read->otherVideos)
+            videos << QString::fromStdString(video);
+        emit otherVideosFound(kind, path, videos);
+        return;
+    }
+    const core::ImportConflicts conflicts = core::importConflicts(m_document.annotations(), read->set);
+    m_waiting = WaitingImport{path, std::move(read)};
+    if (conflicts.empty())
+        finishImport(core::ImportMode::Replace);
+    else
+        emit importConflicts(path, conflicts);
+}
+
+void AnnotationFiles::finishImport(core::ImportMode mode) {
+    if (!m_waiting)
+        return;
+    const WaitingImport import = *std::exchange(m_waiting, std::nullopt);
+    const core::Edit edit = core::importEdit(m_document.annotations(), import.read->set, "import " + import.path.toStdString(), mode);
+    m_document.push(edit);
+    if (m_document.isReadOnly()) // and it has said so
+        return;
+    QStringList warnings;
+    for (const std::string& warning : import.read->warnings)
+        warnings << QString::fromStdString(warning);
+    emit imported(import.path, static_cast<int>(edit.marks.size()), static_cast<int>(edit.notes.size()), warnings.join(QLatin1Char('\n')));
+}
+
+void AnnotationFiles::cancelImport() {
+    if (std::exchange(m_waiting, std::nullopt))
+        emit importCancelled();
 }
 
 void AnnotationFiles::report(const QString& path, double badRmsPx) {

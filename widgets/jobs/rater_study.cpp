@@ -40,9 +40,7 @@ std::vector<core::RepeatTask> tasksFrom(const std::string& text) {
 } // namespace
 
 std::string ownName(const std::string& rater) {
-    if (!core::isRepeatRater(rater))
-        return rater;
-    return rater.substr(0, rater.size() - (core::repeatRaterName("").size()));
+    return core::ownRaterName(rater);
 }
 
 RaterStudy::RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent)

@@ -38,9 +38,25 @@ QString stateText(const core::JointReconstruction* found, double badRmsPx) {
     return JointTableModel::tr("none", "state of a joint without marks");
 }
 
+/// How likely a program's guesses are; empty if none says.
+QString likelihoodText(const core::JointReconstruction& found) {
+    std::vector<double> likelihoods;
+    for (const core::ViewReconstruction& view : found.views) {
+        if (view.mark && view.mark->isProposal() && view.mark->likelihood)
+            likelihoods.push_back(*view.mark->likelihood);
+    }
+    if (likelihoods.empty())
+        return {};
+    const auto [least, most] = std::minmax_element(likelihoods.begin(), likelihoods.end());
+    return JointTableModel::tr("Proposed marks with a likelihood of %1 to %2").arg(QLocale().toString(*least, 'g', 2), QLocale().toString(*most, 'g', 2));
+}
+
 /// What the numbers leave open: where the marks come from, and why there is no point.
 QString toolTip(const core::JointReconstruction& found) {
     QString text = placedInWords(found);
+    const QString likelihood = likelihoodText(found);
+    if (!likelihood.isEmpty())
+        text += QLatin1Char('\n') + likelihood;
     if (found.hasPoint())
         return text;
     text += QLatin1Char('\n') + reasonText(found.result.reason);

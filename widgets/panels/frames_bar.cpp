@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/frames_bar.h"
 
+#include <algorithm>
+
 #include <QAction>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
+#include "core/annotation/raters.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/timeline_legend.h"
 
@@ -55,9 +58,13 @@ FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, c
     connect(&m_coverage, &Coverage::changed, this, &FramesBar::refreshCoverage);
     connect(&m_joints, &JointList::changed, this, &FramesBar::refreshCoverage);
     connect(&m_document, &AnnotationDocument::opened, this, &FramesBar::refreshNotes);
+    connect(&m_document, &AnnotationDocument::opened, this, &FramesBar::refreshOthers);
+    connect(&m_document, &AnnotationDocument::raterChanged, this, &FramesBar::refreshOthers);
     connect(&m_document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
         if (!edit.notes.empty())
             refreshNotes();
+        if (std::any_of(edit.marks.begin(), edit.marks.end(), [this](const auto& change) { return change.key.rater != m_document.rater(); }))
+            refreshOthers();
     });
     refreshFrame();
 }
@@ -107,6 +114,22 @@ void FramesBar::refreshFrame() {
 
 void FramesBar::refreshCoverage() {
     m_timeline->setCoverage(m_coverage.frames(), m_joints.count(core::Side::Left), m_joints.count(core::Side::Right));
+}
+
+void FramesBar::refreshOthers() {
+    std::map<int, QString> frames;
+    const std::string own = core::ownRaterName(m_document.rater());
+    const bool mustNotKnow = core::isRepeatRater(m_document.rater());
+    const core::MarkKey* before = nullptr; // marks of one frame and rater follow each other
+    for (const auto& [key, mark] : m_document.annotations().marks) {
+        const bool isCounted = before && before->frame == key.frame && before->rater == key.rater;
+        if (mustNotKnow || isCounted || !mark.isSettled() || core::ownRaterName(key.rater) == own)
+            continue;
+        before = &key;
+        QString& names = frames[key.frame];
+        names += (names.isEmpty() ? QString() : QStringLiteral(", ")) + QString::fromStdString(key.rater);
+    }
+    m_timeline->setOthersFrames(frames);
 }
 
 void FramesBar::refreshNotes() {

@@ -45,6 +45,7 @@ private:
     void refreshCoverage();
     void refreshNotes();
     void showLegend();
+    void refreshOthers();
 
     Selection& m_selection;
     const AnnotationDocument& m_document;

@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "widgets/panels/other_marks.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 
@@ -108,6 +109,19 @@ void QualityPanel::refresh() {
     m_nothing->setVisible(!any);
 }
 
+/// What stands for the numbers while the rater has no marks: others may have some, and proposals may wait.
+QString QualityPanel::nothingText() const {
+    const core::AnnotationSet& set = m_workbench.document.annotations();
+    const auto others = m_workbench.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_workbench.document);
+    QString text = others.empty() ? tr("No frame of this sequence has marks yet.")
+                                  : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_workbench.document.rater())) + QLatin1Char(' ') +
+                                        othersText(others);
+    const auto proposals = std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); });
+    if (proposals > 0)
+        text += QLatin1Char(' ') + tr("%n proposed mark(s) wait to be checked.", nullptr, static_cast<int>(proposals));
+    return text;
+}
+
 void QualityPanel::refreshSummary() {
     int frames = 0, done = 0, partial = 0, bad = 0;
     for (const auto& [frame, hands] : m_workbench.coverage.frames()) {
@@ -120,10 +134,10 @@ void QualityPanel::refreshSummary() {
         frames += done + partial > before; // proposals alone are no marks
     }
     if (frames == 0) {
-        m_summary->setText(tr("No frame of this sequence has marks yet."));
+        m_summary->setText(nothingText());
         return;
     }
-    QString text = tr("%n frame(s) with marks.", nullptr, frames) + QLatin1Char(' ') +
+    QString text = tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_workbench.document.rater())) + QLatin1Char(' ') +
                    tr("Joints: %1 done, %2 partial, %3 bad.").arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
     if (const auto& noise = m_workbench.checks.clickNoise())
         text += QLatin1Char(' ') + tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));

@@ -29,6 +29,7 @@ private:
     void build();
     void refresh();
     void refreshSummary();
+    QString nothingText() const;
     std::vector<QualityFinding> frameFindings() const;
     std::vector<QualityFinding> sequenceFindings() const;
     void jump(const QModelIndex& index);

@@ -63,6 +63,11 @@ void Timeline::setTestFrames(const std::set<int>& frames) {
     update();
 }
 
+void Timeline::setOthersFrames(const std::map<int, QString>& frames) {
+    m_others = frames;
+    update();
+}
+
 QSize Timeline::sizeHint() const {
     return {420, minimumSizeHint().height()};
 }
@@ -108,6 +113,10 @@ void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane)
 
 void Timeline::paintTicks(QPainter& painter) const {
     const QRectF area = track();
+    const double step = m_frames > 0 ? area.width() / m_frames : 0;
+    const QColor muted = mixed(palette().color(QPalette::Window), palette().color(QPalette::WindowText), 0.6);
+    for (const auto& [frame, names] : m_others)
+        painter.fillRect(QRectF(area.left() + frame * step, area.center().y() - kLaneGap / 2, std::max(2.0, step), kLaneGap), muted);
     for (const int frame : m_noted)
         painter.fillRect(QRectF(xOf(frame) - 1, area.top() - kTickHeight, 2, kTickHeight), palette().color(QPalette::WindowText));
     for (const int frame : m_tests)
@@ -142,6 +151,8 @@ void Timeline::mouseMoveEvent(QMouseEvent* event) {
 
 QString Timeline::describe(int frame) const {
     QString text = tr("Frame %1").arg(frame);
+    if (const auto others = m_others.find(frame); others != m_others.end())
+        text += QLatin1Char('\n') + tr("Marks of %1").arg(others->second);
     const auto found = m_coverage.find(frame);
     if (found == m_coverage.end())
         return text;

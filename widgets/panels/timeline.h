@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <set>
 
 #include <QWidget>
@@ -23,6 +24,8 @@ public:
     void setCoverage(const FrameCoverage& frames, int leftJoints, int rightJoints);
     void setNotedFrames(const std::set<int>& frames);
     void setTestFrames(const std::set<int>& frames);
+    /// Frames in which other people have marks, and whose: a muted line between the lanes.
+    void setOthersFrames(const std::map<int, QString>& frames);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -50,6 +53,7 @@ private:
     FrameCoverage m_coverage;
     std::set<int> m_noted;
     std::set<int> m_tests;
+    std::map<int, QString> m_others;
     int m_frames = 0;
     int m_frame = 0;
     int m_leftJoints = 0;

@@ -99,6 +99,14 @@ void CameraView::setMeshLayers(const std::vector<MeshLayer>& layers) {
     requestMeshPicture();
 }
 
+void CameraView::setOtherMarks(const std::vector<ViewMark>& marks) {
+    m_items->setOtherMarks(marks);
+}
+
+const std::vector<ViewMark>& CameraView::otherMarks() const {
+    return m_items->otherMarks();
+}
+
 void CameraView::setMarks(const std::vector<ViewMark>& marks) {
     m_items->setMarks(marks);
 }

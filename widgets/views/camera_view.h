@@ -48,6 +48,9 @@ public:
     void setMeshLayers(const std::vector<MeshLayer>& layers);
     void setMarks(const std::vector<ViewMark>& marks);
     const std::vector<ViewMark>& marks() const;
+    /// Marks of other people: drawn muted under the others, out of the pointer's reach.
+    void setOtherMarks(const std::vector<ViewMark>& marks);
+    const std::vector<ViewMark>& otherMarks() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
     void setEpipolarGuides(const std::vector<EpipolarGuide>& guides);
     /// Which hand is which; hidden with the other overlays.

@@ -6,6 +6,7 @@
 #include "widgets/views/hand_label_item.h"
 #include "widgets/views/line_items.h"
 #include "widgets/views/mark_item.h"
+#include "widgets/views/other_marks_item.h"
 
 namespace widgets {
 
@@ -26,10 +27,11 @@ CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     , m_skeleton(new SkeletonItem(m_root))
     , m_guides(new GuidesItem(m_root))
     , m_ellipse(new EllipseItem(m_root))
+    , m_otherMarks(new OtherMarksItem(m_root))
     , m_reprojections(new ReprojectionItem(m_root)) {
     double level = -10;
     for (QGraphicsItem* item :
-         std::initializer_list<QGraphicsItem*>{m_skeleton, m_guides, m_ellipse, m_reprojections}) {
+         std::initializer_list<QGraphicsItem*>{m_skeleton, m_guides, m_ellipse, m_otherMarks, m_reprojections}) {
         item->setZValue(level++);
     }
     scene.addItem(m_root);
@@ -53,6 +55,12 @@ void CameraViewItems::setMarks(const std::vector<ViewMark>& marks) {
     m_reprojections->setMarks(marks);
 }
 
+void CameraViewItems::setOtherMarks(const std::vector<ViewMark>& marks) {
+    m_otherMarks->setMarks(marks);
+}
+const std::vector<ViewMark>& CameraViewItems::otherMarks() const {
+    return m_otherMarks->marks();
+}
 void CameraViewItems::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_skeleton->setLines(lines);
 }

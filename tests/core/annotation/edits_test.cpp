@@ -187,35 +187,4 @@ TEST_F(Edits, DeletingARangeDeletesThatRangeOfThatRater) {
     EXPECT_EQ(m_set.marks.size(), 1u);
 }
 
-TEST_F(Edits, ImportReplacesMarksOfTheSameKey) {
-    click(5, kIndex, {10, 20, -15});
-    AnnotationSet imported;
-    imported.marks[key(5, kIndex, 0)] = Mark{{7, 8}};
-    imported.marks[key(6, kWrist, 0)] = Mark{{9, 9}};
-    imported.notes[5] = "imported";
-    perform(core::importEdit(m_set, imported, "import x"));
-    EXPECT_EQ(mark(5, kIndex, 0)->px, Vector2d(7, 8));
-    EXPECT_EQ(m_set.marks.size(), 4u);
-    EXPECT_EQ(m_set.notes.at(5), "imported");
-    EXPECT_TRUE(core::importEdit(m_set, imported, "again").empty());
-}
-
-TEST_F(Edits, ImportedProposalsDisplaceNothingThatSomebodySettled) {
-    click(5, kIndex, {10, 20, -15});
-    m_set.marks[key(5, kWrist, 0)] = Mark{{1, 2}, Placement::Proposed, core::MarkState::Visible};
-    const AnnotationSet before = m_set;
-    AnnotationSet imported;
-    for (int camera = 0; camera < 3; ++camera) {
-        imported.marks[key(5, kIndex, camera)] = Mark{{7, 8}, Placement::Proposed, core::MarkState::Visible};
-    }
-    imported.marks[key(5, kWrist, 0)] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
-    perform(core::importEdit(m_set, imported, "import x"));
-    for (int camera = 0; camera < 3; ++camera) {
-        const auto settled = core::markAt(before, key(5, kIndex, camera));
-        EXPECT_EQ(mark(5, kIndex, camera)->px, settled ? settled->px : Vector2d(7, 8));
-    }
-    EXPECT_TRUE(core::markAt(before, key(5, kIndex, 0)).has_value());
-    EXPECT_EQ(mark(5, kWrist, 0)->px, Vector2d(9, 9));
-}
-
 } // namespace

@@ -194,4 +194,17 @@ TEST_F(Quality, FindsAnglesBeyondTheLimits) {
     EXPECT_NEAR(findings[0].value, 28.6, 5);
 }
 
+TEST_F(Quality, MarksOutsideThePictureAreListed) {
+    findingsOf(goodJoints());
+    const JointId joint{Side::Left, "index_mcp"};
+    m_set.marks[{10, kRater, joint, "cam1"}].px = {-30, 50};
+    m_set.marks[{20, kRater, joint, "cam1"}] = {{-30, 50}, core::Placement::Proposed, core::MarkState::Visible};
+    const auto found = ofKind(core::checkSequence(m_set, m_cameras, kRater, m_hands), QualityKind::OutsidePicture);
+    ASSERT_EQ(found.size(), 1u) << "a proposal is nobody's mark";
+    EXPECT_EQ(found[0].frame, 10);
+    EXPECT_EQ(found[0].joint, joint);
+    EXPECT_EQ(found[0].camera, "cam1");
+    EXPECT_EQ(found[0].value, 30);
+}
+
 } // namespace

@@ -131,4 +131,17 @@ TEST_F(Raters, IntraRaterErrorIsTheComparisonWithTheRepeat) {
     EXPECT_LT(comparison->all.meanMm, 1.0);
 }
 
+TEST(RaterWork, CountsSettledMarksAndTheirFrames) {
+    core::AnnotationSet set;
+    const core::JointId joint{core::Side::Left, "wrist"};
+    for (const int frame : {3, 4}) {
+        for (const char* camera : {"cam0", "cam1"}) {
+            set.marks[{frame, "anna", joint, camera}] = core::Mark{{1, 2}};
+        }
+        set.marks[{frame, "net", joint, "cam0"}] = {{1, 2}, core::Placement::Proposed, core::MarkState::Visible};
+    }
+    set.marks[{4, "bob", joint, "cam0"}] = core::Mark{{1, 2}};
+    EXPECT_EQ(core::raterWork(set), (std::vector<core::RaterWork>{{"anna", 4, 2}, {"bob", 1, 1}}));
+}
+
 } // namespace

@@ -221,4 +221,21 @@ TEST_F(Reconstruction, FrameHoldsEveryJointOfThatRaterAndCoverageCountsThem) {
     EXPECT_EQ(core::ratersOf(m_set, 4), std::vector<std::string>{});
 }
 
+TEST_F(Reconstruction, AMarkOutsideThePictureIsNoEvidence) {
+    click({0, 2, 4});
+    mark(4).px = {-40, 100};
+    const JointReconstruction joint = look();
+    ASSERT_TRUE(joint.hasPoint());
+    EXPECT_LT((joint.result.point->pointInWorld - kTruth).norm(), 1e-6);
+    EXPECT_TRUE(joint.views[4].outside);
+    EXPECT_FALSE(joint.views[0].outside);
+    EXPECT_FALSE(joint.views[4].errorPx);
+    EXPECT_EQ(joint.manualViews, 2);
+    EXPECT_EQ(joint.placedViews, 3);
+    mark(2).px = {100, m_cameras[2].size.height - 0.4};
+    EXPECT_FALSE(look().hasPoint());
+    mark(2).px = {-0.5, m_cameras[2].size.height - 0.6};
+    EXPECT_FALSE(look().views[2].outside) << "the outermost pixels reach half a pixel further";
+}
+
 } // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/annotation/edits.h"
+#include "core/annotation/import_edit.h"
 #include "core/io/annotation_store.h"
 #include "core/io/dataset_annotations.h"
 #include "core/io/gnuplot.h"

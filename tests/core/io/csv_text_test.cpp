@@ -46,4 +46,12 @@ TEST(CsvText, MissingIsNotZeroAndTextIsNoNumber) {
     }
 }
 
+TEST(CsvText, SemicolonsSeparateWhereTheCommaIsTheDecimalSign) {
+    EXPECT_EQ(core::parseCsv("a;b;c\r\n1,5;-2,25e3;x, y\r\n", "f"), (Rows{{"a", "b", "c"}, {"1.5", "-2.25e3", "x, y"}}));
+    EXPECT_EQ(core::parseCsv("sep=;\r\na;\"b;c\"\n", "f"), (Rows{{"a", "b;c"}}));
+    EXPECT_EQ(core::parseCsv("a;b\n0.5;img1.png\n", "f"), (Rows{{"a", "b"}, {"0.5", "img1.png"}}));
+    EXPECT_EQ(core::parseCsv("a,\"b;c;d\"\n1,2\n", "f"), (Rows{{"a", "b;c;d"}, {"1", "2"}})) << "quoted semicolons are text";
+    EXPECT_THROW(core::parseCsv("a;b\n1,5;2.5\n", "f"), core::Error) << "may be thousands";
+}
+
 } // namespace

@@ -27,6 +27,12 @@ TEST(ExternalEstimates, CsvAndJsonSayTheSame) {
     EXPECT_EQ(csv.joints, readExternalEstimates("theirs", folder / "a.json", test::tinyHands()).joints);
 }
 
+TEST(ExternalEstimates, SemicolonsAndDecimalCommasAreRead) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder / "a.csv") << "sequence;start;test;hand;name;x;y;z\r\none;10;15;left;forearm;1,25;2,5;-30\r\n";
+    EXPECT_EQ(readExternalEstimates("theirs", folder / "a.csv", {}).joints.at(kPair).at({Side::Left, "forearm"}), Eigen::Vector3d(1.25, 2.5, -30));
+}
+
 TEST(ExternalEstimates, PosesBecomeJoints) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "p.json") << R"({"estimates": [{"sequence": "one", "start": 10, "test": 15,

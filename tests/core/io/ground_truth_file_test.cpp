@@ -175,4 +175,52 @@ TEST_F(GroundTruthFile, AJointIsDoneWhenEveryViewWithFootageIs) {
     EXPECT_EQ(status(), "done");
 }
 
+TEST_F(GroundTruthFile, AMarkOutsideThePictureIsNotVisible) {
+    const JointId joint{Side::Left, "index_mcp"};
+    test::clickEverywhere(m_set, m_dataset.cameras, 4, "ann", joint, {10, 20, 30});
+    m_set.marks[{4, "ann", joint, "cam1"}].px = {-25, 40};
+    write();
+    const auto gt = content();
+    const auto& view = gt["frames"][0]["raters"][0]["hands"]["left"]["joints"]["index_mcp"]["views"][1];
+    EXPECT_EQ(view["camera"], "cam1");
+    EXPECT_EQ(view["px"], (nlohmann::json{-25.0, 40.0})) << "kept";
+    EXPECT_EQ(view["state"], "occluded");
+    EXPECT_TRUE(view["errorPx"].is_null()) << "no evidence";
+    const auto back = read();
+    ASSERT_EQ(back.warnings.size(), 1u);
+    EXPECT_NE(back.warnings[0].find("1 mark lies outside the picture of cam1"), std::string::npos) << back.warnings[0];
+}
+
+TEST_F(GroundTruthFile, OneRaterMayTakeAllButNotTwoPeoplesMarksOfOneJoint) {
+    const JointId joint{Side::Left, "index_mcp"};
+    test::clickEverywhere(m_set, m_dataset.cameras, 4, "ann", joint, {10, 20, 30});
+    test::clickEverywhere(m_set, m_dataset.cameras, 5, "ann (again)", joint, {10, 20, 30});
+    test::clickEverywhere(m_set, m_dataset.cameras, 6, "bob", joint, {10, 20, 30});
+    write();
+    core::AnnotationImportOptions options{"carl", {}, {}};
+    const auto all = [&] { return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file, options); };
+    EXPECT_EQ(core::ratersOf(all().set), (std::vector<std::string>{"ann", "ann (again)", "bob"})) << "the file says whose";
+    options.raterForAll = true;
+    EXPECT_EQ(core::ratersOf(all().set), (std::vector<std::string>{"carl", "carl (again)"}));
+    EXPECT_EQ(all().set.marks.size(), m_set.marks.size());
+    m_set.marks[{4, "bob", joint, "cam1"}] = Mark{{5, 6}};
+    write();
+    try {
+        all();
+        ADD_FAILURE() << "ann's and bob's clicks would be one joint";
+    } catch (const core::Error& error) {
+        EXPECT_NE(std::string(error.what()).find("by ann and by bob"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(GroundTruthFile, SaysThatItIsOfAnotherSequence) {
+    m_set.marks[{4, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{5, 6}};
+    write();
+    m_dataset.sequences[0].name = "02";
+    const auto back = read();
+    EXPECT_EQ(back.set.marks.size(), 1u);
+    ASSERT_EQ(back.warnings.size(), 1u);
+    EXPECT_EQ(back.warnings[0], "the file is of sequence \"01\", not of \"02\"");
+}
+
 } // namespace
