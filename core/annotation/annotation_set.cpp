@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/annotation/annotation_set.h"
 
+#include <algorithm>
+
 #include <limits>
 
 namespace core {
@@ -48,6 +50,15 @@ std::optional<MarkState> stateFromName(std::string_view name) {
 }
 
 std::string jointLabel(const JointId& joint) { return std::string(sideName(joint.hand)) + " " + joint.joint; }
+
+std::vector<std::string> readableNames(const std::vector<JointId>& joints) {
+    std::vector<std::string> names;
+    for (const JointId& joint : joints) {
+        names.push_back((joint.hand == Side::Left ? "L " : "R ") + joint.joint);
+        std::replace(names.back().begin(), names.back().end(), '_', ' ');
+    }
+    return names;
+}
 
 std::optional<Mark> markAt(const AnnotationSet& set, const MarkKey& key) {
     const auto found = set.marks.find(key);

@@ -50,6 +50,8 @@ std::optional<MarkState> stateFromName(std::string_view name);
 
 /// "left index_mcp"
 std::string jointLabel(const JointId& joint);
+/// Names for the axis of a figure: "L index mcp".
+std::vector<std::string> readableNames(const std::vector<JointId>& joints);
 
 /// One mark. px in recorded image pixels, centres at integers.
 struct Mark {

@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/benchmark/benchmark_results.h"
+#include "core/benchmark/benchmark_setup.h"
 #include "core/benchmark/joint_errors.h"
 #include "core/benchmark/pairs.h"
 #include "core/fitting/fit_result.h"
@@ -19,10 +20,6 @@
 #include "core/hand/motion.h"
 
 namespace core {
-
-/// Synthetic: targets are rendered from the recorded pose of the test frame, the error is over all joints.
-/// Realistic: targets come from the pictures, the error is over the annotated joints.
-enum class BenchmarkSetup { Synthetic, Realistic };
 
 /// One sequence as the benchmark sees it.
 struct BenchmarkSequence {

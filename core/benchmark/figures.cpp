@@ -151,7 +151,7 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
         lines.push_back(std::move(line));
     }
     return {"joints", "Error per joint", "Mean error of every joint over all pairs.",
-            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset grid xtics\n" + gnuplotJointTics(results.joints) +
+            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset grid xtics\n" + gnuplotNamedTics(readableNames(results.joints)) +
                 gnuplotPlot(lines)};
 }
 

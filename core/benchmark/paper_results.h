@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/benchmark/benchmark_run.h"
+#include "core/benchmark/benchmark_setup.h"
+#include "core/hand/hand_model.h"
 
 namespace core {
 

@@ -4,10 +4,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include <SQLiteCpp/SQLiteCpp.h>
-
-#include "core/io/annotation_store.h"
 
 namespace core {
 
@@ -17,5 +16,8 @@ inline constexpr int kKeptBackups = 10;
 /// Copies the state with that number of changes into the backups of `file`, unless it is there; then drops all but the newest
 /// ten. Returns the copy; nothing if the file was never changed. Throws Error(Io).
 std::optional<std::filesystem::path> backUp(SQLite::Database& database, const std::filesystem::path& file, std::int64_t changeCount);
+
+/// The backups of an annotation file, newest first.
+std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& annotationFile);
 
 } // namespace core

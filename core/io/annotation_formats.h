@@ -2,13 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/annotation/annotation_set.h"
-#include "core/annotation/reconstruction.h"
+#include "core/io/annotation_exchange.h"
 #include "core/io/dataset.h"
 
 namespace core {
@@ -26,29 +24,11 @@ const std::vector<AnnotationFormat>& annotationFormats();
 /// The format of that kind. Throws Error(Usage), naming those that there are, for another.
 const AnnotationFormat& annotationFormat(std::string_view kind);
 
-struct AnnotationExportOptions {
-    TriangulationOptions triangulation;
-    std::optional<std::string> rater; ///< only this one; formats that name no raters take the one with most marks otherwise
-    std::filesystem::path jointMap;   ///< JSON that renames joints; empty = the format's own
-};
 /// Writes the annotations of one sequence: beside `path`, then renamed; never half a file. Returns whose they are, "" for
 /// everybody's. Throws Error(Usage) for an unknown kind, Error(Io) if it cannot be written.
 std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
                               const std::filesystem::path& path, const AnnotationExportOptions& options = {});
 
-struct AnnotationImportOptions {
-    std::string rater = "import";   ///< for formats that name no rater
-    std::filesystem::path jointMap; ///< JSON that renames joints; empty = the format's own
-    std::string camera;             ///< for formats of one view per file, if the file name does not tell
-    bool raterForAll = false;       ///< `rater` gets the marks of those whom the file names, too
-    std::optional<double> minLikelihood; ///< guesses below it are left out
-    std::vector<std::string> videos;     ///< only labels of pictures of these videos, whatever the sequence is called; empty: those of the sequence
-};
-struct ImportedAnnotations {
-    AnnotationSet set;
-    std::vector<std::string> warnings; ///< what was left out, and what is odd; for people
-    std::vector<std::string> otherVideos; ///< whose labels were left out because they are not this sequence's
-};
 /// Reads annotations of another program. Cameras are matched by name. What a program guessed (it says how likely it is) comes as
 /// proposals, what a person labelled as manual marks. Throws Error(BadInput) naming file and field; also if two raters of the file
 /// would become one and have marked the same joint.

@@ -3,7 +3,9 @@
 
 #include <functional>
 
-#include "core/io/annotation_formats.h"
+#include "core/annotation/reconstruction.h"
+#include "core/io/annotation_exchange.h"
+#include "core/io/dataset.h"
 #include "core/io/import_notes.h"
 #include "core/io/joint_files.h"
 

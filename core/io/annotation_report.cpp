@@ -203,7 +203,7 @@ Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
         line.points.push_back({static_cast<double>(at), sum[0] / sum[1]});
     }
     return {"uncertainty", "Uncertainty per joint", "Expected distance of the 3D joint from its true place, mean over all frames and raters.",
-            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset boxwidth 0.8\n" + gnuplotJointTics(joints) +
+            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset boxwidth 0.8\n" + gnuplotNamedTics(readableNames(joints)) +
                 gnuplotPlot({line})};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,23 +8,9 @@
 #include <vector>
 
 #include "core/annotation/annotation_set.h"
-#include "core/annotation/edit.h"
+#include "core/io/annotation_journal.h"
 
 namespace core {
-
-/// One step of the history as it is kept in the file.
-struct JournalEntry {
-    std::int64_t id = 0;   ///< ascending in the order of the edits
-    std::string rater;     ///< who did it
-    std::string time;      ///< when, UTC, ISO 8601 with milliseconds
-    Edit edit;
-};
-
-/// The history of a file. An edit that was made after an undo makes the undone ones unreachable (they stay in the file).
-struct AnnotationHistory {
-    std::vector<JournalEntry> done;   ///< can be undone, oldest first
-    std::vector<JournalEntry> undone; ///< can be redone; the next one to redo is the last
-};
 
 enum class StoreAccess {
     ReadWrite, ///< read-only if that cannot be had; see readOnlyReason
@@ -84,11 +69,5 @@ private:
     explicit AnnotationStore(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> m_impl;
 };
-
-/// The backups of an annotation file, newest first.
-std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& annotationFile);
-
-/// Current time in UTC as it is written to files: 2026-01-31T12:34:56.789Z.
-std::string utcTimestamp();
 
 } // namespace core

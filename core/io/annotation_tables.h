@@ -12,7 +12,7 @@
 
 #include "core/annotation/annotation_set.h"
 #include "core/annotation/edit.h"
-#include "core/io/annotation_store.h"
+#include "core/io/annotation_journal.h"
 
 namespace core {
 

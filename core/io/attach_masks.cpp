@@ -9,6 +9,7 @@
 #include "core/io/footage_presence.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
+#include "core/io/image_orientation.h"
 #include "core/io/mask_folder.h"
 
 namespace core {

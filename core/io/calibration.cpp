@@ -12,7 +12,7 @@
 #include "core/io/cameras_file.h"
 #include "core/io/json_file.h"
 #include "core/io/text_file.h"
-#include "core/io/tzionas_files.h"
+#include "core/io/tzionas_cameras.h"
 
 namespace core {
 

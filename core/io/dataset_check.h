@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace core {
+#include "core/io/check_finding.h"
 
-/// One finding of a check. A note (such as recorded angles outside the limits) is worth knowing but no problem.
-struct CheckFinding {
-    bool isNote = false;
-    std::string text; ///< FILE: FIELD: what
-};
+namespace core {
 
 /// Everything that is wrong with a dataset folder, or with one of our own files (cameras, hand): unlike readDataset it goes on after the
 /// first problem where it can. Throws Error(NotFound) only if there is nothing of that name.

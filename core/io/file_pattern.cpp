@@ -2,8 +2,7 @@
 #include "core/io/file_pattern.h"
 
 #include <algorithm>
-
-#include "core/io/frames.h"
+#include <cstdio>
 
 namespace core {
 
@@ -13,7 +12,30 @@ constexpr std::size_t kMostDigits = 9;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+std::string padded(int value, int width) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%0*d", width, value);
+    return text;
+}
+
+void replaceAll(std::string& text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+        text.replace(at, what.size(), by);
+    }
+}
+
 } // namespace
+
+std::string fillPattern(const std::string& pattern, const std::string& camera, int frame) {
+    std::string text = pattern;
+    replaceAll(text, "{camera}", camera);
+    replaceAll(text, "{frame}", std::to_string(frame));
+    for (int width = 1; width <= 12; ++width) {
+        replaceAll(text, "{frame:" + std::to_string(width) + "}", padded(frame, width));
+        replaceAll(text, "{frame:0" + std::to_string(width) + "}", padded(frame, width));
+    }
+    return text;
+}
 
 std::optional<int> numberIn(const std::string& pattern, const std::string& name) {
     const std::size_t at = pattern.find("{frame");

@@ -5,8 +5,9 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/io/file_pattern.h"
 #include "core/io/footage_presence.h"
-#include "core/io/frames.h"
+#include "core/io/image_orientation.h"
 #include "core/io/instants.h"
 #include "core/io/measured_footage.h"
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/io/check_finding.h"
 #include "core/io/dataset.h"
-#include "core/io/dataset_check.h"
 
 namespace core {
 

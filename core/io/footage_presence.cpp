@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "core/error.h"
+#include "core/io/file_pattern.h"
 #include "core/io/frames.h"
 #include "core/io/image_file.h"
 #include "core/io/image_orientation.h"
 #include "core/io/picture_setup.h"
+#include "core/io/video_file.h"
 
 namespace core {
 
@@ -123,9 +125,5 @@ std::string footageProblem(const Dataset& dataset, const Sequence& sequence, con
         return error.detail();
     }
 }
-
-ImageSize turnedSize(ImageSize size, int rotateDegrees) { return rotateDegrees % 180 == 0 ? size : ImageSize{size.height, size.width}; }
-
-std::string sizeText(ImageSize size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
 
 } // namespace core

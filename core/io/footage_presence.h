@@ -20,10 +20,4 @@ std::string footageProblem(const Dataset& dataset, const Sequence& sequence, con
 /// sequence's own notes say it. Footage that cannot be read is left to others.
 std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence& sequence);
 
-/// The size of a picture that is turned by that many degrees.
-ImageSize turnedSize(ImageSize size, int rotateDegrees);
-
-/// "640 x 480"
-std::string sizeText(ImageSize size);
-
 } // namespace core

@@ -9,6 +9,7 @@
 
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
+#include "core/io/file_pattern.h"
 #include "core/io/grey_levels.h"
 #include "core/io/image_file.h"
 #include "core/io/instants.h"
@@ -35,18 +36,6 @@ struct View {
     std::optional<GreyLevels> guessedLevels; ///< by the first picture, where the dataset says none
 };
 
-std::string padded(int value, int width) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%0*d", width, value);
-    return text;
-}
-
-void replaceAll(std::string& text, const std::string& what, const std::string& by) {
-    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
-        text.replace(at, what.size(), by);
-    }
-}
-
 /// Turned clockwise by a multiple of 90 degrees.
 cv::Mat turned(const cv::Mat& picture, int degrees) {
     if (degrees == 0 || picture.empty()) {
@@ -58,17 +47,6 @@ cv::Mat turned(const cv::Mat& picture, int degrees) {
 }
 
 } // namespace
-
-std::string fillPattern(const std::string& pattern, const std::string& camera, int frame) {
-    std::string text = pattern;
-    replaceAll(text, "{camera}", camera);
-    replaceAll(text, "{frame}", std::to_string(frame));
-    for (int width = 1; width <= 12; ++width) {
-        replaceAll(text, "{frame:" + std::to_string(width) + "}", padded(frame, width));
-        replaceAll(text, "{frame:0" + std::to_string(width) + "}", padded(frame, width));
-    }
-    return text;
-}
 
 struct FrameSource::Impl {
     fs::path folder;

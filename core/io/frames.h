@@ -37,9 +37,6 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// `pattern` with {camera}, {frame} and {frame:06} replaced.
-std::string fillPattern(const std::string& pattern, const std::string& camera, int frame);
-
 /// The mask file of one camera at a frame, whether or not it exists; empty if the camera has no mask pattern.
 std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame);
 
@@ -47,16 +44,5 @@ std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const
 /// Throws Error(BadInput) if one cannot be read.
 std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras,
                                     int frame);
-
-/// What a video file holds.
-struct VideoInfo {
-    int frames = 0;
-    ImageSize size;
-    double framesPerSecond = 0;         ///< 0 = unknown
-    std::vector<double> timesSec{};     ///< when each frame is shown; empty if the file does not tell
-    int rotationDegrees = 0;            ///< clockwise turn with which a player shows the recorded pixels: 0, 90, 180 or 270
-};
-/// Throws Error if it is not a readable video. `indexFile` as for VideoFile; the index takes long to make for a long video.
-VideoInfo readVideoInfo(const std::filesystem::path& file, const std::filesystem::path& indexFile = {});
 
 } // namespace core

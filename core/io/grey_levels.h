@@ -6,7 +6,7 @@
 
 #include <opencv2/core/mat.hpp>
 
-#include "core/io/dataset.h"
+#include "core/io/view_source.h"
 
 namespace core {
 

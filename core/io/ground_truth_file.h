@@ -5,7 +5,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/io/annotation_formats.h"
+#include "core/annotation/reconstruction.h"
+#include "core/io/annotation_exchange.h"
+#include "core/io/dataset.h"
 
 namespace core {
 

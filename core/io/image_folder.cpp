@@ -7,7 +7,6 @@
 
 #include "core/error.h"
 #include "core/io/file_pattern.h"
-#include "core/io/frames.h"
 
 namespace core {
 

@@ -107,4 +107,8 @@ Orientation orientationOf(std::string_view bytes) {
 
 Orientation readOrientation(const std::filesystem::path& file) { return orientationOf(readTextFile(file)); }
 
+ImageSize turnedSize(ImageSize size, int rotateDegrees) { return rotateDegrees % 180 == 0 ? size : ImageSize{size.height, size.width}; }
+
+std::string sizeText(ImageSize size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
+
 } // namespace core

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+
+#include "core/geometry/camera.h"
 
 namespace core {
 
@@ -16,5 +19,11 @@ struct Orientation {
 Orientation orientationOf(std::string_view bytes);
 /// The same for a file. Throws Error if it cannot be read.
 Orientation readOrientation(const std::filesystem::path& file);
+
+/// The size of a picture that is turned by that many degrees.
+ImageSize turnedSize(ImageSize size, int rotateDegrees);
+
+/// "640 x 480"
+std::string sizeText(ImageSize size);
 
 } // namespace core

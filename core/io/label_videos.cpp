@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/io/annotation_jobs.h"
-#include "core/io/frames.h"
+#include "core/io/file_pattern.h"
 
 namespace core {
 

@@ -7,7 +7,7 @@
 
 #include "core/error.h"
 #include "core/io/dataset_paths.h"
-#include "core/io/frames.h"
+#include "core/io/file_pattern.h"
 #include "core/io/image_folder.h"
 #include "core/io/measured_footage.h"
 

@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "core/error.h"
-#include "core/io/footage_presence.h"
 #include "core/io/grey_levels.h"
 #include "core/io/image_file.h"
+#include "core/io/image_orientation.h"
 
 namespace core {
 

@@ -9,7 +9,6 @@
 #include "core/io/dataset_paths.h"
 #include "core/io/file_pattern.h"
 #include "core/io/footage_presence.h"
-#include "core/io/frames.h"
 
 namespace core {
 

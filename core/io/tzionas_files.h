@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"
 
 namespace core {
 
-/// The text files of the method's authors (SKEL, SKIN, LIMITS, MOTION, Cameras.txt). Every reader throws Error naming file and line.
+/// The text files of the method's authors (SKEL, SKIN, LIMITS, MOTION). Every reader throws Error naming file and line.
 
 /// SKEL: bones under their own names (`Lower Arm L`), parents before children, lengths in mm; rest poses are not in this file.
 struct SkelFile {
@@ -29,9 +28,6 @@ std::vector<DegreeOfFreedom> readLimits(const std::filesystem::path& file, const
 
 /// MOTION: worldFromBone of every bone, [frame][bone]; frame 0 is the rigging pose. Rotations are made orthonormal.
 std::vector<std::vector<RigidMotion>> readMotionTable(const std::filesystem::path& file, const std::vector<Bone>& bones, int frames);
-
-/// Cameras.txt: K and [R|t] per camera, named cam0, cam1, ...; it holds no size: `size`, or twice the principal point plus one.
-std::vector<Camera> readTzionasCameras(const std::filesystem::path& file, std::optional<ImageSize> size = {});
 
 /// `Lower Arm L` -> forearm, `LFing.3_0` -> index_mcp, ...; nothing if the name is not one of theirs.
 std::optional<std::string> standardJointName(std::string_view boneName);

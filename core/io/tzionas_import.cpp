@@ -9,6 +9,7 @@
 #include "core/io/hand_file.h"
 #include "core/io/off_mesh.h"
 #include "core/io/ring_views.h"
+#include "core/io/tzionas_cameras.h"
 #include "core/io/tzionas_files.h"
 
 namespace core {

@@ -3,12 +3,22 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include <opencv2/core/mat.hpp>
 
-#include "core/io/frames.h"
+#include "core/geometry/camera.h"
 
 namespace core {
+
+/// What a video file holds.
+struct VideoInfo {
+    int frames = 0;
+    ImageSize size;
+    double framesPerSecond = 0;         ///< 0 = unknown
+    std::vector<double> timesSec{};     ///< when each frame is shown; empty if the file does not tell
+    int rotationDegrees = 0;            ///< clockwise turn with which a player shows the recorded pixels: 0, 90, 180 or 270
+};
 
 /// A video with exact access to every frame: frame n is the n-th picture of decoding from the start, in the order of presentation, in
 /// whatever order frames are read. It is indexed once. Not for several threads at once.
@@ -31,5 +41,8 @@ private:
     std::unique_ptr<Handle> m_handle;
     VideoInfo m_info;
 };
+
+/// Throws Error if it is not a readable video. `indexFile` as for VideoFile; the index takes long to make for a long video.
+VideoInfo readVideoInfo(const std::filesystem::path& file, const std::filesystem::path& indexFile = {});
 
 } // namespace core

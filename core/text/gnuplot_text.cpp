@@ -39,12 +39,10 @@ std::string gnuplotWholeTics(const std::string& axis, double first, double last)
     return "set " + axis + "tics " + std::to_string(static_cast<long long>(std::lround(step))) + "\n";
 }
 
-std::string gnuplotJointTics(const std::vector<JointId>& joints) {
+std::string gnuplotNamedTics(const std::vector<std::string>& names) {
     std::string tics;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        std::string name = joints[i].joint;
-        std::replace(name.begin(), name.end(), '_', ' ');
-        tics += (i == 0 ? "" : ", ") + gnuplotQuoted((joints[i].hand == Side::Left ? "L " : "R ") + name) + " " + std::to_string(i);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        tics += (i == 0 ? "" : ", ") + gnuplotQuoted(names[i]) + " " + std::to_string(i);
     }
     return "set bmargin 8\nset xtics noenhanced rotate by 90 right font ',11' (" + tics + ")\n";
 }

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "core/annotation/annotation_set.h"
-
 namespace core {
 
 /// A figure as a program for gnuplot (5.2 or newer) with its data inside; it prints an SVG to standard output.
@@ -31,8 +29,8 @@ std::string gnuplotQuoted(const std::string& text);
 std::string gnuplotPreamble(const std::string& id, const std::string& xLabel, const std::string& yLabel);
 /// Marks on an axis ("x" or "y") of whole numbers from `first` to `last`, such as frames: never a fraction, about ten at most.
 std::string gnuplotWholeTics(const std::string& axis, double first, double last);
-/// Marks at 0, 1, 2, ... that are the joints' names: the side's letter, then the words of the joint, written upwards.
-std::string gnuplotJointTics(const std::vector<JointId>& joints);
+/// Marks at 0, 1, 2, ... that are names, written upwards.
+std::string gnuplotNamedTics(const std::vector<std::string>& names);
 /// Data blocks and the plot command for lines.
 std::string gnuplotPlot(const std::vector<PlotLine>& lines);
 

@@ -50,13 +50,15 @@ TEST(Rules, CatchIncludesAgainstTheDirection) {
         return judge(architecture::wrongDirections, path, "#include \"" + included + "\"\n").size() == 1;
     };
     EXPECT_TRUE(caught("core/geometry/a.h", "core/hand/b.h"));
-    EXPECT_TRUE(caught("core/numeric/a.cpp", "core/io/b.h"));
-    EXPECT_TRUE(caught("core/io/a.cpp", "widgets/document/b.h"));
+    EXPECT_TRUE(caught("core/numeric/a.cpp", "core/io/files/b.h"));
+    EXPECT_TRUE(caught("core/io/files/a.cpp", "core/io/dataset/b.h"));
+    EXPECT_TRUE(caught("widgets/panels/a.cpp", "widgets/workspaces/b.h"));
+    EXPECT_TRUE(caught("core/io/store/a.cpp", "widgets/document/b.h"));
     EXPECT_TRUE(caught("widgets/views/a.cpp", "widgets/panels/b.h"));
     EXPECT_TRUE(caught("widgets/views/a.cpp", "app/desktop/b.h"));
     EXPECT_TRUE(caught("app/batch/a.cpp", "widgets/views/b.h"));
     EXPECT_TRUE(caught("app/batch/a.cpp", "app/desktop/b.h"));
-    EXPECT_TRUE(caught("core/io/a.cpp", "tests/support/b.h"));
+    EXPECT_TRUE(caught("core/io/store/a.cpp", "tests/support/b.h"));
 }
 
 TEST(Rules, LetIncludesPassThatGoDown) {
@@ -66,7 +68,7 @@ TEST(Rules, LetIncludesPassThatGoDown) {
     EXPECT_TRUE(passes("core/hand/a.h", "core/geometry/b.h"));
     EXPECT_TRUE(passes("core/geometry/a.h", "core/error.h"));
     EXPECT_TRUE(passes("widgets/panels/a.h", "widgets/views/b.h"));
-    EXPECT_TRUE(passes("widgets/views/a.h", "core/io/b.h"));
+    EXPECT_TRUE(passes("widgets/views/a.h", "core/io/store/b.h"));
     EXPECT_TRUE(passes("app/desktop/a.h", "widgets/panels/b.h"));
     EXPECT_TRUE(passes("tests/core/io/a.cpp", "core/io/b.h"));
 }
@@ -97,7 +99,7 @@ TEST(Rules, CatchLibrariesOutsideTheirFence) {
     EXPECT_TRUE(caught("core/fitting/a.cpp", "ceres/ceres.h"));
     EXPECT_FALSE(caught("widgets/views/scene_view.cpp", "vtkActor.h"));
     EXPECT_FALSE(caught("core/contour/a.h", "opencv2/core.hpp"));
-    EXPECT_FALSE(caught("core/io/off_mesh.cpp", "assimp/scene.h"));
+    EXPECT_FALSE(caught("core/io/hands/off_mesh.cpp", "assimp/scene.h"));
     EXPECT_FALSE(caught("core/io/a.cpp", "queue"));
 }
 

@@ -9,7 +9,7 @@
 
 #include "core/error.h"
 #include "core/io/calibration.h"
-#include "core/io/frames.h"
+#include "core/io/video_file.h"
 
 namespace widgets {
 

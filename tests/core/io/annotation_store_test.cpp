@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/io/annotation_backups.h"
 #include "core/io/annotation_store.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/io/file_pattern.h"
 #include "core/io/frames.h"
 
 #include <thread>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "core/io/tzionas_cameras.h"
 #include "core/io/tzionas_files.h"
 
 #include <gtest/gtest.h>
