@@ -548,7 +548,7 @@
         <translation>Handmodell der Marken</translation>
     </message>
     <message>
-        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <source>The hand model, fitted to the 3D joints of this frame</source>
         <translation>Das Handmodell, an die 3D-Gelenke dieses Bildes gebeugt</translation>
     </message>
     <message>
@@ -564,7 +564,7 @@
         <translation>Gelenke aus &amp;Datei...</translation>
     </message>
     <message>
-        <source>&amp;Mark a part again</source>
+        <source>&amp;Start a repeat round</source>
         <translation>Einen Teil &amp;erneut markieren</translation>
     </message>
     <message>
@@ -1351,7 +1351,7 @@
 <context>
     <name>widgets::FitPair</name>
     <message>
-        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model fitted to them.</source>
         <translation>Diese Sequenz hat keine aufgezeichnete Bewegung: im Startbild einige Gelenke jeder Hand markieren, dann geht die Anpassung vom daran gebeugten Handmodell aus.</translation>
     </message>
     <message>
@@ -1627,7 +1627,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::ModelOfMarks</name>
+    <name>widgets::HandModelFit</name>
     <message>
         <source>This dataset has no hand models.</source>
         <translation>Dieser Datensatz hat keine Handmodelle.</translation>
@@ -1707,7 +1707,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::QualityFinding</name>
+    <name>widgets::Finding</name>
     <message>
         <source>no 3D point: %1</source>
         <translation>kein 3D-Punkt: %1</translation>
@@ -1802,7 +1802,7 @@
 <context>
     <name>widgets::RatersPanel</name>
     <message>
-        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
         <translation>Keine zwei Bewerter haben dasselbe Gelenk markiert. Einen Teil der eigenen Arbeit erneut markieren, um zu sehen, wie gut Sie mit sich selbst übereinstimmen.</translation>
     </message>
     <message>
@@ -1833,7 +1833,7 @@
         <translation>Durchgang beenden</translation>
     </message>
     <message>
-        <source>Mark a part again</source>
+        <source>Start a repeat round</source>
         <translation>Einen Teil erneut markieren</translation>
     </message>
     <message>
@@ -1875,7 +1875,7 @@
         <translation>Konvergiert</translation>
     </message>
     <message>
-        <source>Ended at the most iterations</source>
+        <source>Stopped at the iteration limit</source>
         <translation>Höchstzahl der Iterationen erreicht</translation>
     </message>
     <message>

@@ -196,7 +196,7 @@
         <translation>&amp;Μοντέλο χεριού από τα σημάδια</translation>
     </message>
     <message>
-        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <source>The hand model, fitted to the 3D joints of this frame</source>
         <translation>Το μοντέλο χεριού, προσαρμοσμένο στις αρθρώσεις 3D αυτού του καρέ</translation>
     </message>
     <message>
@@ -448,7 +448,7 @@
         <translation>Άρθρωση προς τα κάτω στη λίστα</translation>
     </message>
     <message>
-        <source>&amp;Mark a part again</source>
+        <source>&amp;Start a repeat round</source>
         <translation>Νέα &amp;σήμανση ενός μέρους</translation>
     </message>
     <message>
@@ -1351,7 +1351,7 @@
 <context>
     <name>widgets::FitPair</name>
     <message>
-        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model fitted to them.</source>
         <translation>Αυτή η ακολουθία δεν έχει καταγεγραμμένη κίνηση: σημειώστε μερικές αρθρώσεις κάθε χεριού στο αρχικό καρέ και η προσαρμογή θα ξεκινήσει από το μοντέλο χεριού προσαρμοσμένο σε αυτές.</translation>
     </message>
     <message>
@@ -1627,7 +1627,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::ModelOfMarks</name>
+    <name>widgets::HandModelFit</name>
     <message>
         <source>This dataset has no hand models.</source>
         <translation>Αυτό το σύνολο δεδομένων δεν έχει μοντέλα χεριών.</translation>
@@ -1707,7 +1707,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::QualityFinding</name>
+    <name>widgets::Finding</name>
     <message>
         <source>click in %1 is %2 px off</source>
         <translation>το κλικ στην %1 αποκλίνει %2 px</translation>
@@ -1802,7 +1802,7 @@
 <context>
     <name>widgets::RatersPanel</name>
     <message>
-        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
         <translation>Δεν υπάρχουν δύο αξιολογητές με σημάδια στην ίδια άρθρωση. Σημειώστε ξανά ένα μέρος της δουλειάς σας για να δείτε πόσο συμφωνείτε με τον εαυτό σας.</translation>
     </message>
     <message>
@@ -1833,7 +1833,7 @@
         <translation>Τέλος του γύρου</translation>
     </message>
     <message>
-        <source>Mark a part again</source>
+        <source>Start a repeat round</source>
         <translation>Νέα σήμανση μέρους</translation>
     </message>
     <message>
@@ -1875,7 +1875,7 @@
         <translation>Συνέκλινε</translation>
     </message>
     <message>
-        <source>Ended at the most iterations</source>
+        <source>Stopped at the iteration limit</source>
         <translation>Σταμάτησε στο μέγιστο πλήθος επαναλήψεων</translation>
     </message>
     <message>

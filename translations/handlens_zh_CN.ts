@@ -196,7 +196,7 @@
         <translation>标记对应的手部模型(&amp;M)</translation>
     </message>
     <message>
-        <source>The hand model, bent onto the 3D joints of this frame</source>
+        <source>The hand model, fitted to the 3D joints of this frame</source>
         <translation>弯曲贴合到本帧 3D 关节的手部模型</translation>
     </message>
     <message>
@@ -448,7 +448,7 @@
         <translation>在列表中下移关节</translation>
     </message>
     <message>
-        <source>&amp;Mark a part again</source>
+        <source>&amp;Start a repeat round</source>
         <translation>重新标记一部分(&amp;M)</translation>
     </message>
     <message>
@@ -1340,7 +1340,7 @@
 <context>
     <name>widgets::FitPair</name>
     <message>
-        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model bent onto them.</source>
+        <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model fitted to them.</source>
         <translation>此序列没有记录的运动：请在起始帧中标记每只手的若干关节，拟合将从贴合这些关节的手部模型开始。</translation>
     </message>
     <message>
@@ -1616,7 +1616,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::ModelOfMarks</name>
+    <name>widgets::HandModelFit</name>
     <message>
         <source>This dataset has no hand models.</source>
         <translation>此数据集没有手部模型。</translation>
@@ -1696,7 +1696,7 @@
     </message>
 </context>
 <context>
-    <name>widgets::QualityFinding</name>
+    <name>widgets::Finding</name>
     <message>
         <source>click in %1 is %2 px off</source>
         <translation>%1 中的点击偏离 %2 px</translation>
@@ -1790,7 +1790,7 @@
 <context>
     <name>widgets::RatersPanel</name>
     <message>
-        <source>No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself.</source>
+        <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
         <translation>没有两位标注者标记过同一关节。请重新标记您自己的一部分工作，以查看您与自身的一致程度。</translation>
     </message>
     <message>
@@ -1820,7 +1820,7 @@
         <translation>结束本轮</translation>
     </message>
     <message>
-        <source>Mark a part again</source>
+        <source>Start a repeat round</source>
         <translation>重新标记一部分</translation>
     </message>
     <message>
@@ -1861,7 +1861,7 @@
         <translation>已收敛</translation>
     </message>
     <message>
-        <source>Ended at the most iterations</source>
+        <source>Stopped at the iteration limit</source>
         <translation>达到最大迭代次数</translation>
     </message>
     <message>

@@ -7,10 +7,10 @@
 #include "app/batch/verbs.h"
 #include "core/annotation/import_edit.h"
 #include "core/error.h"
-#include "core/io/annotation_formats.h"
-#include "core/io/annotation_store.h"
-#include "core/io/dataset_annotations.h"
-#include "core/io/login_name.h"
+#include "core/io/formats/annotation_formats.h"
+#include "core/io/store/annotation_store.h"
+#include "core/io/dataset/dataset_annotations.h"
+#include "core/io/files/login_name.h"
 
 namespace app {
 

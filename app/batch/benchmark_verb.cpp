@@ -14,12 +14,12 @@
 #include "core/benchmark/result_table.h"
 #include "core/benchmark/sweep.h"
 #include "core/error.h"
-#include "core/io/benchmark_folder.h"
-#include "core/io/benchmark_journal.h"
-#include "core/io/benchmark_scene.h"
-#include "core/io/dataset.h"
-#include "core/io/external_estimates.h"
-#include "core/io/pairs_file.h"
+#include "core/io/benchmark/benchmark_folder.h"
+#include "core/io/benchmark/benchmark_journal.h"
+#include "core/io/benchmark/benchmark_scene.h"
+#include "core/io/dataset/dataset.h"
+#include "core/io/benchmark/external_estimates.h"
+#include "core/io/benchmark/pairs_file.h"
 
 namespace app {
 

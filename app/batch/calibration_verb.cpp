@@ -8,7 +8,7 @@
 #include "app/batch/camera_text.h"
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
-#include "core/io/calibration.h"
+#include "core/io/calibration/calibration.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 
 #include "app/batch/verbs.h"
 #include "core/error.h"
-#include "core/io/dataset_check.h"
+#include "core/io/dataset/dataset_check.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verbs.h"
-#include "core/io/demo_dataset.h"
+#include "core/io/demo/demo_dataset.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 #include "app/batch/verbs.h"
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
-#include "core/io/annotation_formats.h"
-#include "core/io/dataset_annotations.h"
+#include "core/io/formats/annotation_formats.h"
+#include "core/io/dataset/dataset_annotations.h"
 
 namespace app {
 
@@ -41,7 +41,7 @@ void exportSequence(const ExportArguments& arguments) {
     std::printf("%s%s%s\n", arguments.out.c_str(), written.empty() ? "" : ": marks of ", written.c_str());
     const std::vector<std::string> raters = core::ratersOf(set);
     if (raters.empty()) {
-        std::printf("note: nobody has marked anything in sequence %s\n", sequence.name.c_str());
+        std::printf("note: there are no marks in sequence %s\n", sequence.name.c_str());
     }
     for (const std::string& other : raters) {
         if (!written.empty() && other != written && arguments.rater.empty() && !core::settledFrames(set, other).empty()) {

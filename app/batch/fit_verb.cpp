@@ -11,7 +11,7 @@
 #include "core/contour/rasteriser.h"
 #include "core/fitting/method_name.h"
 #include "core/fitting/pose_estimator.h"
-#include "core/io/json_file.h"
+#include "core/io/files/json_file.h"
 
 namespace app {
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/error.h"
-#include "core/io/text_file.h"
+#include "core/io/files/text_file.h"
 
 namespace app {
 

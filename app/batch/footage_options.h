@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/io/new_sequence.h"
+#include "core/io/dataset/new_sequence.h"
 
 namespace app {
 

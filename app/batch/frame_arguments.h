@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/hand/hand_model.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 
 namespace CLI {
 class App;

@@ -10,9 +10,9 @@
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
-#include "core/io/gltf_import.h"
-#include "core/io/rig_file.h"
-#include "core/io/tzionas_import.h"
+#include "core/io/import/gltf_import.h"
+#include "core/io/hands/rig_file.h"
+#include "core/io/import/tzionas_import.h"
 
 namespace app {
 

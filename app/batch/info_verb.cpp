@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/batch/verbs.h"
-#include "core/io/dataset.h"
-#include "core/io/json_file.h"
+#include "core/io/dataset/dataset.h"
+#include "core/io/files/json_file.h"
 
 namespace app {
 

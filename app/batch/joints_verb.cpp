@@ -6,7 +6,7 @@
 
 #include "app/batch/frame_arguments.h"
 #include "app/batch/verbs.h"
-#include "core/io/json_file.h"
+#include "core/io/files/json_file.h"
 
 namespace app {
 

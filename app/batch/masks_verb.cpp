@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verbs.h"
-#include "core/io/attach_masks.h"
+#include "core/io/dataset/attach_masks.h"
 
 namespace app {
 

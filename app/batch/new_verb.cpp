@@ -9,9 +9,9 @@
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
-#include "core/io/attach_masks.h"
-#include "core/io/calibration.h"
-#include "core/io/new_sequence.h"
+#include "core/io/dataset/attach_masks.h"
+#include "core/io/calibration/calibration.h"
+#include "core/io/dataset/new_sequence.h"
 
 namespace app {
 

@@ -7,7 +7,7 @@
 #include "app/batch/interrupt.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
-#include "core/io/relink.h"
+#include "core/io/dataset/relink.h"
 
 namespace app {
 

@@ -9,9 +9,9 @@
 #include "core/contour/rasteriser.h"
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
-#include "core/io/atomic_file.h"
-#include "core/io/frames.h"
-#include "core/io/image_file.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/dataset/frames.h"
+#include "core/io/footage/image_file.h"
 
 namespace app {
 

@@ -7,8 +7,8 @@
 #include "app/batch/interrupt.h"
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
-#include "core/io/annotation_report.h"
-#include "core/io/dataset_paths.h"
+#include "core/io/formats/annotation_report.h"
+#include "core/io/dataset/dataset_paths.h"
 
 namespace app {
 

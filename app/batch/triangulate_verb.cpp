@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/batch/verbs.h"
-#include "core/io/cameras_file.h"
-#include "core/io/points_file.h"
+#include "core/io/calibration/cameras_file.h"
+#include "core/io/formats/points_file.h"
 
 namespace app {
 

@@ -58,7 +58,7 @@ int run(int argc, char** argv, const app::CommandLine& line) {
     if (line.offscreen)
         display = std::make_unique<widgets::PrivateDisplay>(kScreenWidth, kScreenHeight);
     else if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        throw core::Error(core::ErrorCode::Unsupported, "", "", "there is no display; --offscreen --script FILE --out FOLDER needs none, and handlens-batch neither");
+        throw core::Error(core::ErrorCode::Unsupported, "", "", "no display found; --offscreen --script FILE --out FOLDER needs none, nor does handlens-batch");
     widgets::SceneView::prepareApplication();
     QCoreApplication::setOrganizationName(QStringLiteral("handlens"));
     QCoreApplication::setApplicationName(QStringLiteral("handlens"));

@@ -16,18 +16,18 @@
 #include <QStatusTipEvent>
 #include <QVBoxLayout>
 
-#include "app/desktop/annotation_actions.h"
-#include "app/desktop/dataset_actions.h"
-#include "app/desktop/file_actions.h"
-#include "app/desktop/menus.h"
-#include "app/desktop/new_dataset_window.h"
-#include "app/desktop/number_keys.h"
-#include "app/desktop/panel_actions.h"
-#include "app/desktop/people_actions.h"
-#include "app/desktop/preferences_window.h"
+#include "app/desktop/actions/annotation_actions.h"
+#include "app/desktop/actions/dataset_actions.h"
+#include "app/desktop/actions/file_actions.h"
+#include "app/desktop/actions/menus.h"
+#include "app/desktop/windows/new_dataset_window.h"
+#include "app/desktop/actions/number_keys.h"
+#include "app/desktop/actions/panel_actions.h"
+#include "app/desktop/actions/people_actions.h"
+#include "app/desktop/windows/preferences_window.h"
 #include "app/desktop/resources.h"
-#include "app/desktop/window_actions.h"
-#include "core/io/login_name.h"
+#include "app/desktop/actions/window_actions.h"
+#include "core/io/files/login_name.h"
 
 namespace app {
 

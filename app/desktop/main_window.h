@@ -9,14 +9,14 @@
 #include <QStackedWidget>
 #include <QTabBar>
 
-#include "app/desktop/actions.h"
-#include "widgets/jobs/workbench.h"
+#include "app/desktop/actions/actions.h"
+#include "widgets/session/workbench.h"
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/frames_bar.h"
 #include "widgets/panels/hints.h"
-#include "widgets/panels/playback.h"
+#include "widgets/presenters/playback.h"
 #include "widgets/panels/status_line.h"
-#include "widgets/panels/workspaces.h"
+#include "widgets/workspaces/workspaces.h"
 #include "widgets/views/message_bar.h"
 
 namespace app {

@@ -63,7 +63,7 @@ struct Mark {
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }
-    /// A guess that nobody has looked at yet: no evidence, no progress, not exported.
+    /// A guess that nobody has looked at yet: neither evidence nor progress, and not exported.
     bool isProposal() const { return hasPlace() && placement == Placement::Proposed; }
     /// Somebody decided: placed, or cannot be placed.
     bool isSettled() const { return !isProposal(); }

@@ -30,7 +30,7 @@ struct PixelEllipse {
     double angleRad = 0;
 };
 
-/// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is no evidence.
+/// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is not evidence.
 struct ViewReconstruction {
     std::string camera;
     std::optional<Mark> mark;                      ///< nothing, or a proposal: not done yet

@@ -44,7 +44,7 @@ const BenchmarkSequence& sequenceOf(const BenchmarkScene& scene, const std::stri
     const auto found = std::find_if(scene.sequences.begin(), scene.sequences.end(),
                                     [&](const BenchmarkSequence& sequence) { return sequence.name == name; });
     if (found == scene.sequences.end()) {
-        throw Error(ErrorCode::BadInput, "", "pairs", "there is no sequence " + name);
+        throw Error(ErrorCode::BadInput, "", "pairs", "unknown sequence " + name);
     }
     return *found;
 }

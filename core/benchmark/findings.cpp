@@ -16,7 +16,7 @@ namespace {
 constexpr double kTieMm = 0.02;
 constexpr double kTieSeconds = 0.02; ///< share by which times differ from run to run
 
-/// Clearly smaller: a tie is no victory.
+/// Clearly smaller; a tie does not count.
 bool beats(double mm, double otherMm) {
     return mm < otherMm - kTieMm;
 }

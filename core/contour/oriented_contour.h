@@ -33,7 +33,7 @@ struct ContourOptions {
 };
 
 /// The outlines of a mask, outer ones and holes (cv::findContours with RETR_CCOMP; the region lies on the same side of
-/// both). mask: CV_8U, 0 = background. Pixels on the border of the image are no silhouette and are left out.
+/// both). mask: CV_8U, 0 = background. Pixels on the border of the image do not belong to the outline and are left out.
 /// Empty if the mask is. Throws Error(BadInput) if the mask has another type.
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options = {});
 /// The same where maskBounds(mask) is known already, and the mask's type with it.

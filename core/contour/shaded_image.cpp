@@ -113,7 +113,7 @@ struct ScreenTriangle {
     }
 };
 
-/// Gives visible triangles their colours; vertices that nobody sees are never shaded.
+/// Gives visible triangles their colours; vertices outside every view are never shaded.
 class VisibleTriangles {
 public:
     VisibleTriangles(const Camera& camera, const std::vector<ShadedSurface>& surfaces, const Lighting& lighting)

@@ -40,7 +40,7 @@ std::vector<DistanceTransform> computeBinTransforms(const OrientedContour& conto
 
 /// The contour point that the transform names for the pixel nearest to `px`, with its distance from `px` itself: at most
 /// sqrt(2) px farther than the nearest one. Outside the region: all points are searched, which is slower and exact.
-/// Nothing if the transform knows no point.
+/// Empty if the transform holds no point.
 std::optional<DirectMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
                                                  const Eigen::Vector2d& px);
 /// The same, from the transform of one bin; outside the region the points of that bin are searched.

@@ -60,7 +60,7 @@ Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras, con
                                          const Eigen::Vector3d& pointInWorld, double sigmaPx);
 
 /// The point that minimises the summed squared residuals (over sigma) of all given observations, from `start`: no outliers are
-/// sought. Nothing if it leaves the front of a camera or the observations do not fix it.
+/// sought. Empty if it leaves the front of a camera or the observations do not fix it.
 std::optional<Eigen::Vector3d> refinePoint(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
                                            const Eigen::Vector3d& start, const TriangulationOptions& options = {});
 

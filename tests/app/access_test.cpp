@@ -17,10 +17,10 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include "app/desktop/annotation_format_text.h"
-#include "app/desktop/export_window.h"
+#include "app/desktop/windows/annotation_format_text.h"
+#include "app/desktop/windows/export_window.h"
 #include "app/desktop/palettes.h"
-#include "app/desktop/preferences_window.h"
+#include "app/desktop/windows/preferences_window.h"
 #include "app/desktop/script/real_input.h"
 #include "tests/app/window_fixture.h"
 

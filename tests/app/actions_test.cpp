@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/desktop/actions.h"
+#include "app/desktop/actions/actions.h"
 
 #include <map>
 #include <set>
 
 #include <QAbstractItemModelTester>
 
-#include "app/desktop/shortcut_model.h"
+#include "app/desktop/windows/shortcut_model.h"
 #include "tests/app/window_fixture.h"
 
 namespace {

@@ -6,9 +6,9 @@
 #include <QMimeData>
 #include <QPushButton>
 
-#include "app/desktop/dataset_actions.h"
-#include "app/desktop/new_dataset_window.h"
-#include "core/io/calibration.h"
+#include "app/desktop/actions/dataset_actions.h"
+#include "app/desktop/windows/new_dataset_window.h"
+#include "core/io/calibration/calibration.h"
 #include "tests/app/window_fixture.h"
 
 namespace {

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/desktop/number_keys.h"
+#include "app/desktop/actions/number_keys.h"
 #include "app/desktop/script/real_input.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/wait_until.h"

@@ -8,11 +8,11 @@
 #include <QToolButton>
 
 #include "core/annotation/import_edit.h"
-#include "core/io/annotation_formats.h"
-#include "core/io/dataset_annotations.h"
+#include "core/io/formats/annotation_formats.h"
+#include "core/io/dataset/dataset_annotations.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/name_bar.h"
-#include "widgets/panels/other_marks.h"
+#include "widgets/presenters/other_marks.h"
 #include "widgets/panels/quality_panel.h"
 
 namespace {

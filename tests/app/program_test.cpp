@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/annotation_store.h"
-#include "core/io/atomic_file.h"
+#include "core/io/store/annotation_store.h"
+#include "core/io/files/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/desktop/action_table.h"
+#include "app/desktop/actions/action_table.h"
 #include "app/desktop/language.h"
 
 namespace {

@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/desktop/script/real_input.h"
-#include "core/io/frames.h"
+#include "core/io/dataset/frames.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/no_room.h"
 

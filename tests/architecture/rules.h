@@ -13,12 +13,14 @@ using Violations = std::vector<std::string>;
 
 /// core <- widgets <- app, and inside core and widgets a folder includes only itself and folders below it.
 Violations wrongDirections(const std::vector<SourceFile>& files);
-/// Files that include each other in a circle.
+/// Components (a header and its source together) that include each other in a circle.
 Violations includeCycles(const std::vector<SourceFile>& files);
 /// Libraries outside the folders that may use them (Qt, VTK, assimp, OpenCV, SQLite, ...).
 Violations brokenFences(const std::vector<SourceFile>& files);
 /// Quoted includes that name no file of the project: includes go from the root.
 Violations unknownIncludes(const std::vector<SourceFile>& files);
+/// Folders of the product with more than 20 components.
+Violations crowdedFolders(const std::vector<SourceFile>& files);
 /// Files of more than 400 lines.
 Violations longFiles(const std::vector<SourceFile>& files);
 /// Functions of more than 60 lines, found by their indentation (the formatter guarantees it).

@@ -9,9 +9,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/io/demo_dataset.h"
-#include "core/io/joint_files.h"
-#include "core/io/json_file.h"
+#include "core/io/demo/demo_dataset.h"
+#include "core/io/formats/joint_files.h"
+#include "core/io/files/json_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <filesystem>
 
 #include "core/contour/rasteriser.h"
-#include "core/io/demo_dataset.h"
-#include "core/io/tzionas_import.h"
+#include "core/io/demo/demo_dataset.h"
+#include "core/io/import/tzionas_import.h"
 
 namespace test {
 

@@ -6,7 +6,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/contour/oriented_contour.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 
 namespace test {
 

@@ -6,7 +6,7 @@
 
 #include "core/annotation/edits.h"
 #include "core/annotation/import_edit.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 #include "tests/support/five_finger_skeleton.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/small_hand.h"
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "tests/support/ball.h"
-#include "widgets/views/mesh_layer.h"
+#include "widgets/views/camera/mesh_layer.h"
 
 namespace test {
 

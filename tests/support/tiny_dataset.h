@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/tiny_hands.h"
 

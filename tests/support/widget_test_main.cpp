@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "widgets/views/private_display.h"
-#include "widgets/views/scene_view.h"
+#include "widgets/views/scene/scene_view.h"
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);

@@ -15,7 +15,7 @@
 
 #include "core/annotation/annotation_set.h"
 #include "core/annotation/edit.h"
-#include "core/io/annotation_store.h"
+#include "core/io/store/annotation_store.h"
 
 namespace widgets {
 

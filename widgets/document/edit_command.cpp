@@ -2,7 +2,7 @@
 #include "widgets/document/edit_command.h"
 
 #include "widgets/document/annotation_document.h"
-#include "widgets/document/edit_text.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 

@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "core/annotation/annotation_set.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 
 namespace widgets {
 

@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "core/annotation/reconstruction.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/document/selection.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/benchmark/scene_fingerprint.h"
 #include "core/error.h"
-#include "core/io/benchmark_scene.h"
+#include "core/io/benchmark/benchmark_scene.h"
 
 namespace widgets {
 

@@ -10,8 +10,8 @@
 #include <QString>
 
 #include "core/benchmark/benchmark_run.h"
-#include "core/io/benchmark_folder.h"
-#include "core/io/dataset.h"
+#include "core/io/benchmark/benchmark_folder.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/jobs/job.h"
 
 namespace widgets {

@@ -8,8 +8,8 @@
 #include <QRegularExpression>
 
 #include "core/error.h"
-#include "core/io/calibration.h"
-#include "core/io/video_file.h"
+#include "core/io/calibration/calibration.h"
+#include "core/io/footage/video_file.h"
 
 namespace widgets {
 

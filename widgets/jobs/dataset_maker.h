@@ -10,7 +10,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "core/io/new_sequence.h"
+#include "core/io/dataset/new_sequence.h"
 #include "widgets/jobs/job.h"
 
 namespace widgets {

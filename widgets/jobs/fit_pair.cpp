@@ -10,8 +10,8 @@
 #include "core/annotation/sequence_points.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
-#include "core/io/frames.h"
-#include "widgets/jobs/model_of_marks.h"
+#include "core/io/dataset/frames.h"
+#include "widgets/jobs/hand_model_fit.h"
 
 namespace widgets {
 
@@ -59,7 +59,7 @@ core::HandPoses posesFromMarks(const FitSource& source, int frame) {
     const bool whole = fit && std::all_of(fit->poses.begin(), fit->poses.end(), [](const core::Pose& pose) { return pose.size() > 0; });
     if (!whole)
         throw refused(QT_TRANSLATE_NOOP("widgets::FitPair", "This sequence has no recorded motion: mark some joints of every hand in the start frame, "
-                                                            "and the fit starts from the hand model bent onto them."));
+                                                            "and the fit starts from the hand model fitted to them."));
     return fit->poses;
 }
 

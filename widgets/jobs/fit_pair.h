@@ -13,7 +13,7 @@
 
 #include "core/annotation/annotation_set.h"
 #include "core/benchmark/joint_errors.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 
 namespace widgets {
 
@@ -51,7 +51,7 @@ struct FitSource {
     std::string rater;
 };
 
-/// Starts from the recorded pose or, in a sequence without, from the hand models bent onto the marks of the start frame. Throws
+/// Starts from the recorded pose or, in a sequence without, from the hand models fitted to the marks of the start frame. Throws
 /// core::Error with a sentence in the person's language if that cannot be done.
 FitPair prepareFitPair(const FitSource& source, const FitRequest& request);
 

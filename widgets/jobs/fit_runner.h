@@ -10,7 +10,7 @@
 #include <QString>
 
 #include "core/fitting/pose_estimator.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/jobs/job.h"

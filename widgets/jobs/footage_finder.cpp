@@ -6,7 +6,7 @@
 #include <QDir>
 #include <QStringList>
 
-#include "core/io/relink.h"
+#include "core/io/dataset/relink.h"
 
 namespace widgets {
 

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/jobs/job.h"
 
 namespace widgets {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/frame_loader.h"
 
-#include "core/io/frames.h"
+#include "core/io/dataset/frames.h"
 
 namespace widgets {
 

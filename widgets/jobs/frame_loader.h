@@ -11,7 +11,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/jobs/image_pyramid.h"
 #include "widgets/jobs/job.h"
 

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/annotation/reconstruction.h"
-#include "core/io/frames.h"
+#include "core/io/dataset/frames.h"
 
 namespace widgets {
 

@@ -9,7 +9,7 @@
 #include "core/annotation/annotation_set.h"
 #include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 
 namespace widgets {
 

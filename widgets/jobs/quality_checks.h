@@ -12,7 +12,7 @@
 #include "core/annotation/click_noise.h"
 #include "core/annotation/quality.h"
 #include "core/annotation/quality_checker.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/jobs/job.h"
 

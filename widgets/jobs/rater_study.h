@@ -10,7 +10,7 @@
 #include <QObject>
 
 #include "core/annotation/raters.h"
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/document/selection.h"
 #include "widgets/jobs/job.h"

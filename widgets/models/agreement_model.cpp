@@ -3,7 +3,7 @@
 
 #include <QLocale>
 
-#include "widgets/document/edit_text.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 

@@ -3,13 +3,13 @@
 
 #include <QLocale>
 
-#include "widgets/document/edit_text.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 
 FindingModel::FindingModel(QObject* parent) : QAbstractTableModel(parent) {}
 
-void FindingModel::setFindings(std::vector<QualityFinding> findings) {
+void FindingModel::setFindings(std::vector<Finding> findings) {
     beginResetModel();
     m_findings = std::move(findings);
     endResetModel();
@@ -26,7 +26,7 @@ int FindingModel::columnCount(const QModelIndex& parent) const {
 QVariant FindingModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
         return {};
-    const QualityFinding& found = finding(index.row());
+    const Finding& found = finding(index.row());
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == Frame ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole)

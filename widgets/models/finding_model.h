@@ -5,7 +5,7 @@
 
 #include <QAbstractTableModel>
 
-#include "widgets/document/quality_finding.h"
+#include "widgets/text/finding.h"
 
 namespace widgets {
 
@@ -18,8 +18,8 @@ public:
 
     explicit FindingModel(QObject* parent = nullptr);
 
-    void setFindings(std::vector<QualityFinding> findings);
-    const QualityFinding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }
+    void setFindings(std::vector<Finding> findings);
+    const Finding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -27,7 +27,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
 private:
-    std::vector<QualityFinding> m_findings;
+    std::vector<Finding> m_findings;
 };
 
 } // namespace widgets

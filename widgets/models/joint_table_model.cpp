@@ -7,8 +7,8 @@
 #include <QFont>
 #include <QLocale>
 
-#include "widgets/document/advice.h"
-#include "widgets/document/edit_text.h"
+#include "widgets/text/advice.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 

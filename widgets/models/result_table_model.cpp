@@ -15,7 +15,7 @@ QString terminationText(core::FitTermination termination) {
     case core::FitTermination::Converged:
         return ResultTableModel::tr("Converged");
     case core::FitTermination::MaxIterations:
-        return ResultTableModel::tr("Ended at the most iterations");
+        return ResultTableModel::tr("Stopped at the iteration limit");
     case core::FitTermination::NoMatches:
         return ResultTableModel::tr("No matches were left");
     case core::FitTermination::Stopped:

@@ -8,11 +8,11 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/document/joint_list.h"
 #include "widgets/document/selection.h"
-#include "widgets/jobs/coverage.h"
+#include "widgets/session/coverage.h"
 #include "widgets/panels/timeline.h"
 
 class QAction;

@@ -8,8 +8,8 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/document/advice.h"
-#include "widgets/document/edit_text.h"
+#include "widgets/text/advice.h"
+#include "widgets/text/edit_text.h"
 #include "widgets/panels/hand_drawing.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/views/joint_colours.h"

@@ -6,7 +6,7 @@
 #include <QPainter>
 
 #include "widgets/panels/state_colours.h"
-#include "widgets/views/mark_item.h"
+#include "widgets/views/camera/mark_item.h"
 
 namespace widgets {
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <QWidget>
 
-#include "widgets/views/view_mark.h"
+#include "widgets/views/camera/view_mark.h"
 
 namespace widgets {
 

@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "widgets/panels/other_marks.h"
+#include "widgets/presenters/other_marks.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 
@@ -80,10 +80,10 @@ void QualityPanel::askForThreshold() {
     m_threshold->selectAll();
 }
 
-std::vector<QualityFinding> QualityPanel::frameFindings() const {
+std::vector<Finding> QualityPanel::frameFindings() const {
     const int frame = m_workbench.selection.frame();
     const double bad = m_workbench.coverage.badRmsPx();
-    auto findings = findingsOf(m_workbench.reconstructions, frame, bad); // of this moment: clicks that disagree are among them
+    auto findings = findingsOf(m_workbench.reconstructions.joints(), frame, bad); // of this moment: clicks that disagree are among them
     for (const core::QualityFinding& found : m_workbench.checks.findings()) {
         if (found.frame == frame && found.kind != core::QualityKind::Disagreement)
             findings.push_back(findingOf(found, bad));
@@ -92,8 +92,8 @@ std::vector<QualityFinding> QualityPanel::frameFindings() const {
     return findings;
 }
 
-std::vector<QualityFinding> QualityPanel::sequenceFindings() const {
-    std::vector<QualityFinding> findings;
+std::vector<Finding> QualityPanel::sequenceFindings() const {
+    std::vector<Finding> findings;
     for (const core::QualityFinding& found : m_workbench.checks.findings())
         findings.push_back(findingOf(found, m_workbench.coverage.badRmsPx()));
     return findings;
@@ -131,7 +131,7 @@ void QualityPanel::refreshSummary() {
             partial += state.partial;
             bad += state.bad;
         }
-        frames += done + partial > before; // proposals alone are no marks
+        frames += done + partial > before; // proposals alone do not count as marks
     }
     if (frames == 0) {
         m_summary->setText(nothingText());
@@ -145,7 +145,7 @@ void QualityPanel::refreshSummary() {
 }
 
 void QualityPanel::jump(const QModelIndex& index) {
-    const QualityFinding found = m_model->finding(index.row());
+    const Finding found = m_model->finding(index.row());
     m_workbench.selection.setFrame(found.frame);
     if (!found.joint.joint.empty())
         m_workbench.selection.setJoint(found.joint);

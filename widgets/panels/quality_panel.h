@@ -7,7 +7,7 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "widgets/jobs/workbench.h"
+#include "widgets/session/workbench.h"
 #include "widgets/models/finding_model.h"
 
 namespace widgets {
@@ -30,8 +30,8 @@ private:
     void refresh();
     void refreshSummary();
     QString nothingText() const;
-    std::vector<QualityFinding> frameFindings() const;
-    std::vector<QualityFinding> sequenceFindings() const;
+    std::vector<Finding> frameFindings() const;
+    std::vector<Finding> sequenceFindings() const;
     void jump(const QModelIndex& index);
 
     Workbench& m_workbench;

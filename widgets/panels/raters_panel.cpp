@@ -6,7 +6,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "widgets/document/edit_text.h"
+#include "widgets/text/edit_text.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 
@@ -138,13 +138,13 @@ void RatersPanel::showConsensus() {
 void RatersPanel::showRound() {
     const RaterStudy& study = m_workbench.raters;
     const bool repeating = study.isRepeating();
-    m_begin->setText(repeating ? tr("End the round") : tr("Mark a part again"));
+    m_begin->setText(repeating ? tr("End the round") : tr("Start a repeat round"));
     m_begin->setToolTip(repeating ? tr("Back to your own marks; both rounds are compared")
                                   : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
     m_next->setVisible(repeating);
     m_compare->setEnabled(!repeating);
     m_nothing->setText(repeating ? tr("Your first marks are hidden until the round has ended.")
-                                 : tr("No two raters have marked the same joint. Mark a part of your own work again to see how far you agree with yourself."));
+                                 : tr("No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself."));
     m_next->setToolTip(tr("To the next joint of the round that is not marked yet"));
     showConsensus();
     m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks())) : QString());

@@ -7,7 +7,7 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "widgets/jobs/workbench.h"
+#include "widgets/session/workbench.h"
 #include "widgets/models/agreement_model.h"
 #include "widgets/views/message_bar.h"
 

@@ -4,8 +4,8 @@
 #include <QComboBox>
 #include <QWidget>
 
-#include "widgets/panels/layer_presenter.h"
-#include "widgets/views/scene_view.h"
+#include "widgets/presenters/layer_presenter.h"
+#include "widgets/views/scene/scene_view.h"
 
 namespace widgets {
 

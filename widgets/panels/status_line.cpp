@@ -4,7 +4,7 @@
 #include <QFontMetrics>
 #include <QHBoxLayout>
 
-#include "widgets/document/advice.h"
+#include "widgets/text/advice.h"
 #include "widgets/panels/state_colours.h"
 
 namespace widgets {

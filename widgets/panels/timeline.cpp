@@ -9,7 +9,7 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/document/edit_text.h"
+#include "widgets/text/edit_text.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/timeline_legend.h"
 

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/jobs/coverage.h"
+#include "widgets/session/coverage.h"
 
 namespace widgets {
 

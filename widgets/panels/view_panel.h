@@ -9,9 +9,9 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "widgets/jobs/workbench.h"
-#include "widgets/panels/layer_presenter.h"
-#include "widgets/panels/view_options.h"
+#include "widgets/session/workbench.h"
+#include "widgets/presenters/layer_presenter.h"
+#include "widgets/presenters/view_options.h"
 
 class QFormLayout;
 

@@ -7,7 +7,7 @@
 
 namespace widgets {
 
-/// Colour of a joint by its finger (colour-blind safe); grey for wrist, forearm and names that are no finger's.
+/// Colour of a joint by its finger (colour-blind safe); grey for wrist, forearm and names outside the fingers.
 QColor fingerColour(std::string_view joint);
 /// Colour of a method's result; `start`, `truth` and `recorded` are names too. The options behind the first ':' do not matter.
 QColor methodColour(std::string_view method);

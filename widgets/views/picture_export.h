@@ -14,7 +14,7 @@ namespace widgets {
 /// How a widget gives away what it shows.
 struct PictureSource {
     std::function<QImage(double scale)> image;
-    std::function<bool(const QString& path)> saveSvg;   ///< empty if the picture is no vector picture
+    std::function<bool(const QString& path)> saveSvg;   ///< empty if the picture cannot be saved as vectors
     QString fileName;                                   ///< suggested, without suffix
     std::function<void(const QString& message)> failed; ///< told, in words, why a picture could not be saved
 };

@@ -116,7 +116,7 @@ void RealInput::wheel(widgets::CameraView& view, QPointF px, int steps) {
 void RealInput::key(const QString& keys, int holdMs) {
     const QKeySequence sequence = QKeySequence::fromString(keys, QKeySequence::PortableText);
     if (sequence.count() != 1 || (sequence[0] & ~static_cast<int>(Qt::KeyboardModifierMask)) == Qt::Key_unknown)
-        throw unreachable(QStringLiteral("\"%1\" is no key").arg(keys));
+        throw unreachable(QStringLiteral("\"%1\" is an unknown key").arg(keys));
     const int key = sequence[0] & ~static_cast<int>(Qt::KeyboardModifierMask);
     const Qt::KeyboardModifiers modifiers(sequence[0] & static_cast<int>(Qt::KeyboardModifierMask));
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));

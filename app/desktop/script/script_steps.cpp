@@ -57,7 +57,7 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
-        throw refused("do", QStringLiteral("there is no step \"%1\"").arg(name));
+        throw refused("do", QStringLiteral("unknown step \"%1\"").arg(name));
     QString said, refusal;
     QObject scope;
     QObject::connect(&m_window.statusLine(), &widgets::StatusLine::said, &scope, [&said](const QString& text) { said = text; });
@@ -81,7 +81,7 @@ widgets::CameraView& ScriptSteps::cameraView(const QJsonObject& step) const {
     const QString name = textField(step, "camera");
     widgets::CameraView* view = m_window.workspaces().grid()->view(name);
     if (!view)
-        throw refused("camera", QStringLiteral("there is no camera \"%1\"").arg(name));
+        throw refused("camera", QStringLiteral("unknown camera \"%1\"").arg(name));
     return *view;
 }
 
@@ -127,7 +127,7 @@ QJsonObject ScriptSteps::select(const QJsonObject& step) {
         return hand.side == joint.hand && hand.skeleton.boneIndex(joint.joint) >= 0;
     };
     if (!dataset || (!bench.joints.contains(joint) && std::none_of(dataset->hands.begin(), dataset->hands.end(), inModel)))
-        throw refused("joint", QStringLiteral("there is no joint \"%1\"").arg(QString::fromStdString(joint.joint)));
+        throw refused("joint", QStringLiteral("unknown joint \"%1\"").arg(QString::fromStdString(joint.joint)));
     bench.selection.setJoint(joint);
     return {};
 }
@@ -166,7 +166,7 @@ QJsonObject ScriptSteps::key(const QJsonObject& step) {
 QJsonObject ScriptSteps::action(const QJsonObject& step) {
     const QString id = textField(step, "id");
     if (!m_window.actions().contains(id))
-        throw refused("id", QStringLiteral("there is no action \"%1\"").arg(id));
+        throw refused("id", QStringLiteral("unknown action \"%1\"").arg(id));
     QAction* action = m_window.actions().action(id);
     if (!action->isEnabled())
         throw refused("id", QStringLiteral("\"%1\" is not possible now").arg(id));
@@ -249,7 +249,7 @@ QJsonObject ScriptSteps::shot(const QJsonObject& step) {
     const QString name = textField(step, "of");
     QWidget* part = m_window.part(name);
     if (!part)
-        throw refused("of", QStringLiteral("there is no part \"%1\"").arg(name));
+        throw refused("of", QStringLiteral("unknown part \"%1\"").arg(name));
     if (!part->isVisible())
         throw refused("of", QStringLiteral("\"%1\" is not shown now").arg(name));
     settle();

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/annotation_store.h"
-#include "core/io/dataset_annotations.h"
-#include "core/io/json_file.h"
+#include "core/io/store/annotation_store.h"
+#include "core/io/dataset/dataset_annotations.h"
+#include "core/io/files/json_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/temporary_folder.h"

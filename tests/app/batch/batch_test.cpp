@@ -4,9 +4,9 @@
 #include <opencv2/core.hpp>
 
 #include "core/contour/rasteriser.h"
-#include "core/io/image_file.h"
-#include "core/io/json_file.h"
-#include "core/io/pairs_file.h"
+#include "core/io/footage/image_file.h"
+#include "core/io/files/json_file.h"
+#include "core/io/benchmark/pairs_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/csv_text.h"
-#include "core/io/json_file.h"
-#include "core/io/text_file.h"
+#include "core/io/files/csv_text.h"
+#include "core/io/files/json_file.h"
+#include "core/io/files/text_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

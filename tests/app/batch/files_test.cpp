@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/annotation/edits.h"
-#include "core/io/annotation_store.h"
-#include "core/io/calibration.h"
-#include "core/io/cameras_file.h"
-#include "core/io/dataset_annotations.h"
-#include "core/io/json_file.h"
-#include "core/io/text_file.h"
+#include "core/io/store/annotation_store.h"
+#include "core/io/calibration/calibration.h"
+#include "core/io/calibration/cameras_file.h"
+#include "core/io/dataset/dataset_annotations.h"
+#include "core/io/files/json_file.h"
+#include "core/io/files/text_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/clicks.h"
 #include "tests/support/expect_error.h"

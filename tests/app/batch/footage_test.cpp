@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "core/io/cameras_file.h"
-#include "core/io/dataset.h"
-#include "core/io/frames.h"
-#include "core/io/image_file.h"
+#include "core/io/calibration/cameras_file.h"
+#include "core/io/dataset/dataset.h"
+#include "core/io/dataset/frames.h"
+#include "core/io/footage/image_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/expect_error.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "core/io/dataset.h"
+#include "core/io/dataset/dataset.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"

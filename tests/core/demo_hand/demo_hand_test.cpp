@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/io/demo_dataset.h"
+#include "core/io/demo/demo_dataset.h"
 #include "tests/support/mesh_checks.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/io/tzionas_import.h"
+#include "core/io/import/tzionas_import.h"
 #include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
 

@@ -9,7 +9,7 @@
 
 #include "core/annotation/edits.h"
 #include "core/contour/rasteriser.h"
-#include "core/io/image_file.h"
+#include "core/io/footage/image_file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 #include "tests/support/wait_until.h"

@@ -7,7 +7,7 @@
 #include "core/annotation/edits.h"
 #include "tests/support/clicks.h"
 #include "tests/support/ring_dataset.h"
-#include "widgets/document/advice.h"
+#include "widgets/text/advice.h"
 #include "widgets/models/joint_table_model.h"
 #include "widgets/models/result_table_model.h"
 

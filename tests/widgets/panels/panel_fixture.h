@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 #include "tests/support/wait_until.h"
-#include "widgets/jobs/workbench.h"
+#include "widgets/session/workbench.h"
 
 namespace test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tests/widgets/panels/panel_fixture.h"
-#include "widgets/panels/workspaces.h"
+#include "widgets/workspaces/workspaces.h"
 
 namespace {
 

@@ -12,12 +12,12 @@
 
 #include "tests/support/camera_ring.h"
 #include "tests/support/pointer.h"
-#include "widgets/views/camera_view.h"
-#include "widgets/views/loupe.h"
+#include "widgets/views/camera/camera_view.h"
+#include "widgets/views/camera/loupe.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/views/picture_export.h"
-#include "widgets/views/view_cursor.h"
-#include "widgets/views/view_title_bar.h"
+#include "widgets/views/camera/view_cursor.h"
+#include "widgets/views/camera/view_title_bar.h"
 
 namespace {
 

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/actions/action_table.h"
+
+#include <QtGlobal>
+
+namespace app {
+
+namespace {
+
+constexpr const char* kFile = QT_TRANSLATE_NOOP("app::ActionTable", "&File");
+constexpr const char* kEdit = QT_TRANSLATE_NOOP("app::ActionTable", "&Edit");
+constexpr const char* kView = QT_TRANSLATE_NOOP("app::ActionTable", "&View");
+constexpr const char* kAnnotate = QT_TRANSLATE_NOOP("app::ActionTable", "&Annotate");
+constexpr const char* kGo = QT_TRANSLATE_NOOP("app::ActionTable", "&Go");
+constexpr const char* kFit = QT_TRANSLATE_NOOP("app::ActionTable", "F&it");
+constexpr const char* kRaters = QT_TRANSLATE_NOOP("app::ActionTable", "&Raters");
+constexpr const char* kHelp = QT_TRANSLATE_NOOP("app::ActionTable", "&Help");
+// Parts of the menus above.
+constexpr const char* kMaximise = QT_TRANSLATE_NOOP("app::ActionTable", "One &view");
+constexpr const char* kMarks = QT_TRANSLATE_NOOP("app::ActionTable", "Mar&ks");
+constexpr const char* kMesh = QT_TRANSLATE_NOOP("app::ActionTable", "&Mesh");
+constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
+constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
+constexpr const char* kNudge = QT_TRANSLATE_NOOP("app::ActionTable", "&Nudge");
+constexpr const char* kJoints = QT_TRANSLATE_NOOP("app::ActionTable", "Li&st of joints");
+
+constexpr auto kPlain = ActionKind::Plain;
+constexpr auto kCheck = ActionKind::Check;
+constexpr auto kHold = ActionKind::Hold;
+
+// clang-format off
+const std::vector<ActionRow> kRows = {
+    {"file.open", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a dataset..."), "Ctrl+O", "document-open-folder", ""},
+    {"file.new", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Make a &new dataset..."), "Ctrl+N", "document-new", QT_TRANSLATE_NOOP("app::ActionTable", "Of a calibration and videos or folders of images")},
+    {"file.demo", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Open the &demo"), "Ctrl+Shift+O", "", ""},
+    {"file.import", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Import annotations..."), "Ctrl+I", "document-import", "", kPlain, true},
+    {"file.export", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Export annotations..."), "Ctrl+E", "document-export", QT_TRANSLATE_NOOP("app::ActionTable", "Writes the annotations of this sequence: everybody's where the format names raters, else yours")},
+    {"file.report", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Report on the annotations..."), "Ctrl+R", "document-preview", QT_TRANSLATE_NOOP("app::ActionTable", "A page with progress, raters, worst joints and figures")},
+    {"file.savePicture", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the views as a picture..."), "Ctrl+Shift+S", "document-save-as", ""},
+    {"file.quit", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Quit"), "Ctrl+Q", "application-exit", "", kPlain, true},
+
+    {"edit.undo", kEdit, QT_TRANSLATE_NOOP("app::ActionTable", "&Undo"), "Ctrl+Z", "edit-undo", ""},
+    {"edit.redo", kEdit, QT_TRANSLATE_NOOP("app::ActionTable", "&Redo"), "Ctrl+Shift+Z", "edit-redo", ""},
+    {"edit.note", kEdit, QT_TRANSLATE_NOOP("app::ActionTable", "&Note on this frame..."), "Ctrl+M", "edit-comment", "", kPlain, true},
+    {"edit.preferences", kEdit, QT_TRANSLATE_NOOP("app::ActionTable", "&Preferences..."), "Ctrl+,", "configure", QT_TRANSLATE_NOOP("app::ActionTable", "Language, your name, keys, colours, memory"), kPlain, true},
+    {"edit.shortcuts", kEdit, QT_TRANSLATE_NOOP("app::ActionTable", "Change the &shortcuts..."), "Shift+F1", "configure-shortcuts", "", kPlain, false, false},
+
+    {"workspace.annotate", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Annotate"), "Ctrl+1", "", "", kCheck},
+    {"workspace.inspect", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Inspect"), "Ctrl+2", "", "", kCheck},
+    {"workspace.benchmark", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Benchmark"), "Ctrl+3", "", "", kCheck},
+    {"view.frameHands", kView, QT_TRANSLATE_NOOP("app::ActionTable", "Fra&me the hands"), "9", "zoom-fit-selection", QT_TRANSLATE_NOOP("app::ActionTable", "Zooms every view to the hands, where they are known"), kPlain, true},
+    {"view.zoomJoint", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Zoom all views to the joint"), "V", "", ""},
+    {"view.fitAll", kView, QT_TRANSLATE_NOOP("app::ActionTable", "Sho&w whole images"), "0", "zoom-fit-best", QT_TRANSLATE_NOOP("app::ActionTable", "Ends zoom and pan in all views")},
+    {"view.followJoint", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Follow the selected joint"), "Y", "", QT_TRANSLATE_NOOP("app::ActionTable", "Keeps the selected joint in the middle of every zoomed view"), kCheck},
+    {"view.maximise1", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 1"), "1", "", ""},
+    {"view.maximise2", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 2"), "2", "", ""},
+    {"view.maximise3", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 3"), "3", "", ""},
+    {"view.maximise4", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 4"), "4", "", ""},
+    {"view.maximise5", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 5"), "5", "", ""},
+    {"view.maximise6", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 6"), "6", "", ""},
+    {"view.maximise7", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 7"), "7", "", ""},
+    {"view.maximise8", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "Maximise view 8"), "8", "", ""},
+    {"view.restore", kMaximise, QT_TRANSLATE_NOOP("app::ActionTable", "All views again"), "Esc", "", "", kPlain, true},
+    {"view.skeleton", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "S&keleton"), "K", "", "", kCheck, true},
+    {"view.guides", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "&Epipolar guides"), "J", "", QT_TRANSLATE_NOOP("app::ActionTable", "Lines on which the selected joint must lie, as the other views say"), kCheck},
+    {"view.proposals", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "P&re-placed marks"), "Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "Marks that wait to be accepted"), kCheck},
+    {"view.otherRaters", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Other people's marks"), "Ctrl+Shift+U", "", QT_TRANSLATE_NOOP("app::ActionTable", "What others have marked in this sequence, muted; it cannot be changed here"), kCheck},
+    {"view.labels", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Joint &names"), "L", "", "", kCheck},
+    {"view.handLabels", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Which hand is &left and which right"), "Ctrl+Shift+L", "", QT_TRANSLATE_NOOP("app::ActionTable", "L and R beside the hands, where they are known"), kCheck},
+    {"view.leftMarks", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "L&eft hand"), "Shift+F5", "", QT_TRANSLATE_NOOP("app::ActionTable", "Marks and mesh of the left hand"), kCheck, true},
+    {"view.rightMarks", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Ri&ght hand"), "Shift+F6", "", QT_TRANSLATE_NOOP("app::ActionTable", "Marks and mesh of the right hand"), kCheck},
+    {"view.hideOverlays", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "&Hide all overlays"), "H", "view-hidden", QT_TRANSLATE_NOOP("app::ActionTable", "While the key is held"), kHold, true},
+    {"view.longErrors", kMarks, QT_TRANSLATE_NOOP("app::ActionTable", "Error lines three times as &long"), "T", "", QT_TRANSLATE_NOOP("app::ActionTable", "While the key is held"), kHold},
+    {"view.meshShaded", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh: sha&ded"), "F2", "", "", kCheck},
+    {"view.meshWireframe", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh: &wireframe"), "F3", "", "", kCheck},
+    {"view.meshOff", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh: o&ff"), "F4", "", "", kCheck},
+    {"view.meshNext", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Next mesh st&yle"), "M", "", ""},
+    {"view.meshMore", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh more &opaque"), "+", "", "", kPlain, true},
+    {"view.meshLess", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh more &transparent"), "-", "", ""},
+    {"view.leftHand", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh of the left hand"), "F5", "", "", kCheck, true},
+    {"view.rightHand", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh of the right hand"), "F6", "", "", kCheck},
+    {"view.recordedMesh", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh of the recorded pose"), "F7", "", "", kCheck, true},
+    {"view.startMesh", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Mesh of the fit's start pose"), "F8", "", "", kCheck},
+    {"view.modelOfMarks", kMesh, QT_TRANSLATE_NOOP("app::ActionTable", "Hand &model of the marks"), "F9", "edit-node", QT_TRANSLATE_NOOP("app::ActionTable", "The hand model, fitted to the 3D joints of this frame"), kCheck},
+    {"view.resetScene", kScene, QT_TRANSLATE_NOOP("app::ActionTable", "Reset the 3D sc&ene"), "Ctrl+0", "", ""},
+    {"view.lookThrough", kScene, QT_TRANSLATE_NOOP("app::ActionTable", "Look thro&ugh the current camera"), "Shift+V", "", QT_TRANSLATE_NOOP("app::ActionTable", "The 3D scene from the current camera"), kCheck},
+    {"view.loupe", kView, QT_TRANSLATE_NOOP("app::ActionTable", "Lou&pe"), "Z", "zoom-in", QT_TRANSLATE_NOOP("app::ActionTable", "Magnifies the pixels around the pointer"), kCheck, true},
+    {"view.adjust", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Brightness, contrast, gamma..."), "Ctrl+B", "", QT_TRANSLATE_NOOP("app::ActionTable", "Of the current view or of all")},
+    {"view.cameras", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Cameras: hide, reorder..."), "Ctrl+Shift+C", "", ""},
+    {"view.toolbar", kView, QT_TRANSLATE_NOOP("app::ActionTable", "&Toolbar"), "Ctrl+Shift+T", "", "", kCheck, true},
+    {"view.light", kView, QT_TRANSLATE_NOOP("app::ActionTable", "Li&ght colours"), "F12", "", "", kCheck},
+    {"view.fullScreen", kView, QT_TRANSLATE_NOOP("app::ActionTable", "Full scree&n"), "F11", "view-fullscreen", "", kCheck},
+
+    {"annotation.accept", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Accept the pre-placed mark"), "Space", "dialog-ok-apply", QT_TRANSLATE_NOOP("app::ActionTable", "In the current view or, if that has a mark, in the next one without")},
+    {"annotation.acceptAll", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Accept in all &views"), "Shift+Space", "", ""},
+    {"annotation.acceptFrame", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Accept all joints of the &frame"), "Ctrl+Space", "", ""},
+    {"annotation.propose", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Propose the &rest from the hand model"), "R", "tools-wizard", QT_TRANSLATE_NOOP("app::ActionTable", "Fits the hand model to the 3D joints of this frame and places the others, to be checked")},
+    {"annotation.occluded", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Occluded, estimated"), "O", "view-hidden", QT_TRANSLATE_NOOP("app::ActionTable", "The joint is hidden here; its place is a guess"), kPlain, true},
+    {"annotation.unplaceable", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Cannot be placed here"), "U", "dialog-cancel", ""},
+    {"annotation.remove", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Delete the mark"), "X", "edit-delete", QT_TRANSLATE_NOOP("app::ActionTable", "Of the selected joint in the current view")},
+    {"annotation.removeAll", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Delete in all vie&ws"), "Shift+X", "", ""},
+    {"annotation.previousJoint", kStep, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous joint"), "W", "", "", kPlain, true},
+    {"annotation.nextJoint", kStep, QT_TRANSLATE_NOOP("app::ActionTable", "&Next joint"), "S", "", ""},
+    {"annotation.previousView", kStep, QT_TRANSLATE_NOOP("app::ActionTable", "Previous view"), "Q", "", ""},
+    {"annotation.nextView", kStep, QT_TRANSLATE_NOOP("app::ActionTable", "Next view"), "E", "", ""},
+    {"annotation.nudgeLeft", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge left"), "Left", "", QT_TRANSLATE_NOOP("app::ActionTable", "By a quarter of an image pixel")},
+    {"annotation.nudgeRight", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge right"), "Right", "", QT_TRANSLATE_NOOP("app::ActionTable", "By a quarter of an image pixel")},
+    {"annotation.nudgeUp", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge up"), "Up", "", QT_TRANSLATE_NOOP("app::ActionTable", "By a quarter of an image pixel")},
+    {"annotation.nudgeDown", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge down"), "Down", "", QT_TRANSLATE_NOOP("app::ActionTable", "By a quarter of an image pixel")},
+    {"annotation.nudgeLeftFar", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge left by a pixel"), "Shift+Left", "", "", kPlain, true},
+    {"annotation.nudgeRightFar", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge right by a pixel"), "Shift+Right", "", ""},
+    {"annotation.nudgeUpFar", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge up by a pixel"), "Shift+Up", "", ""},
+    {"annotation.nudgeDownFar", kNudge, QT_TRANSLATE_NOOP("app::ActionTable", "Nudge down by a pixel"), "Shift+Down", "", ""},
+    {"annotation.copyPrevious", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Copy the pose of the previous annotated frame"), "C", "edit-copy", QT_TRANSLATE_NOOP("app::ActionTable", "As marks that wait to be checked"), kPlain, true},
+    {"annotation.interpolate", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Interpolate between annotated frames"), "I", "", QT_TRANSLATE_NOOP("app::ActionTable", "In 3D, along straight lines, over the gap around this frame")},
+    {"annotation.interpolateCubic", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Interpolate along a curve"), "Shift+I", "", QT_TRANSLATE_NOOP("app::ActionTable", "In 3D, cubic, over the gap around this frame")},
+    {"annotation.swapHands", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Swap left and right from here on"), "Ctrl+Shift+X", "", "", kPlain, true},
+    {"annotation.deleteFrame", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Delete all marks of this frame"), "Ctrl+Del", "", ""},
+    {"annotation.deleteRange", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Delete a range of frames..."), "Ctrl+Shift+Del", "", ""},
+    {"annotation.jointsFourteen", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "14 joints per hand"), "Ctrl+4", "", "", kCheck, true},
+    {"annotation.jointsTwentyOne", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "21 joints per hand"), "Ctrl+5", "", QT_TRANSLATE_NOOP("app::ActionTable", "With wrist and finger tips"), kCheck},
+    {"annotation.jointsAll", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "All joints of the model"), "Ctrl+6", "", "", kCheck},
+    {"annotation.jointsFile", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Joints from a &file..."), "Ctrl+7", "", ""},
+    {"annotation.jointUp", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint up in the list"), "Ctrl+Up", "", "", kPlain, true},
+    {"annotation.jointDown", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint down in the list"), "Ctrl+Down", "", ""},
+    {"annotation.autoAdvance", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint when all views are done"), "Ctrl+Shift+A", "", "", kCheck},
+
+    {"go.previousFrame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous frame"), "A", "media-skip-backward", ""},
+    {"go.nextFrame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&Next frame"), "D", "media-skip-forward", ""},
+    {"go.back10", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Ten frames back"), "Shift+A", "", ""},
+    {"go.forward10", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Ten frames forward"), "Shift+D", "", ""},
+    {"go.firstFrame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&First frame"), "Home", "go-first", ""},
+    {"go.lastFrame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&Last frame"), "End", "go-last", ""},
+    {"go.frame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&Go to frame..."), "G", "", ""},
+    {"go.play", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Pla&y"), "P", "media-playback-start", "", kCheck},
+    {"go.nextBad", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Next &bad joint"), "N", "flag-red", QT_TRANSLATE_NOOP("app::ActionTable", "Error above the threshold, an outlier, or no 3D point"), kPlain, true},
+    {"go.previousBad", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Previous b&ad joint"), "Shift+N", "", ""},
+    {"go.nextUnlabelled", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Next &unlabelled frame"), "B", "", QT_TRANSLATE_NOOP("app::ActionTable", "The next frame in which a joint is not done"), kPlain, true},
+    {"go.previousUnlabelled", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Previous unlab&elled frame"), "Shift+B", "", ""},
+    {"go.nextAnnotated", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Next annotated frame"), "Ctrl+D", "", ""},
+    {"go.previousAnnotated", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Previous annotated frame"), "Ctrl+A", "", ""},
+    {"go.nextTest", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Next &test frame"), "Ctrl+Right", "", QT_TRANSLATE_NOOP("app::ActionTable", "The frames that the benchmark draws from this sequence")},
+    {"go.previousTest", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Previous test frame"), "Ctrl+Left", "", ""},
+    {"go.lastEdited", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Last e&dited frame"), "Ctrl+G", "", ""},
+    {"go.threshold", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "Error &threshold..."), "Ctrl+T", "", QT_TRANSLATE_NOOP("app::ActionTable", "Joints with a larger error count as bad"), kPlain, true},
+
+    {"fit.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Fit the current frame"), "F", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "With the chosen methods, from the pose of some frames before")},
+    {"fit.stop", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Stop"), "Shift+F", "process-stop", ""},
+    {"fit.show", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Show the fit &panel"), "Ctrl+F", "", ""},
+    {"file.attachMasks", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Attach masks..."), "Ctrl+Shift+M", "", QT_TRANSLATE_NOOP("app::ActionTable", "Gives this sequence the silhouettes of a folder")},
+    {"compare.previousIteration", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous iteration"), ",", "", QT_TRANSLATE_NOOP("app::ActionTable", "Shows the poses as they were before"), kPlain, true},
+    {"compare.nextIteration", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Next iteration"), ".", "", ""},
+    {"compare.lastIteration", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Result of the fit"), "/", "", ""},
+    {"compare.nextMethod", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Next &method in the 3D scene"), ";", "", ""},
+    {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
+    {"file.openResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
+
+    {"edit.rater", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Your n&ame..."), "Ctrl+U", "user-identity", QT_TRANSLATE_NOOP("app::ActionTable", "The name that your marks are kept under")},
+    {"annotation.raters", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Compare ra&ters"), "Ctrl+Shift+B", "", "", kPlain, true},
+    {"annotation.repeat", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "&Start a repeat round"), "Ctrl+Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "A random tenth of your finished joints, your first marks hidden; once more to end the round"), kPlain, true},
+    {"annotation.repeatNext", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint of the second round"), "Ctrl+Shift+N", "", ""},
+
+    {"help.shortcuts", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Shortcuts"), "F1", "help-contents", ""},
+    {"help.hints", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Four hints"), "Ctrl+F1", "", ""},
+    {"help.about", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&About Handlens"), "Ctrl+Shift+F1", "help-about", "", kPlain, true},
+};
+// clang-format on
+
+const std::vector<MenuRow> kMenus = {{kFile, nullptr},  {kEdit, nullptr}, {kView, nullptr},   {kMaximise, kView}, {kMarks, kView},
+                                     {kMesh, kView},    {kScene, kView},  {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate},
+                                     {kJoints, kAnnotate}, {kGo, nullptr},  {kFit, nullptr},    {kRaters, nullptr},  {kHelp, nullptr}};
+
+} // namespace
+
+const std::vector<ActionRow>& actionTable() {
+    return kRows;
+}
+
+const std::vector<MenuRow>& menuTable() {
+    return kMenus;
+}
+
+} // namespace app

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/actions/file_actions.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+
+#include "app/desktop/windows/annotation_format_text.h"
+#include "app/desktop/windows/export_window.h"
+#include "app/desktop/main_window.h"
+#include "core/io/formats/annotation_formats.h"
+
+namespace app {
+
+namespace {
+
+QString id(const char* text) {
+    return QString::fromLatin1(text);
+}
+
+/// A filter of a file dialog, and the ending that a name without one gets; empty for folders.
+struct FileKind {
+    QString filter, suffix;
+};
+
+/// Shows a file dialog that does not block, to save a file if a name is proposed; `chosen` gets the path and which of the kinds it is.
+void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds, const QString& proposedName,
+                const std::function<void(const QString& path, std::size_t kind)>& chosen) {
+    auto* dialog = new QFileDialog(&window, title);
+    QStringList filters;
+    for (const FileKind& kind : kinds)
+        filters << kind.filter;
+    dialog->setNameFilters(filters);
+    const bool toSave = !proposedName.isEmpty();
+    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto kindOf = [filters](const QString& filter) { return static_cast<std::size_t>(std::max(0, filters.indexOf(filter))); };
+    const auto setSuffix = [dialog, kinds, kindOf](const QString& filter) { // before the dialog asks whether to overwrite
+        dialog->setDefaultSuffix(kinds[kindOf(filter)].suffix);
+    };
+    setSuffix(filters.front());
+    if (toSave)
+        dialog->selectFile(proposedName);
+    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, setSuffix);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window,
+                     [dialog, chosen, kindOf](const QString& path) { chosen(path, kindOf(dialog->selectedNameFilter())); });
+    dialog->open();
+}
+
+/// The kinds of annotations that can be read.
+struct FormatChoice {
+    std::vector<std::string_view> kinds;
+    std::vector<FileKind> files; ///< parallel to them
+};
+
+FormatChoice importChoice() {
+    FormatChoice choice;
+    for (const core::AnnotationFormat& format : core::annotationFormats()) {
+        if (!format.canImport)
+            continue;
+        const AnnotationFormatText text = annotationFormatText(format.kind);
+        choice.kinds.push_back(format.kind);
+        choice.files.push_back({QStringLiteral("%1 (*)").arg(text.name), text.suffix});
+    }
+    return choice;
+}
+
+/// For the names of files.
+QString sequenceName(MainWindow& window) {
+    const core::Sequence* sequence = window.workbench().session.sequence();
+    return sequence ? QString::fromStdString(sequence->name) : QStringLiteral("handlens");
+}
+
+QString text(std::string_view kind) {
+    return QString::fromUtf8(kind.data(), static_cast<int>(kind.size()));
+}
+
+/// First what kind of file, then where to. The kind is remembered.
+void exportAnnotations(MainWindow& window) {
+    const QString setting = QStringLiteral("exportKind");
+    auto* dialog = new ExportWindow(window.settings().value(setting).toString(), &window);
+    QObject::connect(dialog, &ExportWindow::chosen, &window, [&window, setting](const QString& kind) {
+        window.settings().setValue(setting, kind);
+        const core::AnnotationFormat& format = core::annotationFormat(kind.toStdString());
+        askForFile(window, MainWindow::tr("Export annotations"), {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
+                   [&window, kind](const QString& path, std::size_t) { window.workbench().files.exportTo(kind, path); });
+    });
+    dialog->open();
+}
+
+void importAnnotations(MainWindow& window) {
+    const FormatChoice choice = importChoice();
+    askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
+               [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.importFrom(text(choice.kinds[kind]), path); });
+}
+
+} // namespace
+
+void bindFileActions(MainWindow& window) {
+    Actions& actions = window.actions();
+    actions.bind(id("file.export"), [&window] { exportAnnotations(window); });
+    actions.bind(id("file.import"), [&window] { importAnnotations(window); });
+    actions.bind(id("file.report"), [&window] {
+        askForFile(window, MainWindow::tr("Report on the annotations"), {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, MainWindow::tr("report"),
+                   [&window](const QString& path, std::size_t) { window.workbench().files.report(path, window.workbench().coverage.badRmsPx()); });
+    });
+    actions.bind(id("file.savePicture"), [&window] {
+        askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, sequenceName(window),
+                   [&window](const QString& path, std::size_t) {
+                       if (window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
+                           window.statusLine().sayBriefly(MainWindow::tr("Saved to %1").arg(QDir::toNativeSeparators(path)));
+                       else
+                           window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
+                   });
+    });
+    actions.bind(id("annotation.jointsFile"), [&window] {
+        askForFile(window, MainWindow::tr("Joints from a file"), {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, {},
+                   [&window](const QString& path, std::size_t) { window.workbench().files.readJoints(path); });
+    });
+}
+
+} // namespace app

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/actions/second_round.h"
+
+#include <QDateTime>
+#include <QLocale>
+
+#include "app/desktop/main_window.h"
+
+namespace app {
+
+namespace {
+
+constexpr double kShare = 0.1;
+
+QString id(const char* text) {
+    return QString::fromLatin1(text);
+}
+
+void showPanel(MainWindow& window) {
+    window.workspaces().raisePanel(window.workspaces().ratersPanel());
+}
+
+void begin(MainWindow& window) {
+    showPanel(window);
+    window.workbench().raters.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch()));
+}
+
+void end(MainWindow& window) {
+    showPanel(window);
+    window.workbench().raters.endRepeating();
+}
+
+/// Ends the round, or begins one after a question.
+void toggle(MainWindow& window) {
+    const widgets::RaterStudy& study = window.workbench().raters;
+    if (study.isRepeating()) {
+        end(window);
+    } else if (!window.mayAsk()) {
+        begin(window);
+    } else {
+        const QString question = study.openTasks() > 0
+                                     ? MainWindow::tr("Go on with the second round? Your first marks are hidden until you end it.")
+                                     : MainWindow::tr("Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well "
+                                                      "you repeat yourself. Your first marks are kept, and hidden until you end the round.");
+        window.ask(question, {{MainWindow::tr("Begin the second round"), [&window] { begin(window); }}, {MainWindow::tr("Not now"), [] {}}});
+    }
+}
+
+void goToNext(MainWindow& window) {
+    widgets::RaterStudy& study = window.workbench().raters;
+    if (!study.goToNextTask())
+        window.statusLine().sayBriefly(study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
+                                                           : MainWindow::tr("No second round is under way."));
+}
+
+/// The banner that says why the first marks are not there.
+void showBanner(MainWindow& window) {
+    const widgets::RaterStudy& study = window.workbench().raters;
+    widgets::MessageBar& banner = window.banner();
+    if (!study.isRepeating() || !window.workbench().document.isOpen()) {
+        banner.setMessage({});
+        return;
+    }
+    const QLocale locale;
+    const QString text = MainWindow::tr("Second round: your first marks are hidden. %1 of %2 joints.")
+                             .arg(locale.toString(study.tasks() - study.openTasks()), locale.toString(study.tasks()));
+    if (text != banner.message())
+        banner.offer(text, {{MainWindow::tr("Next"), [&window] {
+                                 goToNext(window);
+                                 showBanner(window);
+                             }},
+                            {MainWindow::tr("End"), [&window] { end(window); }}});
+}
+
+} // namespace
+
+void bindSecondRound(MainWindow& window) {
+    Actions& actions = window.actions();
+    widgets::RaterStudy& study = window.workbench().raters;
+    widgets::RatersPanel* panel = window.workspaces().ratersPanel();
+    window.banner().setDismissible(false);
+    const auto toggleRound = [&window] { toggle(window); };
+    const auto next = [&window] { goToNext(window); };
+    actions.bind(id("annotation.repeat"), toggleRound);
+    actions.bind(id("annotation.repeatNext"), next);
+    QObject::connect(panel, &widgets::RatersPanel::roundRequested, &window, toggleRound);
+    QObject::connect(panel, &widgets::RatersPanel::nextTaskRequested, &window, next);
+    QObject::connect(&study, &widgets::RaterStudy::roundChanged, &window, [&window] { showBanner(window); });
+    QObject::connect(&study, &widgets::RaterStudy::nothingToRepeat, &window, [&window] {
+        window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
+    });
+}
+
+} // namespace app

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/dataset/footage_check.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/error.h"
+#include "core/io/footage/file_pattern.h"
+#include "core/io/dataset/footage_presence.h"
+#include "core/io/footage/image_orientation.h"
+#include "core/io/dataset/instants.h"
+#include "core/io/dataset/measured_footage.h"
+
+namespace core {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void requireFrames(const Sequence& sequence, const ViewSource& view, const MeasuredFootage& video) {
+    const int last = footageFrameAt(view, sequence.frameCount - 1);
+    if (view.offsetFrames < 0 || last >= video.frames) {
+        throw Error(ErrorCode::BadInput, video.path, "frames",
+                    "the sequence needs frames " + std::to_string(view.offsetFrames) + " to " + std::to_string(last) + ", the video has " + std::to_string(video.frames));
+    }
+}
+
+void requireImages(const Sequence& sequence, const ViewSource& view, const std::string& pattern) {
+    for (int instant = 0; instant < sequence.frameCount; ++instant) {
+        const std::string file = fillPattern(pattern, view.camera, footageFrameAt(view, instant));
+        if (hasPictureAt(view, instant) && !fs::exists(file)) {
+            throw Error(ErrorCode::NotFound, file, "", "no such file");
+        }
+    }
+}
+
+/// The footage of one view. Throws Error if it is not what the sequence needs.
+MeasuredFootage measureView(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
+    const Camera& camera = dataset.cameras[static_cast<std::size_t>(dataset.cameraIndex(view.camera))];
+    const std::string path = (dataset.folder / view.path).string();
+    MeasuredFootage measured;
+    if (view.kind == ViewKind::Video) {
+        measured = measureVideo(path, videoIndexFile(dataset.folder, sequence.name, view.camera));
+        requireFrames(sequence, view, measured);
+    } else {
+        requireImages(sequence, view, path);
+        measured = measureImages(path, view.camera);
+    }
+    if (turnedSize(measured.size, view.rotateDegrees) != camera.size) {
+        throw Error(ErrorCode::BadInput, path, "size", "is not the size that " + camera.name + " is calibrated for");
+    }
+    return measured;
+}
+
+} // namespace
+
+std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& sequence) {
+    std::vector<CheckFinding> findings;
+    std::map<std::string, MeasuredFootage> measured;
+    for (const ViewSource& view : sequence.views) {
+        if (view.kind != ViewKind::Video && view.kind != ViewKind::Images) {
+            continue;
+        }
+        try {
+            measured[view.camera] = measureView(dataset, sequence, view);
+        } catch (const Error& error) {
+            findings.push_back({false, error.what()});
+        }
+    }
+    std::vector<std::string> notes = sequence.notes;
+    for (const std::string& note : footageNotes(sequence, measured)) {
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+            notes.push_back(note);
+        }
+    }
+    for (const std::string& note : notes) {
+        findings.push_back({true, (dataset.folder / "dataset.json").string() + ": sequence \"" + sequence.name + "\": " + note});
+    }
+    return findings;
+}
+
+} // namespace core

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include <opencv2/core/mat.hpp>
+
+#include "core/io/dataset/dataset.h"
+
+namespace core {
+
+/// The pictures of one sequence, whatever they come from: videos, image files, or the recorded motion ("rendered").
+/// Nothing is opened before it is asked for. All members may be called from several threads at once; different cameras are
+/// then read side by side.
+class FrameSource {
+public:
+    /// Keeps copies of what it needs. `motion` is that of the sequence (readMotion); empty if there is none.
+    FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion);
+    ~FrameSource();
+    FrameSource(FrameSource&&) noexcept;
+    FrameSource& operator=(FrameSource&&) noexcept;
+
+    int frameCount() const;
+    /// Where the pictures of this camera (index into the dataset's) come from; None for cameras without a view.
+    ViewKind kind(int camera) const;
+
+    /// False for cameras without a view, and where this camera has no picture at this instant (a lost frame, a missing image).
+    bool hasPicture(int camera, int frame) const;
+
+    /// The picture of that camera at that frame: CV_8UC3 BGR of the camera's size, exactly the recorded pixels, turned and (of more than 8 bits)
+    /// brought to 8 bits as the view says. A plain backdrop where
+    /// hasPicture is false. Throws Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the camera's.
+    cv::Mat read(int camera, int frame) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// The mask file of one camera at a frame, whether or not it exists; empty if the camera has no mask pattern.
+std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame);
+
+/// Silhouettes of a frame, one per camera, from the sequence's mask files; empty for a camera without a file.
+/// Throws Error(BadInput) if one cannot be read.
+std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras,
+                                    int frame);
+
+} // namespace core

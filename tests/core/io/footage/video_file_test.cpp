@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "core/io/footage/video_file.h"
+
+#include <csignal>
+#include <fstream>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "core/io/footage/video_indexer.h"
+#include "tests/support/expect_error.h"
+#include "tests/support/numbered_video.h"
+#include "tests/support/temporary_folder.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using enum core::ErrorCode;
+
+constexpr int kCount = 130;
+
+/// A codec with its options for open or closed groups and B-frames, and the containers that take it.
+struct Codec {
+    std::string name;
+    std::vector<std::string> options;
+    std::vector<std::string> containers;
+};
+
+std::vector<Codec> codecs() {
+    // What ffmpeg writes as HEVC in AVI nobody can read.
+    Codec h264{"h264", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}}, hevc{"hevc", {}, {"mp4", "mov", "mkv", "ts", "mpg"}}, mpeg2{"mpeg2", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}};
+    for (const bool open : {true, false}) {
+        for (const char* b : {"0", "3"}) {
+            const std::string gop = std::string(":open-gop=") + (open ? "1" : "0") + ":keyint=30:min-keyint=10:scenecut=0:bframes=" + b;
+            h264.options.push_back("-c:v libx264 -preset veryfast -pix_fmt yuv420p -x264-params threads=1" + gop);
+            hevc.options.push_back("-c:v libx265 -preset ultrafast -pix_fmt yuv420p -x265-params log-level=none:pools=none:frame-threads=1" + gop);
+            mpeg2.options.push_back(std::string("-c:v mpeg2video -qscale:v 3 -pix_fmt yuv420p -g 15 -sc_threshold 1000000000 -bf ") + b + (open ? "" : " -flags +cgop"));
+        }
+    }
+    const Codec vp9{"vp9", {"-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -g 40 -b:v 400k -auto-alt-ref 1 -lag-in-frames 16"}, {"mp4", "mkv", "webm", "avi"}};
+    const Codec vp8{"vp8", {"-c:v libvpx -deadline good -cpu-used 8 -threads 2 -g 40 -b:v 600k -auto-alt-ref 1 -lag-in-frames 16"}, {"mkv", "webm", "avi"}};
+    const Codec mpeg4{"mpeg4", {"-c:v mpeg4 -qscale:v 3 -g 30 -bf 2", "-c:v mpeg4 -qscale:v 3 -g 30 -bf 0"}, {"mp4", "avi", "mkv", "ts"}};
+    const Codec mjpeg{"mjpeg", {"-c:v mjpeg -qscale:v 3 -pix_fmt yuvj420p"}, {"mp4", "mov", "mkv", "avi"}};
+    return {h264, hevc, mpeg2, vp9, vp8, mpeg4, mjpeg};
+}
+
+/// Reads in random order, backwards and forwards; returns how many frames show another number, or differ from decoding in order.
+int wrongFrames(const fs::path& file) {
+    core::VideoFile straight(file, {}), jumping(file, {});
+    if (straight.info().frames != kCount) {
+        ADD_FAILURE() << file << " has " << straight.info().frames << " frames";
+        return kCount;
+    }
+    std::vector<cv::Mat> inOrder;
+    int wrong = 0;
+    for (int i = 0; i < kCount; ++i) {
+        inOrder.push_back(straight.read(i));
+        wrong += test::numberInPicture(inOrder.back()) == i ? 0 : 1;
+    }
+    std::vector<int> order;
+    std::mt19937 random(7);
+    for (int i = 0; i < 30; ++i) {
+        order.push_back(static_cast<int>(random() % kCount));
+    }
+    for (int i = kCount - 1; i >= 0; i -= 3) {
+        order.push_back(i);
+    }
+    order.insert(order.end(), {95, 96, 97, 98, 99, 100, 60, 61, 62, 63});
+    for (const int i : order) {
+        wrong += cv::norm(jumping.read(i), inOrder[static_cast<std::size_t>(i)], cv::NORM_INF) == 0 ? 0 : 1;
+    }
+    return wrong;
+}
+
+class VideoOf : public testing::TestWithParam<Codec> {};
+
+TEST_P(VideoOf, ShowsEveryFrameInWhateverOrder) {
+    if (!test::hasFfmpeg()) {
+        GTEST_SKIP() << "ffmpeg is not installed";
+    }
+    const test::TemporaryFolder folder;
+    int files = 0;
+    for (const std::string& container : GetParam().containers) {
+        for (const std::string& options : GetParam().options) {
+            const fs::path file = folder / ("a." + container);
+            if (test::encodeNumbered(file, options, test::countTo(kCount))) {
+                ++files;
+                EXPECT_EQ(wrongFrames(file), 0) << container << " " << options;
+            }
+        }
+    }
+    EXPECT_GE(files, static_cast<int>(GetParam().containers.size() * GetParam().options.size()) / 2) << "this machine's ffmpeg lacks an encoder";
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryCodec, VideoOf, testing::ValuesIn(codecs()), [](const auto& one) { return one.param.name; });
+
+class Video : public testing::Test {
+protected:
+    void SetUp() override {
+        if (!test::hasFfmpeg()) {
+            GTEST_SKIP() << "ffmpeg is not installed";
+        }
+    }
+
+    fs::path encode(const std::string& name, const std::string& options, int count = 60) {
+        EXPECT_TRUE(test::encodeNumbered(m_folder / name, options, test::countTo(count))) << name;
+        return m_folder / name;
+    }
+
+    test::TemporaryFolder m_folder;
+};
+
+TEST_F(Video, KeepsItsIndexAndMakesADamagedOrStaleOneAnew) {
+    const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 20 -bf 2"), kept = m_folder / ".cache/a.videoindex";
+    EXPECT_EQ(test::numberInPicture(core::VideoFile(file, kept).read(33)), 33);
+    const std::optional<core::VideoIndex> index = core::readVideoIndex(kept, file);
+    ASSERT_TRUE(index);
+    EXPECT_EQ(*index, core::indexVideo(file));
+    std::string bytes = test::readText(kept);
+    bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] + 1);
+    for (const std::string& damaged : {bytes, bytes.substr(0, 100), std::string("no index"), std::string()}) {
+        test::writeText(kept, damaged);
+        EXPECT_FALSE(core::readVideoIndex(kept, file));
+        EXPECT_EQ(test::numberInPicture(core::VideoFile(file, kept).read(21)), 21);
+        EXPECT_TRUE(core::readVideoIndex(kept, file)) << "made anew";
+    }
+    encode("a.mp4", "-c:v mpeg4 -g 20", 44);
+    EXPECT_FALSE(core::readVideoIndex(kept, file));
+    EXPECT_EQ(core::VideoFile(file, kept).info().frames, 44);
+}
+
+TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {
+    for (const auto& [name, options] : {std::pair("a.avi", "-c:v mjpeg"), std::pair("a.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p"),
+                                        std::pair("b.mp4", "-c:v mpeg4 -g 20")}) {
+        const fs::path file = encode(name, options);
+        const core::VideoIndex index = core::indexVideo(file);
+        // The last picture of a group, on which no other leans.
+        const core::VideoPacket& packet = index.packets[39];
+        {
+            std::fstream stream(file, std::ios::binary | std::ios::in | std::ios::out);
+            stream.seekp(packet.position + 8);
+            stream << std::string(packet.size - 8, '\xff');
+        }
+        core::VideoFile video(file, {});
+        ASSERT_EQ(video.info().frames, 60) << name;
+        for (const int frame : {packet.picture, 59, 12, packet.picture, packet.picture + 1}) {
+            if (frame == packet.picture) {
+                test::expectError([&] { video.read(frame); }, BadInput, name, "frame " + std::to_string(frame));
+            } else {
+                EXPECT_EQ(test::numberInPicture(video.read(frame)), frame) << name;
+            }
+        }
+    }
+}
+
+TEST_F(Video, LeavesOutWhatTheContainerCutsAway) {
+    const fs::path whole = encode("whole.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p", 60), cut = m_folder / "cut.mp4";
+    ASSERT_EQ(std::system(("ffmpeg -loglevel quiet -y -ss 1 -i " + whole.string() + " -c copy " + cut.string()).c_str()), 0);
+    core::VideoFile video(cut, {});
+    ASSERT_EQ(video.info().frames, 35) << "one second of 25 frames is gone";
+    for (const int frame : {20, 0, 34, 3}) {
+        EXPECT_EQ(test::numberInPicture(video.read(frame)), frame + 25);
+    }
+}
+
+/// A recording that begins within an open group: the decoder cannot show the pictures before the first key picture.
+TEST_F(Video, BeginsWithTheFirstPictureThatCanBeDecoded) {
+    const fs::path file = encode("a.ts", "-c:v libx264 -pix_fmt yuv420p -x264-params open-gop=1:keyint=30:min-keyint=30:scenecut=0:bframes=3:threads=1", 120);
+    const core::VideoIndex index = core::indexVideo(file);
+    const auto key = std::find_if(index.packets.begin() + 1, index.packets.end(), [](const core::VideoPacket& packet) { return packet.isKey; });
+    ASSERT_NE(key, index.packets.end());
+    const std::string bytes = test::readText(file);
+    test::writeText(m_folder / "later.ts", bytes.substr(static_cast<std::size_t>(key->position)));
+    core::VideoFile video(m_folder / "later.ts", {});
+    const int first = test::numberInPicture(video.read(0));
+    EXPECT_EQ(first, key->picture);
+    EXPECT_EQ(video.info().frames, 120 - first);
+    for (const int frame : {50, 3, 0, 1, 29}) {
+        EXPECT_EQ(test::numberInPicture(video.read(frame)), first + frame);
+    }
+}
+
+TEST_F(Video, OfMoreThanEightBitsIsShownInEight) {
+    for (const auto& [name, options] : {std::pair("ten.mkv", "-c:v libx265 -pix_fmt yuv420p10le -x265-params log-level=none"),
+                                        std::pair("grey.mkv", "-c:v ffv1 -pix_fmt gray"), std::pair("grey10.mkv", "-c:v ffv1 -level 3 -pix_fmt gray10le"),
+                                        std::pair("grey16.mkv", "-c:v ffv1 -level 3 -pix_fmt gray16le"), std::pair("rgb48.mkv", "-c:v png -pix_fmt rgb48be")}) {
+        core::VideoFile video(encode(name, options, 12), {});
+        const cv::Mat frame = video.read(7), wanted = test::numberedPicture(7);
+        EXPECT_EQ(frame.type(), CV_8UC3);
+        EXPECT_EQ(test::numberInPicture(frame), 7) << name;
+        const auto greyAt = [](const cv::Mat& image, int x, int y) { // as a grey picture of it is
+            const cv::Vec3b bgr = image.at<cv::Vec3b>(y, x);
+            return 0.114 * bgr[0] + 0.587 * bgr[1] + 0.299 * bgr[2];
+        };
+        for (const auto& [x, y] : {std::pair(16, 16), std::pair(144, 48), std::pair(80, 85), std::pair(20, 70)}) {
+            EXPECT_NEAR(greyAt(frame, x, y), greyAt(wanted, x, y), 12) << name << " " << x << " " << y;
+        }
+    }
+}
+
+TEST_F(Video, SaysWhenItsFramesAreShown) {
+    const core::VideoInfo info = core::VideoFile(encode("a.mp4", "-c:v libx264 -bf 3 -pix_fmt yuv420p"), {}).info();
+    EXPECT_EQ(info.framesPerSecond, 25);
+    ASSERT_EQ(info.timesSec.size(), 60u);
+    EXPECT_NEAR(info.timesSec[59] - info.timesSec[0], 59 / 25.0, 1e-3);
+    EXPECT_EQ(info.rotationDegrees, 0);
+    EXPECT_EQ(core::readVideoInfo(encode("d.mpg", "-c:v mpeg2video")).framesPerSecond, 25);
+}
+
+/// ffmpeg turns pictures by itself: the oracle.
+TEST_F(Video, SaysHowAPlayerTurnsIt) {
+    const std::string file = encode("a.mp4", "-c:v mpeg4 -qscale:v 2", 3).string(), ffmpeg = "ffmpeg -loglevel quiet -y -i ";
+    std::vector<int> turns;
+    for (const char* tag : {"90", "180", "270"}) {
+        const std::string turned = m_folder / ("turned" + std::string(tag) + ".mp4"), shown = m_folder / "shown.bgr";
+        ASSERT_EQ(std::system((ffmpeg + file + " -c copy -metadata:s:v:0 rotate=" + tag + " " + turned).c_str()), 0);
+        ASSERT_EQ(std::system((ffmpeg + turned + " -frames:v 1 -f rawvideo -pix_fmt bgr24 " + shown).c_str()), 0);
+        core::VideoFile video(turned, {});
+        EXPECT_EQ(video.info().size, (core::ImageSize{test::kNumberedWidth, test::kNumberedHeight})) << "as recorded";
+        turns.push_back(video.info().rotationDegrees);
+        ASSERT_TRUE(turns.back() == 90 || turns.back() == 180 || turns.back() == 270) << turns.back();
+        cv::Mat picture;
+        cv::rotate(video.read(0), picture, std::map<int, int>{{90, cv::ROTATE_90_CLOCKWISE}, {180, cv::ROTATE_180}, {270, cv::ROTATE_90_COUNTERCLOCKWISE}}[turns.back()]);
+        std::string bytes = test::readText(shown);
+        ASSERT_EQ(bytes.size(), picture.total() * 3);
+        const cv::Mat wanted(picture.size(), CV_8UC3, bytes.data());
+        EXPECT_LT(cv::norm(picture, wanted, cv::NORM_L1) / static_cast<double>(picture.total()), 15) << tag;
+    }
+    EXPECT_EQ(turns[0] + turns[2], 360);
+    EXPECT_EQ(turns[1], 180);
+}
+
+TEST_F(Video, MustBeOne) {
+    test::writeText(m_folder / "a.txt", "some text\n");
+    test::writeText(m_folder / "a.mp4", "some text\n");
+    test::writeText(m_folder / "b.mp4", test::readText(encode("c.mp4", "-c:v mpeg4")).substr(0, 1000));
+    for (const char* name : {"a.txt", "a.mp4", "b.mp4"}) {
+        test::expectError([&] { core::readVideoInfo(m_folder / name); }, BadInput, name, "not a readable video");
+    }
+    test::expectError([&] { core::readVideoInfo(m_folder / "none.mp4"); }, NotFound, "none.mp4", "no such video");
+}
+
+} // namespace

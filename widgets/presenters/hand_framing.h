@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <QObject>
+
+#include "widgets/jobs/hand_places.h"
+#include "widgets/jobs/job.h"
+#include "widgets/session/workbench.h"
+#include "widgets/views/camera/camera_grid.h"
+
+namespace widgets {
+
+/// Zooms the views to the hands and writes beside each hand which one it is. Where the hands are comes from the recorded motion, the
+/// hand model of the marks, anybody's marks of this or the nearest annotated frame, or the masks; a view in which nothing is known
+/// shows its whole image. Zoom and pan then stay when the frame changes.
+class HandFraming : public QObject {
+    Q_OBJECT
+
+public:
+    HandFraming(Workbench& workbench, CameraGrid& grid, QObject* parent = nullptr);
+
+    /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing is known
+    /// and there are no masks.
+    bool frameHands();
+    void setLabelsShown(bool shown);
+    bool labelsShown() const { return m_labelsShown; }
+    /// The label of a hand that is not shown goes, too.
+    void setHandShown(core::Side hand, bool shown);
+
+private:
+    std::vector<HandPlace> knownHands() const;
+    std::vector<HandPlace> handsOfThisFrame() const;
+    std::optional<QRectF> boxIn(int camera, const std::vector<HandPlace>& hands) const;
+    void frameByMasks(const std::vector<int>& cameras);
+    void frameMaximised(int camera);
+    void refreshLabels();
+
+    Workbench& m_workbench;
+    CameraGrid& m_grid;
+    Job m_maskJob;
+    std::array<bool, 2> m_handShown{true, true}; ///< left, right
+    bool m_labelsShown = true;
+};
+
+} // namespace widgets

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/presenters/inspected_poses.h"
+
+#include "widgets/presenters/layer_presenter.h"
+#include "widgets/views/joint_colours.h"
+
+namespace widgets {
+
+namespace {
+
+const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+    const auto& history = method.result.history;
+    if (iteration <= 0 || history.empty())
+        return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
+    if (iteration >= static_cast<int>(history.size()))
+        return method.result.poses;
+    return history[static_cast<std::size_t>(iteration - 1)].poses;
+}
+
+MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name, const QColor& colour) {
+    MeshLayer layer;
+    layer.name = name;
+    layer.colour = colour;
+    for (std::size_t hand = 0; hand < dataset.hands.size() && hand < poses.size(); ++hand)
+        layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
+    return layer;
+}
+
+} // namespace
+
+InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration, const std::stop_token& stop) {
+    InspectedPoses poses;
+    poses.start = layerOf(dataset, outcome.startPoses, QLatin1String(LayerPresenter::kStart), methodColour("start"));
+    if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
+        poses.recorded = layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
+    for (const MethodOutcome& method : outcome.methods) {
+        if (stop.stop_requested())
+            break;
+        poses.methods.push_back(
+            layerOf(dataset, posesAt(outcome, method, iteration), QString::fromStdString(method.method), methodColour(method.method)));
+    }
+    return poses;
+}
+
+double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+    if (iteration <= 0)
+        return outcome.initialErrorMm;
+    if (iteration > static_cast<int>(method.iterationErrorMm.size()))
+        return method.errorMm;
+    return method.iterationErrorMm[static_cast<std::size_t>(iteration - 1)];
+}
+
+std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look, bool startShown, bool recordedShown) {
+    std::vector<MeshLayer> layers;
+    const auto add = [&layers](const std::optional<MeshLayer>& layer) {
+        if (layer)
+            layers.push_back(*layer);
+    };
+    if (look.style != MeshStyle::Off) {
+        if (startShown)
+            add(withLook(poses.start, look));
+        add(withLook(poses.methods[method], look));
+    }
+    if (recordedShown) { // only its edge
+        LayerLook edge = look;
+        edge.style = MeshStyle::Shaded;
+        edge.opacity = 0;
+        add(withLook(poses.recorded, edge));
+    }
+    return layers;
+}
+
+} // namespace widgets

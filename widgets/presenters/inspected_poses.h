@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "core/io/dataset/dataset.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/presenters/layer_look.h"
+
+namespace widgets {
+
+/// The hands of a fitted pair at one iteration, posed once for all views.
+struct InspectedPoses {
+    MeshLayer start;                ///< where every method began
+    MeshLayer recorded;             ///< no surfaces if the target is mask files, or there is no recorded pose
+    std::vector<MeshLayer> methods; ///< as in the outcome
+};
+
+/// Poses the hands after `iteration` steps of every method; a method that ended before stays at its result, 0 is the start.
+InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration, const std::stop_token& stop);
+
+/// Mean joint error of a method after `iteration` steps, mm; NaN without a reference.
+double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration);
+
+/// What the views of a method's column show: the start pose if it is wanted, the method, and the recorded silhouette as a white line.
+std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look, bool startShown, bool recordedShown);
+
+} // namespace widgets

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <QObject>
+
+#include "core/annotation/raters.h"
+#include "widgets/session/workbench.h"
+#include "widgets/views/camera/camera_grid.h"
+
+namespace widgets {
+
+/// What other people have settled in the open sequence: everybody but the document's rater, whose second round is no other person.
+std::vector<core::RaterWork> workOfOthers(const AnnotationDocument& document);
+/// "anna has 1120 marks in 40 frames of this sequence.", one sentence for each; empty for nobody.
+QString othersText(const std::vector<core::RaterWork>& others);
+
+/// Shows the marks that other people have made in the current frame, muted and out of reach, in all camera views. Hidden during a
+/// second round: whoever repeats must see no earlier marks.
+class OtherMarks : public QObject {
+    Q_OBJECT
+
+public:
+    OtherMarks(const Workbench& workbench, CameraGrid& grid, QObject* parent = nullptr);
+
+    void setShown(bool shown);
+    bool isShown() const { return m_shown; }
+
+private:
+    void refresh();
+
+    const Workbench& m_workbench;
+    CameraGrid& m_grid;
+    bool m_shown = false;
+};
+
+} // namespace widgets

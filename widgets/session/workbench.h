@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QObject>
+
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/annotator.h"
+#include "widgets/document/joint_list.h"
+#include "widgets/document/reconstructions.h"
+#include "widgets/document/selection.h"
+#include "widgets/session/annotation_files.h"
+#include "widgets/jobs/benchmark_runner.h"
+#include "widgets/session/coverage.h"
+#include "widgets/session/dataset_session.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/jobs/frame_loader.h"
+#include "widgets/jobs/job.h"
+#include "widgets/jobs/hand_model_fit.h"
+#include "widgets/jobs/quality_checks.h"
+#include "widgets/jobs/rater_study.h"
+
+namespace widgets {
+
+/// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and the work
+/// that goes on in the background.
+class Workbench : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Workbench(QObject* parent = nullptr);
+    ~Workbench() override;
+
+    JobPool pool;
+    Selection selection;
+    AnnotationDocument document;
+    JointList joints;
+    Reconstructions reconstructions;
+    Annotator annotator;
+    Coverage coverage;
+    DatasetSession session;
+    FrameLoader frames;
+    FitRunner fits;
+    AnnotationFiles files;
+    BenchmarkRunner benchmarks;
+    QualityChecks checks;
+    HandModelFit model;
+    RaterStudy raters;
+
+    /// Which cameras are shown, and in which order; names. Kept with the annotations.
+    void setShownCameras(const std::vector<std::string>& cameras);
+    const std::vector<std::string>& shownCameras() const { return annotator.cameraOrder(); }
+    /// True when nothing is on its way that somebody waits for.
+    bool isIdle() const { return pool.isIdle() && frames.isComplete(); }
+
+signals:
+    void shownCamerasChanged();
+    /// A sequence is open and everything above knows it.
+    void ready();
+
+private:
+    void takeDataset();
+    void takeSequence(int frame);
+    void restoreChoices();
+
+    bool m_restoring = false;
+};
+
+} // namespace widgets

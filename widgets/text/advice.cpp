@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/text/advice.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+#include "widgets/text/edit_text.h"
+
+namespace widgets {
+
+namespace {
+
+QString text(const char* source, int count = -1) {
+    return QCoreApplication::translate("widgets::Advice", source, nullptr, count);
+}
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+} // namespace
+
+/// Core's phrases, for the translators' files.
+[[maybe_unused]] constexpr const char* kReasons[] = {
+    QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"),
+    QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"),
+};
+
+QString reasonText(const std::string& reason) {
+    return text(reason.c_str());
+}
+
+namespace {
+
+/// Marks in views with a picture.
+struct PlacedCount {
+    int clicked = 0, accepted = 0, proposed = 0;
+};
+
+PlacedCount countPlaced(const core::JointReconstruction& found) {
+    PlacedCount count;
+    for (const core::ViewReconstruction& view : found.views) {
+        if (!view.hasPicture)
+            continue;
+        const bool placed = view.mark && view.mark->isPlaced();
+        const bool settled = view.mark && view.mark->isSettled();
+        count.clicked += placed && view.mark->isEvidence();
+        count.accepted += placed && !view.mark->isEvidence();
+        count.proposed += !settled && (view.mark || (view.reprojectionPx && view.reprojectionInside));
+    }
+    return count;
+}
+
+/// Two clicks that give no point: how far they are off each other's curves.
+QString disagreementText(const core::JointReconstruction& found) {
+    const core::CurveGap& first = found.gaps.front();
+    const QString camera = QString::fromStdString(first.camera);
+    if (found.gaps.size() < 2)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2.")).arg(camera, curveGapText(first));
+    const core::CurveGap& second = found.gaps.back();
+    return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2, the one in %3 %4."))
+        .arg(camera, curveGapText(first), QString::fromStdString(second.camera), curveGapText(second));
+}
+
+} // namespace
+
+QString placedText(const core::JointReconstruction& found) {
+    const PlacedCount count = countPlaced(found);
+    const QString clicked = QLocale().toString(count.clicked);
+    return count.accepted == 0 ? clicked : QStringLiteral("%1+%2").arg(clicked, QLocale().toString(count.accepted));
+}
+
+QString placedInWords(const core::JointReconstruction& found) {
+    const PlacedCount count = countPlaced(found);
+    return text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture"), found.countedViews)
+        .arg(QLocale().toString(count.clicked), QLocale().toString(count.accepted), QLocale().toString(count.proposed));
+}
+
+QString curveGapText(const core::CurveGap& gap) {
+    return text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve")).arg(number(gap.px, 1), QString::fromStdString(gap.curveOf));
+}
+
+QString summaryText(const core::JointId& joint, const core::JointReconstruction& found) {
+    QStringList parts{jointText(joint),
+                      text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
+    if (found.hasPoint()) {
+        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(number(found.result.point->rmsPx, 2))
+              << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm")).arg(number(core::sigmaMm(found.result.point->covariance), 2));
+    }
+    return parts.join(QStringLiteral("  \u00b7  "));
+}
+
+QString adviceText(const core::JointId& joint, const core::JointReconstruction& found) {
+    const QString name = QString::fromStdString(joint.joint);
+    const QString next = found.nextViews.empty() ? QString() : QString::fromStdString(found.nextViews.front().camera);
+    if (joint.joint.empty())
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Choose a joint on the left."));
+    if (found.countedViews < 2)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "A joint needs at least two cameras with a picture."));
+    if (found.manualViews == 0)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in any view.")).arg(name);
+    if (!found.suspect.empty())
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "The click in %1 disagrees with the others: check it."))
+            .arg(QString::fromStdString(found.suspect));
+    if (!found.gaps.empty())
+        return disagreementText(found);
+    if (!found.hasPoint() && found.manualViews >= 2)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(reasonText(found.result.reason));
+    if (!found.hasPoint())
+        return next.isEmpty() ? text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
+                              : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2.")).arg(name, next);
+    if (found.status == core::JointStatus::Done)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Done in every view: go on with the next joint."));
+    if (next.isEmpty())
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accept the remaining views with Space, or mark them as not placeable."));
+    return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
+        .arg(next, number(found.nextViews.front().predictedSigmaMm, 2));
+}
+
+std::string advisedCamera(const core::JointReconstruction& found) {
+    const bool isStuck = !found.suspect.empty() || (!found.hasPoint() && found.manualViews >= 2);
+    const bool asks = found.manualViews > 0 && !isStuck && found.status != core::JointStatus::Done;
+    return asks && !found.nextViews.empty() ? found.nextViews.front().camera : std::string();
+}
+
+} // namespace widgets

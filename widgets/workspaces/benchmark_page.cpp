@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/benchmark_page.h"
+
+#include <map>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/error.h"
+#include "core/fitting/method_name.h"
+#include "widgets/panels/state_colours.h"
+#include "widgets/views/method_chip.h"
+
+namespace widgets {
+
+namespace {
+
+QLabel* heading(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+/// Frames in which somebody clicked a joint in two views: as a rule it has a 3D point.
+std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
+    std::set<int> frames;
+    std::map<std::tuple<int, std::string, core::JointId>, int> clicks;
+    for (const auto& [key, mark] : set.marks) {
+        if (mark.isEvidence() && ++clicks[{key.frame, key.rater, key.joint}] == 2)
+            frames.insert(key.frame);
+    }
+    return {frames.begin(), frames.end()};
+}
+
+} // namespace
+
+BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_sequences(new QListWidget(this)),
+      m_setup(new QComboBox(this)), m_percent(new QDoubleSpinBox(this)), m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this)), m_seed(new QSpinBox(this)),
+      m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_save(new QPushButton(tr("Save results..."), this)),
+      m_open(new QPushButton(tr("Open results..."), this)), m_results(new BenchmarkResultsView(this)) {
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->addWidget(makeSettings());
+    splitter->addWidget(m_results);
+    splitter->setStretchFactor(1, 1);
+    splitter->setChildrenCollapsible(false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_message);
+    column->addWidget(splitter, 1);
+    connectRunner();
+    showRunning(false);
+    takeResults();
+}
+
+QWidget* BenchmarkPage::makeSettings() {
+    auto* side = new QWidget(this);
+    auto* column = new QVBoxLayout(side);
+    column->setSpacing(kSpacing);
+    column->addWidget(heading(tr("Methods"), side));
+    for (const std::string& name : core::plainMethodNames()) {
+        auto* box = new QCheckBox(QString::fromStdString(name), side);
+        box->setIcon(methodChip(name));
+        box->setChecked(true);
+        box->setFocusPolicy(Qt::NoFocus);
+        m_methods.push_back(box);
+        column->addWidget(box);
+    }
+    column->addWidget(heading(tr("Sequences"), side));
+    m_sequences->setFocusPolicy(Qt::NoFocus);
+    m_sequences->setSelectionMode(QAbstractItemView::NoSelection);
+    column->addWidget(m_sequences, 1);
+    auto* form = new QFormLayout;
+    m_percent->setRange(0.1, 100);
+    m_percent->setValue(2);
+    m_percent->setDecimals(1);
+    m_percent->setSuffix(tr(" % of frames"));
+    m_seed->setRange(0, 1000000);
+    m_seed->setValue(7);
+    m_setup->addItems({tr("Synthetic"), tr("Realistic")});
+    m_setup->setToolTip(tr("Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints."));
+    m_setup->setFocusPolicy(Qt::NoFocus);
+    form->addRow(tr("Setup"), m_setup);
+    form->addRow(tr("Test"), m_percent);
+    form->addRow(tr("Frames apart"), m_differences);
+    form->addRow(tr("Seed"), m_seed);
+    column->addLayout(form);
+    column->addWidget(m_run);
+    column->addWidget(m_progress);
+    column->addLayout(makeFileRow());
+    for (QWidget* field : std::initializer_list<QWidget*>{m_percent, m_differences, m_seed})
+        field->setFocusPolicy(Qt::ClickFocus);
+    m_run->setFocusPolicy(Qt::NoFocus);
+    connect(m_run, &QPushButton::clicked, this, &BenchmarkPage::runOrStop);
+    connect(m_percent, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
+    connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
+    connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
+    connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
+    connect(&m_workbench.coverage, &Coverage::changed, this, [this] {
+        if (setup() == core::BenchmarkSetup::Realistic)
+            emit drawChanged();
+    });
+    return side;
+}
+
+QLayout* BenchmarkPage::makeFileRow() {
+    auto* row = new QHBoxLayout;
+    m_save->setToolTip(tr("Tables, pairs and a report, as handlens-batch benchmark writes them"));
+    m_open->setToolTip(tr("A folder that was saved here or written by handlens-batch benchmark"));
+    for (QPushButton* button : {m_save, m_open}) {
+        button->setFocusPolicy(Qt::NoFocus);
+        row->addWidget(button);
+    }
+    connect(m_save, &QPushButton::clicked, this, &BenchmarkPage::askToSave);
+    connect(m_open, &QPushButton::clicked, this, &BenchmarkPage::askToOpen);
+    return row;
+}
+
+void BenchmarkPage::connectRunner() {
+    BenchmarkRunner& runner = m_workbench.benchmarks;
+    connect(&m_workbench.session, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
+    connect(&runner, &BenchmarkRunner::started, this, [this] {
+        m_message->setMessage({});
+        showRunning(true);
+    });
+    connect(&runner, &BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
+        m_progress->setValue(static_cast<int>(fraction * 1000));
+        m_progress->setFormat(text);
+    });
+    connect(&runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
+    connect(&runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
+    connect(&runner, &BenchmarkRunner::cleared, this, [this] {
+        showRunning(false);
+        m_message->setMessage({});
+    });
+    connect(&runner, &BenchmarkRunner::opened, this, [this](const QString&, const QString& note) { m_message->setMessage(note); });
+    connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
+    connect(m_results, &BenchmarkResultsView::pairOpened, this, [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
+        const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
+        emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
+    });
+    connect(&runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
+        showRunning(false);
+        m_message->setMessage(message);
+    });
+}
+
+core::PairOptions BenchmarkPage::pairOptions() const {
+    core::PairOptions options;
+    options.fraction = m_percent->value() / 100;
+    options.seed = static_cast<std::uint64_t>(m_seed->value());
+    options.differences.clear();
+    for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        options.differences.push_back(part.trimmed().toInt(&isNumber));
+        if (!isNumber)
+            throw core::Error(core::ErrorCode::Usage, {}, {}, tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
+    }
+    return options;
+}
+
+core::BenchmarkSetup BenchmarkPage::setup() const {
+    return m_setup->currentIndex() == 1 ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+}
+
+std::set<int> BenchmarkPage::testFrames() const {
+    const core::Sequence* sequence = m_workbench.session.sequence();
+    if (!sequence)
+        return {};
+    core::PairFrames frames{sequence->name, {}};
+    if (setup() == core::BenchmarkSetup::Realistic) {
+        frames.frames = framesWithPoints(m_workbench.document.annotations());
+    } else {
+        frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
+        std::iota(frames.frames.begin(), frames.frames.end(), 0);
+    }
+    std::set<int> tests;
+    try {
+        for (const core::FramePair& pair : core::drawPairs({frames}, pairOptions()))
+            tests.insert(pair.test);
+    } catch (const core::Error&) { // half typed
+    }
+    return tests;
+}
+
+BenchmarkRequest BenchmarkPage::request() const {
+    BenchmarkRequest request;
+    for (int row = 0; row < m_sequences->count(); ++row) {
+        if (m_sequences->item(row)->checkState() == Qt::Checked)
+            request.sequences.push_back(m_sequences->item(row)->text().toStdString());
+    }
+    for (const QCheckBox* box : m_methods) {
+        if (box->isChecked())
+            request.methods.push_back(box->text().toStdString());
+    }
+    request.pairs = pairOptions();
+    request.setup = setup();
+    if (request.methods.empty() || request.sequences.empty())
+        throw core::Error(core::ErrorCode::Usage, {}, {}, tr("Choose at least one method and one sequence.").toStdString());
+    return request;
+}
+
+void BenchmarkPage::runOrStop() {
+    if (m_workbench.benchmarks.isRunning()) {
+        m_workbench.benchmarks.stop();
+        return;
+    }
+    try {
+        m_workbench.benchmarks.run(request());
+    } catch (const core::Error& error) {
+        m_message->setMessage(QString::fromUtf8(error.what()));
+    }
+}
+
+void BenchmarkPage::showRunning(bool running) {
+    m_run->setText(running ? tr("Stop") : tr("Run"));
+    m_progress->setVisible(running);
+    m_open->setEnabled(!running);
+    m_progress->setRange(0, 1000);
+    if (running)
+        m_progress->setValue(0);
+}
+
+void BenchmarkPage::takeDataset() {
+    m_sequences->clear();
+    for (const core::Sequence& sequence : m_workbench.session.dataset()->sequences) {
+        auto* item = new QListWidgetItem(QString::fromStdString(sequence.name), m_sequences);
+        item->setCheckState(sequence.motion.empty() ? Qt::Unchecked : Qt::Checked);
+        if (sequence.motion.empty())
+            item->setFlags(Qt::NoItemFlags);
+    }
+}
+
+void BenchmarkPage::takeResults() {
+    m_results->setResults(m_workbench.benchmarks.results());
+    m_save->setEnabled(m_workbench.benchmarks.results() != nullptr);
+}
+
+void BenchmarkPage::askToSave() {
+    chooseFolder(tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
+}
+
+void BenchmarkPage::askToOpen() {
+    chooseFolder(tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
+}
+
+void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {
+    auto* dialog = new QFileDialog(this, title, m_lastFolder.isEmpty() ? QDir::homePath() : m_lastFolder);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, this, [this, take](const QString& folder) {
+        m_lastFolder = folder;
+        m_message->setMessage({});
+        take(folder);
+    });
+    dialog->open();
+}
+
+} // namespace widgets

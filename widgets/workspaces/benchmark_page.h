@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWidget>
+
+#include "widgets/session/workbench.h"
+#include "widgets/workspaces/benchmark_results_view.h"
+#include "widgets/views/message_bar.h"
+
+namespace widgets {
+
+/// Many pairs, all methods: what to run on the left, then the results as they come. They can be saved and opened again. A double click
+/// on a pair opens it for inspection.
+class BenchmarkPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit BenchmarkPage(Workbench& workbench, QWidget* parent = nullptr);
+
+    /// Which test frames the settings draw from the open sequence; none if they make no sense now.
+    std::set<int> testFrames() const;
+
+    /// What the fields say. Throws core::Error(Usage) if the differences are not whole numbers, or nothing is chosen.
+    BenchmarkRequest request() const;
+    core::PairOptions pairOptions() const;
+
+    void runOrStop();
+    /// Asks for a folder, then saves the results there, or shows those of it.
+    void askToSave();
+    void askToOpen();
+
+signals:
+    /// The settings draw other test frames.
+    void drawChanged();
+    /// A pair shall be looked at with these methods.
+    void pairOpened(const QString& sequence, const widgets::FitRequest& request);
+
+private:
+    core::BenchmarkSetup setup() const;
+    QWidget* makeSettings();
+    QLayout* makeFileRow();
+    void connectRunner();
+    void takeDataset();
+    void takeResults();
+    void chooseFolder(const QString& title, const std::function<void(const QString&)>& take);
+    void showRunning(bool running);
+
+    Workbench& m_workbench;
+    MessageBar* m_message;
+    QListWidget* m_sequences;
+    std::vector<QCheckBox*> m_methods;
+    QComboBox* m_setup;
+    QDoubleSpinBox* m_percent;
+    QLineEdit* m_differences;
+    QSpinBox* m_seed;
+    QPushButton* m_run;
+    QProgressBar* m_progress;
+    QPushButton* m_save;
+    QPushButton* m_open;
+    BenchmarkResultsView* m_results;
+    QString m_lastFolder;
+};
+
+} // namespace widgets

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/benchmark_results_view.h"
+
+#include <algorithm>
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/benchmark/figures.h"
+#include "core/benchmark/metrics.h"
+#include "widgets/panels/table_style.h"
+#include "widgets/views/joint_colours.h"
+#include "widgets/views/method_chip.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr double kCurveStepMm = 0.1;
+constexpr double kCurveMaxMm = 10;
+
+} // namespace
+
+BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
+    : QWidget(parent), m_summary(new SummaryModel(this)), m_summaryTable(new QTableView(this)), m_pairs(new PairTableModel(this)),
+      m_sortedPairs(new QSortFilterProxyModel(this)), m_pairTable(new QTableView(this)), m_curves(new CurvePlot(this)),
+      m_jointMethod(new QComboBox(this)), m_jointErrors(new JointErrorDiagram(this)) {
+    m_summaryTable->setModel(m_summary);
+    m_summaryTable->setItemDelegateForColumn(0, new MethodDelegate(SummaryModel::ValueRole, m_summaryTable));
+    m_sortedPairs->setSourceModel(m_pairs);
+    m_sortedPairs->setSortRole(PairTableModel::ValueRole);
+    m_pairTable->setModel(m_sortedPairs);
+    m_pairTable->setItemDelegateForColumn(PairTableModel::Method, new MethodDelegate(PairTableModel::ValueRole, m_pairTable));
+    for (QTableView* table : {m_summaryTable, m_pairTable}) {
+        styleTable(*table);
+        table->setFocusPolicy(Qt::NoFocus);
+    }
+    m_pairTable->setSortingEnabled(true);
+    m_pairTable->sortByColumn(PairTableModel::ErrorMm, Qt::DescendingOrder);
+    m_pairTable->setToolTip(tr("Double-click a pair to inspect it with every method"));
+    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0, 100, false,
+                           tr("Run the benchmark to compare the methods.")});
+    auto* pictures = new QSplitter(Qt::Horizontal, this);
+    pictures->addWidget(m_curves);
+    pictures->addWidget(makeJointPart());
+    pictures->setStretchFactor(0, 2);
+    pictures->setStretchFactor(1, 1);
+    auto* rows = new QSplitter(Qt::Vertical, this);
+    rows->addWidget(m_summaryTable);
+    rows->addWidget(pictures);
+    rows->addWidget(m_pairTable);
+    rows->setStretchFactor(1, 2);
+    rows->setStretchFactor(2, 1);
+    for (QSplitter* splitter : {pictures, rows})
+        splitter->setChildrenCollapsible(false);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(rows);
+    connect(m_pairTable, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+        const core::PairResult& row = m_pairs->pair(m_sortedPairs->mapToSource(index).row());
+        emit pairOpened(row.pair, methodsToInspect(row.method));
+    });
+    setResults(nullptr);
+}
+
+QWidget* BenchmarkResultsView::makeJointPart() {
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    auto* row = new QHBoxLayout;
+    auto* title = new QLabel(tr("Error per joint"), part);
+    QFont bold = title->font();
+    bold.setBold(true);
+    title->setFont(bold);
+    m_jointMethod->setFocusPolicy(Qt::NoFocus);
+    row->addWidget(title, 1);
+    row->addWidget(m_jointMethod);
+    column->addLayout(row);
+    column->addWidget(m_jointErrors, 1);
+    connect(m_jointMethod, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkResultsView::showJointErrors);
+    return part;
+}
+
+void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
+    m_results = std::move(results);
+    m_summary->setResults(m_results);
+    m_pairs->setResults(m_results);
+    m_summaryTable->setVisible(m_results != nullptr);
+    m_pairTable->setVisible(m_results != nullptr);
+    showCurves();
+    showJointMethods();
+    showJointErrors();
+}
+
+void BenchmarkResultsView::showCurves() {
+    std::vector<Curve> curves;
+    if (m_results && !m_results->rows.empty()) {
+        for (const core::ErrorCurve& found : core::errorCurves(*m_results, kCurveStepMm, kCurveMaxMm)) {
+            const bool isStart = found.method == "initial";
+            Curve curve{isStart ? tr("start") : QString::fromStdString(found.method), methodColour(isStart ? "start" : found.method), isStart, false, {}};
+            for (std::size_t i = 0; i < found.thresholdsMm.size(); ++i)
+                curve.points.emplace_back(found.thresholdsMm[i], 100 * found.share[i]);
+            curves.push_back(std::move(curve));
+        }
+    }
+    m_curves->setCurves(curves);
+}
+
+/// Keeps the one that is chosen while rows come in.
+void BenchmarkResultsView::showJointMethods() {
+    QStringList names, shown;
+    for (int i = 0; i < m_jointMethod->count(); ++i)
+        shown << m_jointMethod->itemText(i);
+    if (m_results) {
+        for (const std::string& method : m_results->methods)
+            names << QString::fromStdString(method);
+    }
+    if (names != shown) {
+        const QSignalBlocker blocker(m_jointMethod);
+        m_jointMethod->clear();
+        for (const QString& name : names)
+            m_jointMethod->addItem(methodChip(name.toStdString()), name);
+    }
+    m_jointMethod->setVisible(m_jointMethod->count() > 0);
+}
+
+void BenchmarkResultsView::showJointErrors() {
+    std::vector<JointError> errors;
+    if (m_results && m_jointMethod->currentIndex() >= 0) {
+        const auto means = core::meanJointErrorsMm(*m_results, m_jointMethod->currentText().toStdString());
+        for (std::size_t i = 0; i < m_results->joints.size() && i < means.size(); ++i)
+            errors.push_back({m_results->joints[i], means[i]});
+    }
+    m_jointErrors->setErrors(errors);
+}
+
+/// All that can be run here; of a long list the most telling ones, and the one that was clicked.
+std::vector<std::string> BenchmarkResultsView::methodsToInspect(const std::string& clicked) const {
+    constexpr std::size_t kMost = 9;
+    std::vector<std::string> wanted = m_results->methods.size() > kMost ? core::headlineMethods(*m_results, kMost) : m_results->methods;
+    if (std::find(wanted.begin(), wanted.end(), clicked) == wanted.end())
+        wanted.push_back(clicked);
+    std::erase_if(wanted, [this](const std::string& method) {
+        return std::find(m_results->external.begin(), m_results->external.end(), method) != m_results->external.end();
+    });
+    return wanted;
+}
+
+} // namespace widgets

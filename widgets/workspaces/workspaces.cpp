@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/workspaces.h"
+
+#include <algorithm>
+
+#include <QDataStream>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "widgets/jobs/footage_finder.h"
+#include "widgets/panels/state_colours.h"
+#include "widgets/views/message_bar.h"
+
+namespace widgets {
+
+namespace {
+constexpr const char* kAdjustmentsSetting = "adjustments";
+
+/// A panel that scrolls where there is no room for it: it never makes the window larger than a small screen.
+QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
+    auto* area = new QScrollArea(parent);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(panel);
+    panel->setAutoFillBackground(false);
+    area->viewport()->setAutoFillBackground(false);
+    return area;
+}
+
+} // namespace
+
+Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
+    : QWidget(parent), m_workbench(workbench), m_columns(new QSplitter(Qt::Horizontal, this)), m_middle(new QStackedWidget(this)),
+      m_right(new QSplitter(Qt::Vertical, this)), m_tabs(new QTabWidget(this)),
+      m_joints(new JointsPanel(workbench.joints, workbench.document, workbench.reconstructions, workbench.selection, this)), m_grid(new CameraGrid(this)),
+      m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
+      m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
+      m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
+      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)), m_framing(new HandFraming(workbench, *m_grid, this)),
+      m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
+      m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)),
+      m_scenePanel(new ScenePanel(m_scene, *m_layers, this)), m_masks(workbench.session, workbench.selection, workbench.pool) {
+    build();
+    connectGrid();
+    connectInspect();
+    connectWords();
+    connect(m_quality, &QualityPanel::badRmsPxChanged, m_joints, &JointsPanel::setBadRmsPx);
+    connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
+    connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
+    connect(&workbench, &Workbench::shownCamerasChanged, this, &Workspaces::showOrder);
+    connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
+    connect(&workbench.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
+    connect(&workbench.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
+    connect(m_options, &ViewOptions::adjustmentsChanged, this,
+            [this] { m_workbench.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
+    connect(&workbench.model, &HandModelFit::changed, this, [this] {
+        const auto& fit = m_workbench.model.fit();
+        m_layers->setAnnotatedPose(fit ? std::optional(fit->poses) : std::nullopt, fit ? fit->frame : -1);
+    });
+}
+
+void Workspaces::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_columns);
+    m_middle->addWidget(m_grid);
+    m_middle->addWidget(scrolled(m_inspect, this));
+    m_middle->addWidget(scrolled(m_benchmark, this));
+    m_tabs->addTab(m_quality, tr("Quality"));
+    m_tabs->addTab(m_fitting, tr("Fit"));
+    m_tabs->addTab(m_viewPanel, tr("View"));
+    m_tabs->addTab(m_raters, tr("Raters"));
+    m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setFocusPolicy(Qt::NoFocus);
+    m_right->addWidget(m_scenePanel);
+    m_right->addWidget(m_tabs);
+    m_columns->addWidget(m_joints);
+    m_columns->addWidget(m_middle);
+    m_columns->addWidget(m_right);
+    for (QSplitter* splitter : {m_columns, m_right}) {
+        splitter->setHandleWidth(kSpacing / 2);
+        splitter->setChildrenCollapsible(false);
+    }
+    m_columns->setStretchFactor(1, 1);
+    connect(m_columns, &QSplitter::splitterMoved, this, [this] { m_columnsMoved = true; });
+    shareWidth();
+    m_right->setStretchFactor(0, 1);
+    m_right->setSizes({420, 420});
+}
+
+/// The views come first: on a small screen the columns beside them are narrow.
+void Workspaces::shareWidth() {
+    const int left = std::clamp(width() * 21 / 100, 200, 290), right = std::clamp(width() * 25 / 100, 220, 350);
+    m_columns->setSizes({left, std::max(0, width() - left - right), right});
+}
+
+void Workspaces::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    if (!m_columnsMoved)
+        shareWidth();
+}
+
+void Workspaces::connectGrid() {
+    connect(m_grid, &CameraGrid::viewAdded, this, &Workspaces::connectView);
+    connect(m_grid, &CameraGrid::currentChanged, this, [this](int camera) {
+        if (camera >= 0 && m_workbench.session.dataset())
+            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+    });
+    connect(m_scene, &SceneView::jointClicked, &m_workbench.selection, &Selection::setJoint);
+    connect(m_scene, &SceneView::cameraClicked, this, [this](int camera) {
+        if (camera >= 0 && camera < m_grid->count())
+            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+    });
+}
+
+void Workspaces::connectInspect() {
+    connect(m_layers, &LayerPresenter::lookChanged, this, &Workspaces::lookInspected);
+    connect(m_inspect, &InspectPage::posesShown, this, &Workspaces::showInScene);
+    connect(m_inspect, &InspectPage::pictureShown, this, [this](int camera) {
+        if (camera == m_grid->current())
+            showCurrentCamera();
+    });
+    connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
+    connect(&m_workbench.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
+    connect(&m_workbench.fits, &FitRunner::failed, this, [this] {
+        if (m_kind != Kind::Benchmark)
+            m_tabs->setCurrentWidget(m_fitting); // where the reason stands, and what to do
+    });
+    connect(&m_masks, &MaskAttacher::failed, m_fitting, &FittingPanel::showMessage);
+    lookInspected();
+}
+
+void Workspaces::connectWords() {
+    const auto update = [this] { emit wordsChanged(words()); };
+    for (const auto& signal : {&FitRunner::finished, &FitRunner::cleared})
+        connect(&m_workbench.fits, signal, this, update);
+    connect(&m_workbench.benchmarks, &BenchmarkRunner::updated, this, update);
+    connect(this, &Workspaces::currentChanged, this, update);
+}
+
+WorkWords Workspaces::words() const {
+    switch (m_kind) {
+    case Kind::Inspect:
+        return fitWords(m_workbench.fits.outcome().get());
+    case Kind::Benchmark:
+        return benchmarkWords(m_workbench.benchmarks.results().get());
+    case Kind::Annotate:
+        break;
+    }
+    return {};
+}
+
+void Workspaces::lookInspected() {
+    m_inspect->setLook(m_layers->look(), m_layers->isLayerShown(QLatin1String(LayerPresenter::kStart)),
+                       m_layers->isLayerShown(QLatin1String(LayerPresenter::kRecorded)));
+}
+
+bool Workspaces::inspects() const {
+    return m_kind == Kind::Inspect && m_workbench.fits.outcome();
+}
+
+/// The inspected pair's poses at the iteration that is shown, or those of the current frame. Marks of another frame stay out.
+void Workspaces::showInScene() {
+    const auto& outcome = m_workbench.fits.outcome();
+    const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
+    m_layers->setInspected(posed.empty() ? std::nullopt : std::optional(posed));
+    m_scene->setJointsShown(!inspects() || outcome->request.test == m_workbench.selection.frame());
+}
+
+ImagePyramid Workspaces::shownPicture(int camera) const {
+    if (camera < 0)
+        return {};
+    return inspects() ? m_inspect->picture(camera) : m_workbench.frames.picture(camera);
+}
+
+void Workspaces::connectView(int camera, CameraView* view) {
+    Annotator& annotator = m_workbench.annotator;
+    const auto name = [view] { return view->camera().name; };
+    const auto vector = [](QPointF px) { return Eigen::Vector2d(px.x(), px.y()); };
+    connect(view, &CameraView::pointPlaced, &annotator,
+            [&annotator, name, vector](QPointF px) { annotator.place(name(), vector(px)); });
+    connect(view, &CameraView::pointWithdrawn, &annotator, &Annotator::withdrawPlace);
+    connect(view, &CameraView::markDragged, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+        annotator.drag(name(), joint, vector(px));
+    });
+    connect(view, &CameraView::markDropped, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+        annotator.drop(name(), joint, vector(px));
+    });
+    connect(view, &CameraView::markDragCancelled, &annotator, &Annotator::cancelDrag);
+    connect(view, &CameraView::markSelected, this, [this, name](const core::JointId& joint) {
+        m_workbench.selection.setCamera(name());
+        m_workbench.selection.setJoint(joint);
+    });
+    connect(view, &CameraView::contextMenuRequested, this,
+            [this, camera, name](QPointF px, const core::JointId& joint, const QPoint& position) {
+                m_workbench.selection.setCamera(name());
+                emit viewMenuRequested(camera, px, joint, position);
+            });
+}
+
+void Workspaces::takeSequence() {
+    const auto& dataset = m_workbench.session.dataset();
+    m_grid->setCameras(dataset->cameras);
+    for (CameraView* view : m_grid->views())
+        view->setMessage({});
+    m_scene->setCameras(dataset->cameras);
+    showOrder();
+    m_marks->setDataset(dataset, m_workbench.session.sequence());
+    m_layers->setSequence(dataset, m_workbench.session.motion());
+    for (int camera = 0; camera < m_grid->count(); ++camera)
+        showPicture(camera, m_workbench.frames.picture(camera));
+    showCurrentCamera();
+    m_scene->resetView();
+    m_framing->frameHands();
+    m_options->setAdjustmentsFromText(m_workbench.document.setting(kAdjustmentsSetting).value_or(std::string()));
+}
+
+void Workspaces::showOrder() {
+    const auto& dataset = m_workbench.session.dataset();
+    if (!dataset || m_grid->count() == 0)
+        return;
+    std::vector<int> order;
+    for (const std::string& camera : m_workbench.shownCameras())
+        order.push_back(dataset->cameraIndex(camera));
+    m_grid->setOrder(order);
+}
+
+void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
+    if (camera >= m_grid->count() || picture.isNull())
+        return;
+    m_grid->view(camera)->setMessage({});
+    m_grid->view(camera)->setImage(picture);
+    if (camera == m_grid->current() && !inspects())
+        m_scene->setCameraImage(picture.image());
+}
+
+/// Says why there is no picture; footage that is not there any more can be looked for.
+void Workspaces::showFailure(int camera, const QString& message) {
+    const auto& dataset = m_workbench.session.dataset();
+    if (!dataset || camera >= m_grid->count())
+        return;
+    CameraView* view = m_grid->view(camera);
+    std::vector<MessageAction> actions;
+    if (isFootageGone(*dataset, *m_workbench.session.sequence(), view->camera().name))
+        actions.push_back({tr("Find..."), [this] { emit footageWanted(); }});
+    view->setMessage(message, actions);
+}
+
+void Workspaces::showCurrentCamera() {
+    const auto& dataset = m_workbench.session.dataset();
+    const int camera = dataset ? dataset->cameraIndex(m_workbench.selection.camera()) : -1;
+    if (camera >= m_grid->count())
+        return;
+    m_grid->setCurrent(camera);
+    m_scene->setCurrentCamera(camera);
+    const ImagePyramid picture = shownPicture(camera);
+    m_scene->setCameraImage(picture.isNull() ? QImage() : picture.image());
+}
+
+void Workspaces::setCurrent(Kind kind) {
+    if (kind == m_kind)
+        return;
+    m_kind = kind;
+    m_middle->setCurrentIndex(static_cast<int>(kind));
+    if (const auto& outcome = m_workbench.fits.outcome(); outcome && kind == Kind::Inspect)
+        m_workbench.selection.setFrame(outcome->request.test);
+    m_joints->setVisible(kind == Kind::Annotate);
+    m_right->setVisible(kind != Kind::Benchmark);
+    showTabs();
+    m_layers->setInspecting(kind == Kind::Inspect);
+    showInScene();
+    showCurrentCamera();
+    emit currentChanged(kind);
+}
+
+/// What belongs to annotating goes while nobody annotates; its tab comes back to the front afterwards.
+void Workspaces::showTabs() {
+    const bool annotates = m_kind == Kind::Annotate;
+    if (!annotates && !m_annotationTab)
+        m_annotationTab = m_tabs->currentWidget();
+    for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_raters})
+        m_tabs->setTabVisible(m_tabs->indexOf(panel), annotates);
+    m_tabs->setCurrentWidget(annotates && m_annotationTab ? m_annotationTab : annotates ? m_tabs->currentWidget() : m_fitting);
+    if (annotates)
+        m_annotationTab = nullptr;
+}
+
+void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
+    const auto fit = [this, request] {
+        m_workbench.selection.setFrame(request.test);
+        m_fitting->fit(request);
+        setCurrent(Kind::Inspect);
+    };
+    if (QString::fromStdString(m_workbench.session.sequence()->name) == sequence) {
+        fit();
+        return;
+    }
+    auto* once = new QObject(this);
+    connect(&m_workbench, &Workbench::ready, once, [once, fit] {
+        once->deleteLater();
+        fit();
+    });
+    connect(&m_workbench.session, &DatasetSession::openFailed, once, &QObject::deleteLater);
+    m_workbench.session.openSequence(sequence, request.test);
+}
+
+void Workspaces::raisePanel(QWidget* panel) {
+    const bool isOfAnnotating = panel == m_quality || panel == m_raters;
+    if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
+        setCurrent(Kind::Annotate);
+    m_tabs->setCurrentWidget(panel);
+}
+
+QWidget* Workspaces::part(const QString& name) const {
+    if (name == QLatin1String("scene"))
+        return m_scene;
+    if (name == QLatin1String("joints"))
+        return m_joints;
+    if (name == QLatin1String("diagram"))
+        return m_joints->diagram();
+    if (name == QLatin1String("fit"))
+        return m_fitting;
+    if (name == QLatin1String("quality"))
+        return m_quality;
+    if (name == QLatin1String("raters"))
+        return m_raters;
+    if (name == QLatin1String("view"))
+        return m_viewPanel;
+    if (name == QLatin1String("inspect"))
+        return m_inspect;
+    if (name == QLatin1String("benchmark"))
+        return m_benchmark;
+    if (name == QLatin1String("curves"))
+        return m_fitting->plot();
+    if (name == QLatin1String("views"))
+        return m_grid;
+    return m_grid->view(name);
+}
+
+QByteArray Workspaces::saveState() const {
+    QByteArray state;
+    QDataStream stream(&state, QIODevice::WriteOnly);
+    stream << m_columns->saveState() << m_right->saveState();
+    return state;
+}
+
+void Workspaces::restoreState(const QByteArray& state) {
+    if (state.isEmpty())
+        return;
+    QDataStream stream(state);
+    QByteArray columns, right;
+    stream >> columns >> right;
+    m_columnsMoved = m_columns->restoreState(columns);
+    m_right->restoreState(right);
+}
+
+} // namespace widgets

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QByteArray>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <QWidget>
+
+#include "widgets/session/mask_attacher.h"
+#include "widgets/session/workbench.h"
+#include "widgets/workspaces/benchmark_page.h"
+#include "widgets/panels/fitting_panel.h"
+#include "widgets/presenters/hand_framing.h"
+#include "widgets/workspaces/inspect_page.h"
+#include "widgets/panels/joints_panel.h"
+#include "widgets/presenters/layer_presenter.h"
+#include "widgets/presenters/mark_presenter.h"
+#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/raters_panel.h"
+#include "widgets/panels/scene_panel.h"
+#include "widgets/presenters/view_options.h"
+#include "widgets/panels/view_panel.h"
+#include "widgets/workspaces/work_words.h"
+#include "widgets/views/camera/camera_grid.h"
+#include "widgets/views/scene/scene_view.h"
+
+namespace widgets {
+
+/// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the middle shows
+/// depends on the workspace. It turns what happens in the views into the annotator's steps.
+class Workspaces : public QWidget {
+    Q_OBJECT
+
+public:
+    enum class Kind { Annotate, Inspect, Benchmark };
+    Q_ENUM(Kind)
+
+    explicit Workspaces(Workbench& workbench, QWidget* parent = nullptr);
+
+    void setCurrent(Kind kind);
+    Kind current() const { return m_kind; }
+
+    CameraGrid* grid() const { return m_grid; }
+    SceneView* scene() const { return m_scene; }
+    JointsPanel* jointsPanel() const { return m_joints; }
+    FittingPanel* fittingPanel() const { return m_fitting; }
+    MarkPresenter* marks() const { return m_marks; }
+    LayerPresenter* layers() const { return m_layers; }
+    HandFraming* framing() const { return m_framing; }
+    ViewOptions* options() const { return m_options; }
+    QualityPanel* qualityPanel() const { return m_quality; }
+    RatersPanel* ratersPanel() const { return m_raters; }
+    ViewPanel* viewPanel() const { return m_viewPanel; }
+    InspectPage* inspectPage() const { return m_inspect; }
+    BenchmarkPage* benchmarkPage() const { return m_benchmark; }
+    ScenePanel* scenePanel() const { return m_scenePanel; }
+    MaskAttacher* masks() { return &m_masks; }
+    /// What the status line says in this workspace; nothing where it speaks of the selected joint.
+    WorkWords words() const;
+    /// Brings the tab with this panel to the front.
+    void raisePanel(QWidget* panel);
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views", "inspect", "benchmark" or a
+    /// camera's name; null if there is none.
+    QWidget* part(const QString& name) const;
+
+    QByteArray saveState() const;
+    void restoreState(const QByteArray& state);
+
+signals:
+    void currentChanged(widgets::Workspaces::Kind kind);
+    /// Footage is missing, and a person wants to say where it is.
+    void footageWanted();
+    void wordsChanged(const widgets::WorkWords& words);
+    /// A right click in a view; `joint` has an empty name if there is no mark.
+    void viewMenuRequested(int camera, QPointF px, const core::JointId& joint, const QPoint& globalPosition);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void build();
+    void shareWidth();
+    void connectView(int camera, CameraView* view);
+    void connectGrid();
+    void connectInspect();
+    void connectWords();
+    void lookInspected();
+    bool inspects() const;
+    void showInScene();
+    ImagePyramid shownPicture(int camera) const;
+    void showTabs();
+    void takeSequence();
+    void showOrder();
+    void showFailure(int camera, const QString& message);
+    void showPicture(int camera, const ImagePyramid& picture);
+    void showCurrentCamera();
+    void openPair(const QString& sequence, const FitRequest& request);
+
+    Workbench& m_workbench;
+    Kind m_kind = Kind::Annotate;
+    bool m_columnsMoved = false; ///< a person has chosen the columns' widths
+    QSplitter* m_columns;
+    QStackedWidget* m_middle;
+    QSplitter* m_right;
+    QTabWidget* m_tabs;
+    JointsPanel* m_joints;
+    CameraGrid* m_grid;
+    SceneView* m_scene;
+    FittingPanel* m_fitting;
+    MarkPresenter* m_marks;
+    LayerPresenter* m_layers;
+    ViewOptions* m_options;
+    HandFraming* m_framing;
+    QualityPanel* m_quality;
+    RatersPanel* m_raters;
+    ViewPanel* m_viewPanel;
+    InspectPage* m_inspect;
+    BenchmarkPage* m_benchmark;
+    ScenePanel* m_scenePanel;
+    MaskAttacher m_masks;
+    QWidget* m_annotationTab = nullptr; ///< the one in front before the workspace was left
+};
+
+} // namespace widgets
