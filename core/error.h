@@ -21,8 +21,11 @@ enum class ErrorCode {
 class Error : public std::runtime_error {
 public:
     Error(ErrorCode code, std::string file, std::string field, std::string detail)
-        : std::runtime_error(join(file, field, detail)), m_code(code), m_file(std::move(file)),
-          m_field(std::move(field)), m_detail(std::move(detail)) {}
+        : std::runtime_error(join(file, field, detail))
+        , m_code(code)
+        , m_file(std::move(file))
+        , m_field(std::move(field))
+        , m_detail(std::move(detail)) {}
 
     ErrorCode code() const { return m_code; }
     const std::string& file() const { return m_file; }

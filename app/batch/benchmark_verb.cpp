@@ -17,9 +17,9 @@
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/benchmark/benchmark_journal.h"
 #include "core/io/benchmark/benchmark_scene.h"
-#include "core/io/dataset/dataset.h"
 #include "core/io/benchmark/external_estimates.h"
 #include "core/io/benchmark/pairs_file.h"
+#include "core/io/dataset/dataset.h"
 
 namespace app {
 
@@ -37,9 +37,8 @@ struct BenchmarkArguments {
 core::Shard shardFrom(const std::string& text) {
     core::Shard shard;
     char rest = 0;
-    if (!text.empty() && std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2) {
+    if (!text.empty() && std::sscanf(text.c_str(), "%d/%d%c", &shard.index, &shard.count, &rest) != 2)
         throw core::Error(core::ErrorCode::Usage, "", "--shard", "'" + text + "' is not i/n, such as 0/4");
-    }
     return shard;
 }
 
@@ -56,9 +55,8 @@ std::vector<core::ExternalEstimates> externalFrom(const BenchmarkArguments& argu
     std::vector<core::ExternalEstimates> external;
     for (const std::string& text : arguments.external) {
         const std::size_t equals = text.find('=');
-        if (equals == std::string::npos) {
+        if (equals == std::string::npos)
             throw core::Error(core::ErrorCode::Usage, "", "--external", "'" + text + "' is not NAME=FILE");
-        }
         external.push_back(core::readExternalEstimates(text.substr(0, equals), text.substr(equals + 1), dataset.hands));
     }
     return external;
@@ -66,9 +64,9 @@ std::vector<core::ExternalEstimates> externalFrom(const BenchmarkArguments& argu
 
 core::BenchmarkRunInfo runInfo(const BenchmarkArguments& arguments, const core::BenchmarkOptions& options,
                                const core::BenchmarkScene& scene) {
-    const std::vector<core::FramePair> pairs = arguments.pairs.empty()
-                                                   ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
-                                                   : core::readPairs(arguments.pairs);
+    const std::vector<core::FramePair> pairs =
+        arguments.pairs.empty() ? core::drawPairs(core::pairFrames(scene, options.setup), arguments.draw)
+                                : core::readPairs(arguments.pairs);
     core::BenchmarkRunInfo info = core::describeRun(arguments.dataset, scene, options, pairs);
     info.sweep = !arguments.sweep.empty();
     return info;
@@ -80,11 +78,9 @@ std::vector<core::PairResult> externalRows(const std::vector<core::ExternalEstim
                                            core::BenchmarkRunInfo& info) {
     std::vector<core::PairResult> rows;
     for (const core::ExternalEstimates& estimates : external) {
-        const std::vector<core::PairResult> all =
-            core::externalRows(scene, options.setup, info.pairs, estimates);
-        for (const core::PairResult& row : core::rowsOfPairs(all, core::pairsOfShard(info.pairs, options.shard))) {
+        const std::vector<core::PairResult> all = core::externalRows(scene, options.setup, info.pairs, estimates);
+        for (const core::PairResult& row : core::rowsOfPairs(all, core::pairsOfShard(info.pairs, options.shard)))
             rows.push_back(row);
-        }
         info.methods.push_back(estimates.name);
         info.external.push_back(estimates.name);
     }
@@ -95,9 +91,8 @@ core::BenchmarkResults run(const core::BenchmarkScene& scene, const core::Benchm
                            const core::BenchmarkOptions& options, core::BenchmarkJournal& journal) {
     Progress bar("benchmark");
     const auto progress = [&](const core::BenchmarkProgress& state) {
-        if (state.latest != nullptr) {
+        if (state.latest != nullptr)
             journal.append(*state.latest);
-        }
         bar.show(state.finished, state.total);
     };
     return core::runBenchmark(scene, info.pairs, options, core::poseEstimatorOf(scene), progress, interruptToken(),
@@ -114,14 +109,14 @@ void benchmark(const BenchmarkArguments& arguments) {
         externalRows(externalFrom(arguments, dataset), scene, options, folder.info);
     core::BenchmarkJournal journal(arguments.out, folder.info);
     folder.results = run(scene, folder.info, options, journal);
-    for (const core::PairResult& row : external) {
+    for (const core::PairResult& row : external)
         journal.append(row);
-    }
     core::addExternalRows(folder.results, folder.info.external, external);
     core::writeBenchmarkTables(arguments.out, folder);
     std::printf("%s", core::markdownTable(core::resultTable(folder.results, options.setup)).c_str());
     if (folder.results.stopped) {
-        throw Interrupted(arguments.out + ": stopped; what is finished is kept, and the same command continues from there");
+        throw Interrupted(arguments.out +
+                          ": stopped; what is finished is kept, and the same command continues from there");
     }
 }
 
@@ -130,7 +125,8 @@ void requireOneSourceOfPairs(const CLI::App& verb) {
     for (const char* option : {"--fraction", "--differences", "--seed"}) {
         if (verb.count("--pairs") > 0 && verb.count(option) > 0) {
             throw core::Error(core::ErrorCode::Usage, "", std::string("--pairs and ") + option,
-                              std::string("--pairs names the frame pairs, so ") + option + " would change nothing; give one of them");
+                              std::string("--pairs names the frame pairs, so ") + option +
+                                  " would change nothing; give one of them");
         }
     }
 }
@@ -146,23 +142,33 @@ void merge(const std::vector<std::string>& folders, const std::string& out) {
 
 void addBenchmarkVerb(CLI::App& program) {
     auto arguments = std::make_shared<BenchmarkArguments>();
-    CLI::App* verb = program.add_subcommand("benchmark", "Compare methods on seeded frame pairs: tables, curves and a report");
+    CLI::App* verb =
+        program.add_subcommand("benchmark", "Compare methods on seeded frame pairs: tables, curves and a report");
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
-    verb->add_option("--sequences", arguments->sequences, "Names of the sequences (all with a recorded motion)")->delimiter(',');
-    verb->add_option("--setup", arguments->setup, "synthetic: targets rendered from the recorded poses; realistic: from the masks")
+    verb->add_option("--sequences", arguments->sequences, "Names of the sequences (all with a recorded motion)")
+        ->delimiter(',');
+    verb->add_option("--setup", arguments->setup,
+                     "synthetic: targets rendered from the recorded poses; realistic: from the masks")
         ->check(CLI::IsMember({"synthetic", "realistic"}));
     verb->add_option("--fraction", arguments->draw.fraction, "Share of the frames that are test frames (0.1)");
-    verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")->delimiter(',');
+    verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")
+        ->delimiter(',');
     verb->add_option("--seed", arguments->draw.seed, "Seed of the draw (0)");
-    verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")->delimiter(',');
-    verb->add_option("--sweep", arguments->sweep, "figures: the settings of the paper's figures and every open option, instead of --methods")
+    verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")
+        ->delimiter(',');
+    verb->add_option("--sweep", arguments->sweep,
+                     "figures: the settings of the paper's figures and every open option, instead of --methods")
         ->check(CLI::IsMember({"figures"}));
-    verb->add_option("--external", arguments->external,
-                     "NAME=FILE: another tracker's joints (CSV sequence,start,test,hand,name,x,y,z, or JSON), a row of their own");
+    verb->add_option(
+        "--external", arguments->external,
+        "NAME=FILE: another tracker's joints (CSV sequence,start,test,hand,name,x,y,z, or JSON), a row of their own");
     verb->add_option("--pairs", arguments->pairs, "A pairs.json to use instead of drawing pairs");
-    verb->add_option("--threads", arguments->threads, "Pairs that are solved side by side (1)")->check(CLI::Range(1, 256));
+    verb->add_option("--threads", arguments->threads, "Pairs that are solved side by side (1)")
+        ->check(CLI::Range(1, 256));
     verb->add_option("--shard", arguments->shard, "i/n: only the i-th of n parts of the work, counted from 0");
-    verb->add_option("--out", arguments->out, "The folder for the results; a second run goes on where the first one ended")->required();
+    verb->add_option("--out", arguments->out,
+                     "The folder for the results; a second run goes on where the first one ended")
+        ->required();
     verb->callback([arguments, verb] {
         requireOneSourceOfPairs(*verb);
         benchmark(*arguments);

@@ -21,27 +21,22 @@ struct CalibrationArguments {
 };
 
 void convert(CalibrationArguments arguments) {
-    if (!arguments.size.empty()) {
+    if (!arguments.size.empty())
         arguments.options.size = parseImageSize(arguments.size, "--size");
-    }
-    if (arguments.scale > 0) {
+    if (arguments.scale > 0)
         arguments.options.mmPerUnit = arguments.scale;
-    }
     const std::vector<core::Camera> cameras = core::readCalibration(arguments.file, arguments.options);
     core::writeCalibration(arguments.out, arguments.to, cameras);
     printCameras(cameras);
-    for (const std::string& note : core::calibrationNotes(arguments.file, arguments.options, cameras)) {
+    for (const std::string& note : core::calibrationNotes(arguments.file, arguments.options, cameras))
         std::printf("note: %s\n", note.c_str());
-    }
 }
 
 std::set<std::string> kindNames(bool toWrite) {
     std::set<std::string> names;
-    for (const core::CalibrationKind& kind : core::calibrationKinds()) {
-        if (kind.canWrite || !toWrite) {
+    for (const core::CalibrationKind& kind : core::calibrationKinds())
+        if (kind.canWrite || !toWrite)
             names.emplace(kind.name);
-        }
-    }
     return names;
 }
 
@@ -51,10 +46,12 @@ void addCalibrationVerb(CLI::App& program) {
     auto arguments = std::make_shared<CalibrationArguments>();
     CLI::App* verb = program.add_subcommand("calibration", "Convert a calibration of another program");
     verb->add_option("file", arguments->file, "The file, or the folder for kinds with a file per camera")->required();
-    verb->add_option("--from", arguments->options.kind, "Its kind, if the content does not tell")->check(CLI::IsMember(kindNames(false)));
+    verb->add_option("--from", arguments->options.kind, "Its kind, if the content does not tell")
+        ->check(CLI::IsMember(kindNames(false)));
     verb->add_option("--to", arguments->to, "The kind to write")->required()->check(CLI::IsMember(kindNames(true)));
     verb->add_option("--size", arguments->size, "Image size WxH, for files that hold none");
-    verb->add_option("--mm-per-unit", arguments->scale, "Length of the file's unit in mm, if it is not the usual one")->check(CLI::PositiveNumber);
+    verb->add_option("--mm-per-unit", arguments->scale, "Length of the file's unit in mm, if it is not the usual one")
+        ->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->options.section, "Which capture of an InterHand file");
     verb->add_option("--out", arguments->out, "The file to write")->required();
     verb->callback([arguments] { convert(*arguments); });

@@ -10,7 +10,8 @@ namespace app {
 void printCameras(const std::vector<core::Camera>& cameras) {
     const std::optional<Eigen::Vector3d> target = core::commonTarget(cameras);
     for (const core::Camera& camera : cameras) {
-        std::printf("%s: %d x %d, focal length %.1f px", camera.name.c_str(), camera.size.width, camera.size.height, camera.intrinsics(0, 0));
+        std::printf("%s: %d x %d, focal length %.1f px", camera.name.c_str(), camera.size.width, camera.size.height,
+                    camera.intrinsics(0, 0));
         if (target) {
             const std::optional<Eigen::Vector2d> px = core::project(camera, *target);
             std::printf(", %.0f mm from where the cameras look%s", (camera.centreInWorld() - *target).norm(),

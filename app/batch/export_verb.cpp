@@ -7,8 +7,8 @@
 #include "app/batch/verbs.h"
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
-#include "core/io/formats/annotation_formats.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/formats/annotation_formats.h"
 
 namespace app {
 
@@ -21,9 +21,8 @@ struct ExportArguments {
 
 std::string exportKinds() {
     std::string kinds;
-    for (const core::AnnotationFormat& format : core::annotationFormats()) {
+    for (const core::AnnotationFormat& format : core::annotationFormats())
         kinds += (kinds.empty() ? "" : ", ") + std::string(format.kind);
-    }
     return kinds;
 }
 
@@ -33,21 +32,17 @@ void exportSequence(const ExportArguments& arguments) {
     core::AnnotationExportOptions options;
     options.triangulation.sigmaPx = arguments.sigmaPx;
     options.jointMap = arguments.map;
-    if (!arguments.rater.empty()) {
+    if (!arguments.rater.empty())
         options.rater = arguments.rater;
-    }
     const core::AnnotationSet set = core::readAnnotations(dataset, sequence);
     const std::string written = core::exportAnnotations(dataset, sequence, set, arguments.kind, arguments.out, options);
     std::printf("%s%s%s\n", arguments.out.c_str(), written.empty() ? "" : ": marks of ", written.c_str());
     const std::vector<std::string> raters = core::ratersOf(set);
-    if (raters.empty()) {
+    if (raters.empty())
         std::printf("note: there are no marks in sequence %s\n", sequence.name.c_str());
-    }
-    for (const std::string& other : raters) {
-        if (!written.empty() && other != written && arguments.rater.empty() && !core::settledFrames(set, other).empty()) {
+    for (const std::string& other : raters)
+        if (!written.empty() && other != written && arguments.rater.empty() && !core::settledFrames(set, other).empty())
             std::printf("note: the marks of %s are left out: choose with --rater\n", other.c_str());
-        }
-    }
 }
 
 } // namespace
@@ -59,7 +54,9 @@ void addExportVerb(CLI::App& program) {
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--to", arguments->kind, "Kind: " + exportKinds())->required();
     verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
-    verb->add_option("--rater", arguments->rater, "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
+    verb->add_option(
+        "--rater", arguments->rater,
+        "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
     verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
         ->capture_default_str()
         ->check(CLI::Range(1e-6, 1e6));

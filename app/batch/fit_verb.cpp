@@ -28,9 +28,10 @@ struct FitArguments {
 /// Seconds of the stages, over all threads; what no stage accounts for is known only when there is one thread.
 void printProfile(const core::FitResult& result, int threads) {
     const core::FitProfile& profile = result.profile;
-    const std::pair<const char*, double> stages[] = {
-        {"contours", profile.contours}, {"transforms", profile.transforms}, {"skinning", profile.skinning}, {"rims", profile.rims},
-        {"matching", profile.matching}, {"solving", profile.solving},       {"scoring", profile.scoring}};
+    const std::pair<const char*, double> stages[] = {{"contours", profile.contours}, {"transforms", profile.transforms},
+                                                     {"skinning", profile.skinning}, {"rims", profile.rims},
+                                                     {"matching", profile.matching}, {"solving", profile.solving},
+                                                     {"scoring", profile.scoring}};
     double known = 0;
     for (const auto& [name, seconds] : stages)
         known += seconds;
@@ -85,14 +86,12 @@ void fit(const FitArguments& arguments) {
     const core::HandPoses& start = motion[static_cast<std::size_t>(arguments.start)];
     const core::HandPoses& truth = motion[static_cast<std::size_t>(arguments.test)];
     std::vector<cv::Mat> masks;
-    for (const core::Camera& camera : dataset.cameras) {
+    for (const core::Camera& camera : dataset.cameras)
         masks.push_back(core::renderHandsMask(camera, dataset.hands, truth));
-    }
     const core::PoseEstimator estimator(dataset.hands, dataset.cameras);
     const core::FitResult result = estimator.fit(masks, start, method, interruptToken(), {}, arguments.threads);
-    if (result.termination == core::FitTermination::Stopped) {
+    if (result.termination == core::FitTermination::Stopped)
         throw Interrupted(arguments.out + ": stopped; nothing was written");
-    }
     const double initialErrorMm = core::meanJointDistanceMm(dataset.hands, start, truth);
     const double errorMm = core::meanJointDistanceMm(dataset.hands, result.poses, truth);
     core::writeJsonFile(arguments.out, {{"method", core::methodName(method)},
@@ -106,23 +105,25 @@ void fit(const FitArguments& arguments) {
                                         {"seconds", result.seconds},
                                         {"joints", jointsToJson(dataset, result.poses, truth)},
                                         {"history", historyToJson(result)}});
-    std::printf("%.3f mm from %.3f mm in %zu iterations, %.3f s (%s)\n", errorMm, initialErrorMm, result.history.size(), result.seconds,
-                std::string(core::terminationName(result.termination)).c_str());
-    if (arguments.profile) {
+    std::printf("%.3f mm from %.3f mm in %zu iterations, %.3f s (%s)\n", errorMm, initialErrorMm, result.history.size(),
+                result.seconds, std::string(core::terminationName(result.termination)).c_str());
+    if (arguments.profile)
         printProfile(result, arguments.threads);
-    }
 }
 
 } // namespace
 
 void addFitVerb(CLI::App& program) {
     auto arguments = std::make_shared<FitArguments>();
-    CLI::App* verb = program.add_subcommand("fit", "Estimate the pose of a test frame from a start frame, and compare it with the recorded one");
+    CLI::App* verb = program.add_subcommand(
+        "fit", "Estimate the pose of a test frame from a start frame, and compare it with the recorded one");
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--start", arguments->start, "Frame whose recorded pose the fit starts from")->required();
     verb->add_option("--test", arguments->test, "Frame whose silhouettes are fitted")->required();
-    verb->add_option("--method", arguments->method, "ch, dch-thres, dch-quant, dch-quant2, dch-dt3 or best, with options as in dch-thres:tau=45")->required();
+    verb->add_option("--method", arguments->method,
+                     "ch, dch-thres, dch-quant, dch-quant2, dch-dt3 or best, with options as in dch-thres:tau=45")
+        ->required();
     verb->add_option("--threads", arguments->threads, "Threads of the one fit (1)")->check(CLI::Range(1, 256));
     verb->add_flag("--profile", arguments->profile, "Print where the time went");
     verb->add_option("--out", arguments->out, "The JSON file to write")->required();

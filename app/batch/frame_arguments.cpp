@@ -16,14 +16,16 @@ void addFrameOptions(CLI::App& verb, FrameArguments& arguments) {
 void requireFrame(const core::Sequence& sequence, int frame, const std::string& option) {
     if (frame < 0 || frame >= sequence.frameCount) {
         throw core::Error(core::ErrorCode::NotFound, "", option,
-                          "sequence \"" + sequence.name + "\" has frames 0 to " + std::to_string(sequence.frameCount - 1) + ", not " + std::to_string(frame));
+                          "sequence \"" + sequence.name + "\" has frames 0 to " +
+                              std::to_string(sequence.frameCount - 1) + ", not " + std::to_string(frame));
     }
 }
 
 core::Motion requireMotion(const core::Dataset& dataset, const core::Sequence& sequence) {
     core::Motion motion = core::readMotion(dataset, sequence);
     if (motion.empty()) {
-        throw core::Error(core::ErrorCode::NotFound, dataset.folder.string(), "sequence \"" + sequence.name + "\"", "has no recorded motion");
+        throw core::Error(core::ErrorCode::NotFound, dataset.folder.string(), "sequence \"" + sequence.name + "\"",
+                          "has no recorded motion");
     }
     return motion;
 }

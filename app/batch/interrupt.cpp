@@ -29,7 +29,8 @@ sigset_t endingSignals() {
 } // namespace
 
 void watchForInterrupts() {
-    // Blocked in every thread that starts from here on, and taken by one that waits for them: no code runs in a signal handler.
+    // Blocked in every thread that starts from here on, and taken by one that waits for them: no code runs in a signal
+    // handler.
     const sigset_t signals = endingSignals();
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::thread([signals] {
@@ -42,8 +43,12 @@ void watchForInterrupts() {
     }).detach();
 }
 
-std::stop_token interruptToken() { return stopSource().get_token(); }
+std::stop_token interruptToken() {
+    return stopSource().get_token();
+}
 
-int interruptStatus() { return firstSignal == 0 ? 0 : 128 + firstSignal; }
+int interruptStatus() {
+    return firstSignal == 0 ? 0 : 128 + firstSignal;
+}
 
 } // namespace app

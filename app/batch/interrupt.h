@@ -19,7 +19,8 @@ void watchForInterrupts();
 /// Stop is requested once the user has pressed Ctrl+C: long work ends cleanly and keeps what is finished.
 std::stop_token interruptToken();
 
-/// The exit status of a program that a signal stopped, as shells count it: 128 + signal (130 after Ctrl+C); 0 if none came.
+/// The exit status of a program that a signal stopped, as shells count it: 128 + signal (130 after Ctrl+C); 0 if none
+/// came.
 int interruptStatus();
 
 } // namespace app

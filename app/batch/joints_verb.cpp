@@ -25,12 +25,17 @@ void writeJoints(const JointsArguments& arguments) {
     nlohmann::ordered_json joints = nlohmann::ordered_json::array();
     for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
         const core::HandModel& hand = dataset.hands[h];
-        const auto positions = core::jointPositions(hand.skeleton, motion[static_cast<std::size_t>(arguments.where.frame)][h]);
+        const auto positions =
+            core::jointPositions(hand.skeleton, motion[static_cast<std::size_t>(arguments.where.frame)][h]);
         for (std::size_t b = 0; b < positions.size(); ++b) {
-            joints.push_back({{"hand", core::sideName(hand.side)}, {"name", hand.skeleton.bones[b].name}, {"xyz", core::jsonOf(positions[b])}});
+            joints.push_back({{"hand", core::sideName(hand.side)},
+                              {"name", hand.skeleton.bones[b].name},
+                              {"xyz", core::jsonOf(positions[b])}});
         }
     }
-    core::writeJsonFile(arguments.out, {{"sequence", sequence.name}, {"frame", arguments.where.frame}, {"units", "mm"}, {"joints", joints}});
+    core::writeJsonFile(
+        arguments.out,
+        {{"sequence", sequence.name}, {"frame", arguments.where.frame}, {"units", "mm"}, {"joints", joints}});
 }
 
 } // namespace

@@ -17,9 +17,8 @@ constexpr int kFailure = 1;
 
 /// The one line of an error; whatever a file contained, it stays one line.
 int fail(std::string message, int status) {
-    for (char& c : message) {
+    for (char& c : message)
         c = static_cast<unsigned char>(c) < 32 || c == 127 ? ' ' : c;
-    }
     std::fprintf(stderr, "handlens-batch: %s\n", message.c_str());
     return status;
 }
@@ -53,13 +52,13 @@ bool isVerb(CLI::App& program, const std::string& word) {
 int main(int argc, char** argv) {
     try {
         app::watchForInterrupts();
-        CLI::App program("Handlens without a window: 3D hand ground truth in calibrated multi-camera footage", "handlens-batch");
+        CLI::App program("Handlens without a window: 3D hand ground truth in calibrated multi-camera footage",
+                         "handlens-batch");
         program.set_version_flag("--version", HANDLENS_VERSION);
         program.require_subcommand(1);
         addVerbs(program);
-        if (argc > 1 && argv[1][0] != '-' && !isVerb(program, argv[1])) {
+        if (argc > 1 && argv[1][0] != '-' && !isVerb(program, argv[1]))
             return fail("\"" + std::string(argv[1]) + "\": unknown command (see --help)", kBadUsage);
-        }
         try {
             program.parse(argc, argv);
         } catch (const CLI::Success& request) { // --help, --version

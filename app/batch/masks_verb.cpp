@@ -26,23 +26,25 @@ void attach(const MasksArguments& arguments) {
     }
     const std::vector<std::string> notes = core::attachMasks(dataset, arguments.sequence, sources);
     core::rewriteDatasetFile(dataset);
-    for (const std::string& note : notes) {
+    for (const std::string& note : notes)
         std::printf("%s\n", note.c_str());
-    }
 }
 
 } // namespace
 
 void addMasksVerb(CLI::App& program) {
     auto arguments = std::make_shared<MasksArguments>();
-    CLI::App* verb = program.add_subcommand("masks", "Give a sequence the masks (silhouettes) that poses are fitted to");
+    CLI::App* verb =
+        program.add_subcommand("masks", "Give a sequence the masks (silhouettes) that poses are fitted to");
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--from", arguments->from,
-                     "A folder with <camera>/<number>.png or <camera>_<number>.png, a pattern such as masks/{camera}/{frame:06}.png, or "
+                     "A folder with <camera>/<number>.png or <camera>_<number>.png, a pattern such as "
+                     "masks/{camera}/{frame:06}.png, or "
                      "CAMERA=FOLDER or CAMERA=PATTERN; can be repeated")
         ->required();
-    verb->add_option("--offset", arguments->offset, "The number in the masks' names at the sequence's frame 0")->check(CLI::Range(0, 10'000'000));
+    verb->add_option("--offset", arguments->offset, "The number in the masks' names at the sequence's frame 0")
+        ->check(CLI::Range(0, 10'000'000));
     verb->callback([arguments] { attach(*arguments); });
 }
 

@@ -9,8 +9,8 @@
 #include "app/batch/option_text.h"
 #include "app/batch/verbs.h"
 #include "core/error.h"
-#include "core/io/dataset/attach_masks.h"
 #include "core/io/calibration/calibration.h"
+#include "core/io/dataset/attach_masks.h"
 #include "core/io/dataset/new_sequence.h"
 
 namespace app {
@@ -27,12 +27,10 @@ struct NewArguments {
 
 core::CalibrationOptions calibrationOptions(const NewArguments& arguments) {
     core::CalibrationOptions options = arguments.calibration;
-    if (!arguments.size.empty()) {
+    if (!arguments.size.empty())
         options.size = parseImageSize(arguments.size, "--size");
-    }
-    if (arguments.mmPerUnit > 0) {
+    if (arguments.mmPerUnit > 0)
         options.mmPerUnit = arguments.mmPerUnit;
-    }
     return options;
 }
 
@@ -51,30 +49,30 @@ core::Dataset emptyDataset(const NewArguments& arguments) {
 /// The sequence's masks, if any are given; returns notes.
 std::vector<std::string> addMasks(core::Dataset& dataset, const NewArguments& arguments) {
     std::vector<core::MaskSource> sources;
-    for (const std::string& text : arguments.masks) {
+    for (const std::string& text : arguments.masks)
         sources.push_back(core::parseMaskSource(dataset, text));
-    }
     return sources.empty() ? std::vector<std::string>() : core::attachMasks(dataset, arguments.sequence, sources);
 }
 
 void print(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) {
+    for (const std::string& note : notes)
         std::printf("note: %s\n", note.c_str());
-    }
 }
 
 core::FootageSync syncOf(const std::string& text) {
-    return text == "time" ? core::FootageSync::Time : text == "index" ? core::FootageSync::Index : core::FootageSync::Automatic;
+    return text == "time"    ? core::FootageSync::Time
+           : text == "index" ? core::FootageSync::Index
+                             : core::FootageSync::Automatic;
 }
 
 void requireOneTarget(const NewArguments& arguments) {
     const bool isNew = arguments.add.empty();
-    if (isNew == arguments.out.empty() || isNew == arguments.cameras.empty()) {
+    if (isNew == arguments.out.empty() || isNew == arguments.cameras.empty())
         throw core::Error(core::ErrorCode::Usage, "", "--out", "give either --cameras and --out, or --add");
-    }
     if (!isNew && (!arguments.footage.scales.empty() || !arguments.footage.crops.empty())) {
-        throw core::Error(core::ErrorCode::Usage, "", arguments.footage.scales.empty() ? "--crop" : "--scale",
-                          "changes the cameras, which all sequences of a dataset share: make a new dataset with --cameras and --out");
+        throw core::Error(
+            core::ErrorCode::Usage, "", arguments.footage.scales.empty() ? "--crop" : "--scale",
+            "changes the cameras, which all sequences of a dataset share: make a new dataset with --cameras and --out");
     }
 }
 
@@ -84,8 +82,10 @@ void makeDataset(const NewArguments& arguments) {
     const std::string& folder = isNew ? arguments.out : arguments.add;
     core::Dataset dataset = isNew ? emptyDataset(arguments) : core::readDataset(folder);
     dataset.folder = folder;
-    const std::optional<double> rate = arguments.framesPerSecond > 0 ? std::optional(arguments.framesPerSecond) : std::nullopt;
-    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage), folder, rate, syncOf(arguments.sync));
+    const std::optional<double> rate =
+        arguments.framesPerSecond > 0 ? std::optional(arguments.framesPerSecond) : std::nullopt;
+    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage),
+                                                      folder, rate, syncOf(arguments.sync));
     dataset.sequences.push_back(made.sequence);
     dataset.cameras = made.cameras;
     const std::vector<std::string> maskNotes = addMasks(dataset, arguments);
@@ -98,8 +98,9 @@ void makeDataset(const NewArguments& arguments) {
     }
     print(made.notes);
     print(maskNotes);
-    std::printf("%s: sequence \"%s\" with %d frames, %d of %zu cameras have footage\n", folder.c_str(), made.sequence.name.c_str(), made.sequence.frameCount,
-                core::countViews(made.sequence), dataset.cameras.size());
+    std::printf("%s: sequence \"%s\" with %d frames, %d of %zu cameras have footage\n", folder.c_str(),
+                made.sequence.name.c_str(), made.sequence.frameCount, core::countViews(made.sequence),
+                dataset.cameras.size());
 }
 
 } // namespace
@@ -110,13 +111,18 @@ void addNewVerb(CLI::App& program) {
     verb->add_option("--cameras", arguments->cameras, "The calibration, of any kind that `calibration` reads");
     verb->add_option("--from", arguments->calibration.kind, "Its kind, if the content does not tell");
     verb->add_option("--size", arguments->size, "Image size WxH, if the calibration holds none");
-    verb->add_option("--mm-per-unit", arguments->mmPerUnit, "Length of the calibration's unit in mm")->check(CLI::PositiveNumber);
+    verb->add_option("--mm-per-unit", arguments->mmPerUnit, "Length of the calibration's unit in mm")
+        ->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->calibration.section, "Which capture of an InterHand calibration");
     addFootageOptions(*verb, arguments->footage);
-    verb->add_option("--masks", arguments->masks, "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; can be repeated");
-    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")->check(CLI::PositiveNumber);
+    verb->add_option("--masks", arguments->masks,
+                     "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; "
+                     "can be repeated");
+    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")
+        ->check(CLI::PositiveNumber);
     verb->add_option("--sync", arguments->sync,
-                     "time: frames are mapped by their time stamps, so that frames which a camera lost are missing in its view; index: by their number. "
+                     "time: frames are mapped by their time stamps, so that frames which a camera lost are missing in "
+                     "its view; index: by their number. "
                      "Default: time where all videos have the same rate and sound time stamps")
         ->check(CLI::IsMember({"index", "time"}));
     verb->add_option("--hands", arguments->hands, "A dataset whose hand models are taken");

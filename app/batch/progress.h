@@ -6,8 +6,8 @@
 
 namespace app {
 
-/// Shows on standard error how far long work is: a bar that redraws itself on a terminal, else a plain line at every tenth of
-/// the work and at most once a second. Standard output holds results only.
+/// Shows on standard error how far long work is: a bar that redraws itself on a terminal, else a plain line at every
+/// tenth of the work and at most once a second. Standard output holds results only.
 class Progress {
 public:
     explicit Progress(std::string label);

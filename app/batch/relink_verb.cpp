@@ -21,29 +21,28 @@ std::string whatOf(const core::RelinkFinding& finding) {
 void printFindings(const std::vector<core::RelinkFinding>& findings, const char* what) {
     for (const core::RelinkFinding& finding : findings) {
         const bool hasMoved = !finding.to.empty() && finding.to != finding.from;
-        std::printf("%s: %s: %s%s\n", whatOf(finding).c_str(), what, finding.from.c_str(), hasMoved ? (" -> " + finding.to).c_str() : "");
-        if (!finding.note.empty()) {
+        std::printf("%s: %s: %s%s\n", whatOf(finding).c_str(), what, finding.from.c_str(),
+                    hasMoved ? (" -> " + finding.to).c_str() : "");
+        if (!finding.note.empty())
             std::printf("note: %s: %s\n", whatOf(finding).c_str(), finding.note.c_str());
-        }
     }
 }
 
 void relink(const std::string& folder, const std::string& root) {
     core::Dataset dataset = core::readDataset(folder);
     const core::RelinkResult result = core::relinkFootage(dataset, root, interruptToken());
-    if (interruptToken().stop_requested()) {
+    if (interruptToken().stop_requested())
         throw core::Error(core::ErrorCode::Io, folder, "", "stopped; nothing is changed");
-    }
-    if (!result.found.empty()) {
+    if (!result.found.empty())
         core::rewriteDatasetFile(dataset);
-    }
     printFindings(result.unchanged, "unchanged");
     printFindings(result.found, "found");
     printFindings(result.notFound, "not found");
     if (!result.notFound.empty()) {
         throw core::Error(core::ErrorCode::NotFound, folder, "footage",
                           std::to_string(result.notFound.size()) + " of " +
-                              std::to_string(result.notFound.size() + result.found.size() + result.unchanged.size()) + " not found below " + root);
+                              std::to_string(result.notFound.size() + result.found.size() + result.unchanged.size()) +
+                              " not found below " + root);
     }
 }
 
@@ -52,7 +51,8 @@ void relink(const std::string& folder, const std::string& root) {
 void addRelinkVerb(CLI::App& program) {
     auto dataset = std::make_shared<std::string>();
     auto root = std::make_shared<std::string>();
-    CLI::App* verb = program.add_subcommand("relink", "Find footage and masks that have moved, and write their new places into the dataset");
+    CLI::App* verb = program.add_subcommand(
+        "relink", "Find footage and masks that have moved, and write their new places into the dataset");
     verb->add_option("dataset", *dataset, "The dataset folder")->required();
     verb->add_option("--root", *root, "The folder to search, with all folders in it")->required();
     verb->callback([dataset, root] { relink(*dataset, *root); });

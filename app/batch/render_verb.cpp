@@ -9,8 +9,8 @@
 #include "core/contour/rasteriser.h"
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/dataset/frames.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/footage/image_file.h"
 
 namespace app {
@@ -35,7 +35,9 @@ void renderFrame(const RenderArguments& arguments) {
     } else {
         const core::HandPoses poses = requireMotion(dataset, sequence)[static_cast<std::size_t>(frame)];
         const auto render = arguments.what == "mask" ? core::renderHandsMask : core::renderHandsShaded;
-        draw = [&dataset, poses, render](int camera) { return render(dataset.cameras[static_cast<std::size_t>(camera)], dataset.hands, poses); };
+        draw = [&dataset, poses, render](int camera) {
+            return render(dataset.cameras[static_cast<std::size_t>(camera)], dataset.hands, poses);
+        };
     }
     core::ensureFolder(arguments.out);
     for (std::size_t c = 0; c < dataset.cameras.size(); ++c) {
@@ -50,7 +52,8 @@ void addRenderVerb(CLI::App& program) {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* verb = program.add_subcommand("render", "Write a picture of a frame for every camera");
     addFrameOptions(*verb, arguments->where);
-    verb->add_option("--what", arguments->what, "mask: the hands' silhouette; shaded: the hands; image: the recorded picture")
+    verb->add_option("--what", arguments->what,
+                     "mask: the hands' silhouette; shaded: the hands; image: the recorded picture")
         ->check(CLI::IsMember({"mask", "shaded", "image"}));
     verb->add_option("--out", arguments->out, "The folder for <camera>.png")->required();
     verb->callback([arguments] { renderFrame(*arguments); });

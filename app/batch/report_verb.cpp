@@ -7,8 +7,8 @@
 #include "app/batch/interrupt.h"
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
-#include "core/io/formats/annotation_report.h"
 #include "core/io/dataset/dataset_paths.h"
+#include "core/io/formats/annotation_report.h"
 
 namespace app {
 
@@ -22,18 +22,20 @@ struct ReportArguments {
 
 void report(const ReportArguments& arguments) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
-    const std::filesystem::path out = arguments.out.empty() ? core::pathInside(dataset.folder, "report.html", "report.html") : std::filesystem::path(arguments.out);
+    const std::filesystem::path out = arguments.out.empty()
+                                          ? core::pathInside(dataset.folder, "report.html", "report.html")
+                                          : std::filesystem::path(arguments.out);
     core::AnnotationReportOptions options;
     options.badRmsPx = arguments.badPx;
     options.quality.triangulation.sigmaPx = arguments.sigmaPx;
     bool isWritten = false;
     {
         Progress progress("report");
-        isWritten = core::writeAnnotationReport(dataset, out, options, interruptToken(), [&](int done, int total) { progress.show(done, total); });
+        isWritten = core::writeAnnotationReport(dataset, out, options, interruptToken(),
+                                                [&](int done, int total) { progress.show(done, total); });
     }
-    if (!isWritten) {
+    if (!isWritten)
         throw Interrupted(out.string() + ": stopped; nothing was written");
-    }
     std::printf("%s\n", out.string().c_str());
 }
 
@@ -41,7 +43,8 @@ void report(const ReportArguments& arguments) {
 
 void addReportVerb(CLI::App& program) {
     auto arguments = std::make_shared<ReportArguments>();
-    CLI::App* verb = program.add_subcommand("report", "Write a page on the annotations of a dataset: progress, raters, worst joints, doubts, figures");
+    CLI::App* verb = program.add_subcommand(
+        "report", "Write a page on the annotations of a dataset: progress, raters, worst joints, doubts, figures");
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
     verb->add_option("--bad-px", arguments->badPx, "Joints with a larger reprojection error count as bad, px")
         ->capture_default_str()

@@ -25,9 +25,8 @@ void triangulatePoints(const TriangulateArguments& arguments) {
     options.sigmaPx = arguments.sigmaPx;
     std::vector<core::TriangulationResult> results;
     results.reserve(points.size());
-    for (const core::PointClicks& point : points) {
+    for (const core::PointClicks& point : points)
         results.push_back(core::triangulate(cameras, point.observations, options));
-    }
     core::writeTriangulatedPoints(arguments.out, cameras, points, results);
 }
 
@@ -35,7 +34,8 @@ void triangulatePoints(const TriangulateArguments& arguments) {
 
 void addTriangulateVerb(CLI::App& program) {
     auto arguments = std::make_shared<TriangulateArguments>();
-    CLI::App* verb = program.add_subcommand("triangulate", "Find 3D points, with covariances and outliers, from pixels in several cameras");
+    CLI::App* verb = program.add_subcommand(
+        "triangulate", "Find 3D points, with covariances and outliers, from pixels in several cameras");
     verb->add_option("--cameras", arguments->cameras, "Cameras file (handlens-cameras)")->required();
     verb->add_option("--points", arguments->points, "JSON file with the pixels of every point")->required();
     verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")

@@ -13,8 +13,9 @@ namespace {
 /// A file manager passes the file of a dataset that was double-clicked; the dataset is its folder.
 std::string datasetFolder(const std::string& path) {
     const std::filesystem::path file(path);
-    return file.filename() == "dataset.json" && std::filesystem::is_regular_file(file) ? std::filesystem::absolute(file).parent_path().string()
-                                                                                      : path;
+    return file.filename() == "dataset.json" && std::filesystem::is_regular_file(file)
+               ? std::filesystem::absolute(file).parent_path().string()
+               : path;
 }
 
 } // namespace

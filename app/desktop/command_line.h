@@ -18,7 +18,8 @@ struct CommandLine {
     std::string out;
 };
 
-/// The arguments, or the exit status to end with (0 after help or the version, 2 for bad usage) once the text was printed.
+/// The arguments, or the exit status to end with (0 after help or the version, 2 for bad usage) once the text was
+/// printed.
 struct ParsedCommandLine {
     std::optional<CommandLine> arguments;
     int exitStatus = 0;

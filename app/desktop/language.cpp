@@ -25,10 +25,9 @@ std::optional<QString> knownLanguage(const QString& wanted) {
     const QString plain = wanted.section(QLatin1Char('_'), 0, 0);
     if (languages.contains(plain))
         return plain;
-    for (const QString& language : languages) {
+    for (const QString& language : languages)
         if (language.startsWith(plain + QLatin1Char('_')))
             return language;
-    }
     return std::nullopt;
 }
 
@@ -46,13 +45,16 @@ QStringList availableLanguages() {
 
 QString applyLanguage(QApplication& application, const QString& language) {
     initResources();
-    const QString chosen = knownLanguage(language.isEmpty() ? QLocale::system().name() : language).value_or(QStringLiteral("en"));
-    QLocale::setDefault(chosen == QLatin1String("en") ? QLocale(QLocale::English, QLocale::UnitedKingdom) : QLocale(chosen));
+    const QString chosen =
+        knownLanguage(language.isEmpty() ? QLocale::system().name() : language).value_or(QStringLiteral("en"));
+    QLocale::setDefault(chosen == QLatin1String("en") ? QLocale(QLocale::English, QLocale::UnitedKingdom)
+                                                      : QLocale(chosen));
     auto* own = new QTranslator(&application);
     if (own->load(kPrefix + chosen, kFolder))
         application.installTranslator(own);
     auto* qt = new QTranslator(&application);
-    const QString folder = QLibraryInfo::location(QLibraryInfo::TranslationsPath); // of Qt's own dialogs; older ones are named qt_
+    const QString folder =
+        QLibraryInfo::location(QLibraryInfo::TranslationsPath); // of Qt's own dialogs; older ones are named qt_
     if (qt->load(QStringLiteral("qtbase_") + chosen, folder) || qt->load(QStringLiteral("qt_") + chosen, folder))
         application.installTranslator(qt);
     return chosen;

@@ -14,8 +14,8 @@ namespace app {
 QStringList availableLanguages();
 /// The language of the window that fits a wish such as "de", "de_AT" or "zh"; nothing if there is none.
 std::optional<QString> knownLanguage(const QString& wanted);
-/// Loads the translations of the window and of Qt's own texts, and makes numbers follow. An empty language takes the system's;
-/// one that is not available falls back to English. Returns the language that is used.
+/// Loads the translations of the window and of Qt's own texts, and makes numbers follow. An empty language takes the
+/// system's; one that is not available falls back to English. Returns the language that is used.
 QString applyLanguage(QApplication& application, const QString& language);
 
 } // namespace app

@@ -41,11 +41,13 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
         }
         const core::Sequence& sequence = *window.workbench().session.sequence();
         if (line.frame >= sequence.frameCount) {
-            std::cerr << "handlens: --frame: sequence \"" << sequence.name << "\" has frames 0-" << sequence.frameCount - 1 << ", not " << line.frame << std::endl;
+            std::cerr << "handlens: --frame: sequence \"" << sequence.name << "\" has frames 0-"
+                      << sequence.frameCount - 1 << ", not " << line.frame << std::endl;
             return 2;
         }
     }
-    return app::playScript(window, QString::fromStdString(line.script), QString::fromStdString(line.out), std::cout, std::cerr);
+    return app::playScript(window, QString::fromStdString(line.script), QString::fromStdString(line.out), std::cout,
+                           std::cerr);
 }
 
 int run(int argc, char** argv, const app::CommandLine& line) {
@@ -57,22 +59,27 @@ int run(int argc, char** argv, const app::CommandLine& line) {
     std::unique_ptr<widgets::PrivateDisplay> display;
     if (line.offscreen)
         display = std::make_unique<widgets::PrivateDisplay>(kScreenWidth, kScreenHeight);
-    else if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        throw core::Error(core::ErrorCode::Unsupported, "", "", "no display found; --offscreen --script FILE --out FOLDER needs none, nor does handlens-batch");
+    else if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+             qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        throw core::Error(
+            core::ErrorCode::Unsupported, "", "",
+            "no display found; --offscreen --script FILE --out FOLDER needs none, nor does handlens-batch");
     widgets::SceneView::prepareApplication();
     QCoreApplication::setOrganizationName(QStringLiteral("handlens"));
     QCoreApplication::setApplicationName(QStringLiteral("handlens"));
     QApplication application(argc, argv);
     const QTemporaryDir freshSettings;
-    QSettings settings = line.offscreen ? QSettings(freshSettings.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat)
-                                        : QSettings();
+    QSettings settings = line.offscreen
+                             ? QSettings(freshSettings.filePath(QStringLiteral("settings.ini")), QSettings::IniFormat)
+                             : QSettings();
     const QString language = line.language.empty() ? settings.value(QStringLiteral("language")).toString()
                                                    : QString::fromStdString(line.language);
     app::applyLanguage(application, language.isEmpty() && line.offscreen ? QStringLiteral("en") : language);
     app::applyLook(application, app::lookFromName(settings.value(QStringLiteral("look")).toString()));
     app::MainWindow window(settings, {line.rater, !line.offscreen});
     if (line.offscreen) {
-        QTimer::singleShot(0, &window, [&] { QCoreApplication::exit(runScript(window, line)); });
+        QTimer::singleShot(
+            0, &window, [&] { QCoreApplication::exit(runScript(window, line)); });
     } else {
         window.show();
         if (!line.dataset.empty())

@@ -20,13 +20,13 @@
 #include "app/desktop/actions/dataset_actions.h"
 #include "app/desktop/actions/file_actions.h"
 #include "app/desktop/actions/menus.h"
-#include "app/desktop/windows/new_dataset_window.h"
 #include "app/desktop/actions/number_keys.h"
 #include "app/desktop/actions/panel_actions.h"
 #include "app/desktop/actions/people_actions.h"
-#include "app/desktop/windows/preferences_window.h"
-#include "app/desktop/resources.h"
 #include "app/desktop/actions/window_actions.h"
+#include "app/desktop/resources.h"
+#include "app/desktop/windows/new_dataset_window.h"
+#include "app/desktop/windows/preferences_window.h"
 #include "core/io/files/login_name.h"
 
 namespace app {
@@ -41,10 +41,9 @@ const char* const kRecentKey = "recentDatasets";
 /// Files and folders that are no dataset: videos, folders of images.
 QStringList droppedFootage(const QMimeData* data) {
     QStringList paths;
-    for (const QUrl& url : data->urls()) {
+    for (const QUrl& url : data->urls())
         if (url.isLocalFile())
             paths << QFileInfo(url.toLocalFile()).absoluteFilePath();
-    }
     return paths;
 }
 
@@ -93,7 +92,8 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
 
 MainWindow::~MainWindow() {
     m_playback.stop();
-    qDeleteAll(findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly)); // they look at the actions, which go before them
+    qDeleteAll(findChildren<QDialog*>(QString(),
+                                      Qt::FindDirectChildrenOnly)); // they look at the actions, which go before them
     hide();
     delete takeCentralWidget(); // the panels look at the workbench, which goes with this object's members
 }
@@ -132,7 +132,8 @@ void MainWindow::build() {
     m_empty->setRecentDatasets(m_settings.value(kRecentKey).toStringList());
     connect(m_empty, &widgets::EmptyState::openRequested, this, &MainWindow::askForDataset);
     connect(m_empty, &widgets::EmptyState::demoRequested, this, &MainWindow::openDemo);
-    connect(m_empty, &widgets::EmptyState::newRequested, m_actions.action(QStringLiteral("file.new")), &QAction::trigger);
+    connect(m_empty, &widgets::EmptyState::newRequested, m_actions.action(QStringLiteral("file.new")),
+            &QAction::trigger);
     connect(m_empty, &widgets::EmptyState::recentRequested, this,
             [this](const QString& folder) { openDataset(folder); });
 }
@@ -145,8 +146,9 @@ QWidget* MainWindow::makeWorkspaceBar() {
     m_workspaceBar->setFocusPolicy(Qt::NoFocus);
     for (const char* id : {"workspace.annotate", "workspace.inspect", "workspace.benchmark"})
         m_workspaceBar->addTab(m_actions.plainText(QString::fromLatin1(id)));
-    connect(m_workspaceBar, &QTabBar::currentChanged, this,
-            [this](int index) { m_workspaces->setCurrent(static_cast<Workspaces::Kind>(index)); });
+    connect(
+        m_workspaceBar, &QTabBar::currentChanged, this,
+        [this](int index) { m_workspaces->setCurrent(static_cast<Workspaces::Kind>(index)); });
     connect(m_workspaces, &Workspaces::currentChanged, m_workspaceBar,
             [this](Workspaces::Kind kind) { m_workspaceBar->setCurrentIndex(static_cast<int>(kind)); });
     return m_workspaceBar;
@@ -170,19 +172,21 @@ void MainWindow::connectSession() {
         m_framesBar->setDataset(dataset);
         remember(QString::fromStdString(dataset.folder.string()));
     });
-    connect(&m_workbench, &widgets::Workbench::ready, this, [this] {
-        m_statusLine->hideWork();
-        m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
-        m_framesBar->show();
-        m_pages->setCurrentWidget(m_workspaces);
-        m_workspaces->grid()->setFocus();
-        m_playback.setFramesPerSecond(m_workbench.session.sequence()->framesPerSecond);
-        if (std::exchange(m_mayHint, false))
-            showHints();
-        refreshTitle();
-        refreshTestFrames();
-        sayIfFrameIsMissing();
-    });
+    connect(
+        &m_workbench, &widgets::Workbench::ready, this,
+        [this] {
+            m_statusLine->hideWork();
+            m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
+            m_framesBar->show();
+            m_pages->setCurrentWidget(m_workspaces);
+            m_workspaces->grid()->setFocus();
+            m_playback.setFramesPerSecond(m_workbench.session.sequence()->framesPerSecond);
+            if (std::exchange(m_mayHint, false))
+                showHints();
+            refreshTitle();
+            refreshTestFrames();
+            sayIfFrameIsMissing();
+        });
     connect(m_workspaces, &Workspaces::wordsChanged, m_statusLine,
             [this](const widgets::WorkWords& words) { m_statusLine->setWords(words.summary, words.advice); });
     connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::drawChanged, this, &MainWindow::refreshTestFrames);
@@ -227,7 +231,10 @@ void MainWindow::connectDocument() {
                 QString text = tr("%n mark(s) imported from %1", nullptr, marks).arg(file);
                 if (notes > 0)
                     text += QStringLiteral(", ") + tr("%n note(s)", nullptr, notes);
-                m_statusLine->sayBriefly(marks + notes > 0 ? text : tr("Nothing was changed: %1 holds nothing that is not there already.").arg(file));
+                m_statusLine->sayBriefly(
+                    marks + notes > 0
+                        ? text
+                        : tr("Nothing was changed: %1 holds nothing that is not there already.").arg(file));
                 if (!warnings.isEmpty())
                     showMessage(warnings);
             });
@@ -235,18 +242,20 @@ void MainWindow::connectDocument() {
 
 void MainWindow::connectWork() {
     widgets::FitRunner& fits = m_workbench.fits;
-    connect(&fits, &widgets::FitRunner::started, this, [this] { m_statusLine->showWork(tr("Fitting"), 0); });
+    connect(
+        &fits, &widgets::FitRunner::started, this, [this] { m_statusLine->showWork(tr("Fitting"), 0); });
     connect(&fits, &widgets::FitRunner::progressed, this, [this](double fraction, const QString& method) {
         m_statusLine->showWork(tr("Fitting: %1").arg(method), fraction);
     });
     connect(&fits, &widgets::FitRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::sayBriefly); // the panel may be hidden
+    connect(&fits, &widgets::FitRunner::failed, m_statusLine,
+            &widgets::StatusLine::sayBriefly); // the panel may be hidden
     connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
     widgets::BenchmarkRunner& benchmarks = m_workbench.benchmarks;
-    connect(&benchmarks, &widgets::BenchmarkRunner::started, this,
-            [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
+    connect(
+        &benchmarks, &widgets::BenchmarkRunner::started, this, [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
     connect(&benchmarks, &widgets::BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
         m_statusLine->showWork(tr("Benchmark: %1").arg(text), fraction);
     });
@@ -254,9 +263,11 @@ void MainWindow::connectWork() {
     connect(&benchmarks, &widgets::BenchmarkRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
     connect(&benchmarks, &widgets::BenchmarkRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
     connect(m_statusLine, &widgets::StatusLine::stopRequested, &benchmarks, &widgets::BenchmarkRunner::stop);
-    connect(&benchmarks, &widgets::BenchmarkRunner::saved, this, [this](const QString& folder) {
-        m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
-    });
+    connect(
+        &benchmarks, &widgets::BenchmarkRunner::saved, this,
+        [this](const QString& folder) {
+            m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
+        });
     connect(&benchmarks, &widgets::BenchmarkRunner::opened, this,
             [this] { m_workspaces->setCurrent(Workspaces::Kind::Benchmark); });
     connect(m_workspaces->masks(), &widgets::MaskAttacher::attached, m_statusLine, &widgets::StatusLine::sayBriefly);
@@ -386,7 +397,8 @@ bool MainWindow::event(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_playback.stop();
     if (!m_workbench.document.saveNow() && !std::exchange(m_mayLoseEdits, true)) {
-        showMessage(tr("Your last edits are not saved yet. Make room or give permission where they are kept, or export them elsewhere; closing once "
+        showMessage(tr("Your last edits are not saved yet. Make room or give permission where they are kept, or export "
+                       "them elsewhere; closing once "
                        "more gives them up."));
         event->ignore();
         return;

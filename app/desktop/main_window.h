@@ -10,21 +10,22 @@
 #include <QTabBar>
 
 #include "app/desktop/actions/actions.h"
-#include "widgets/session/workbench.h"
 #include "widgets/panels/empty_state.h"
 #include "widgets/panels/frames_bar.h"
 #include "widgets/panels/hints.h"
-#include "widgets/presenters/playback.h"
 #include "widgets/panels/status_line.h"
-#include "widgets/workspaces/workspaces.h"
+#include "widgets/presenters/playback.h"
+#include "widgets/session/workbench.h"
 #include "widgets/views/message_bar.h"
+#include "widgets/workspaces/workspaces.h"
 
 namespace app {
 
 /// What the window is told when it is made.
 struct WindowOptions {
     std::string rater; ///< empty: the one of the settings, else the login name
-    bool hints = true; ///< whether hints may be shown, the person asked for the name, and questions asked before something surprising is done
+    bool hints = true; ///< whether hints may be shown, the person asked for the name, and questions asked before
+                       ///< something surprising is done
 };
 
 /// The window: it builds the parts and wires them; all that it shows and does is theirs.

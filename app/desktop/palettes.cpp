@@ -14,12 +14,14 @@ struct Tones {
     QColor window, panel, base, text, quiet, accent, onAccent, light, dark, link;
 };
 
-const Tones kDark{QColor(0x20, 0x22, 0x25), QColor(0x2B, 0x2D, 0x31), QColor(0x1A, 0x1B, 0x1E), QColor(0xD7, 0xDA, 0xE0),
-                  QColor(0x7D, 0x82, 0x8B), QColor(0x2F, 0x7F, 0xD6), QColor(0xFF, 0xFF, 0xFF), QColor(0x45, 0x48, 0x4E),
-                  QColor(0x14, 0x15, 0x17), QColor(0x4D, 0xA3, 0xFF)};
-const Tones kLight{QColor(0xEF, 0xF0, 0xF2), QColor(0xE3, 0xE5, 0xE8), QColor(0xFF, 0xFF, 0xFF), QColor(0x1F, 0x22, 0x26),
-                   QColor(0x8A, 0x8F, 0x97), QColor(0x1F, 0x6F, 0xC8), QColor(0xFF, 0xFF, 0xFF), QColor(0xFF, 0xFF, 0xFF),
-                   QColor(0xA9, 0xAE, 0xB6), QColor(0x1A, 0x66, 0xBB)};
+const Tones kDark{QColor(0x20, 0x22, 0x25), QColor(0x2B, 0x2D, 0x31), QColor(0x1A, 0x1B, 0x1E),
+                  QColor(0xD7, 0xDA, 0xE0), QColor(0x7D, 0x82, 0x8B), QColor(0x2F, 0x7F, 0xD6),
+                  QColor(0xFF, 0xFF, 0xFF), QColor(0x45, 0x48, 0x4E), QColor(0x14, 0x15, 0x17),
+                  QColor(0x4D, 0xA3, 0xFF)};
+const Tones kLight{QColor(0xEF, 0xF0, 0xF2), QColor(0xE3, 0xE5, 0xE8), QColor(0xFF, 0xFF, 0xFF),
+                   QColor(0x1F, 0x22, 0x26), QColor(0x8A, 0x8F, 0x97), QColor(0x1F, 0x6F, 0xC8),
+                   QColor(0xFF, 0xFF, 0xFF), QColor(0xFF, 0xFF, 0xFF), QColor(0xA9, 0xAE, 0xB6),
+                   QColor(0x1A, 0x66, 0xBB)};
 
 } // namespace
 
@@ -45,21 +47,23 @@ QPalette paletteFor(Look look) {
     palette.setColor(QPalette::Mid, tones.dark);
     palette.setColor(QPalette::Dark, tones.dark);
     palette.setColor(QPalette::Shadow, Qt::black);
-    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
+    for (const QPalette::ColorRole role :
+         {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::HighlightedText})
         palette.setColor(QPalette::Disabled, role, tones.quiet);
     palette.setColor(QPalette::Disabled, QPalette::Highlight, tones.panel);
     return palette;
 }
 
 QString lookName(Look look) {
-    return look == Look::Light ? QStringLiteral("light") : look == Look::System ? QStringLiteral("system") : QStringLiteral("dark");
+    return look == Look::Light    ? QStringLiteral("light")
+           : look == Look::System ? QStringLiteral("system")
+                                  : QStringLiteral("dark");
 }
 
 Look lookFromName(const QString& name) {
-    for (const Look look : {Look::Light, Look::System}) {
+    for (const Look look : {Look::Light, Look::System})
         if (name == lookName(look))
             return look;
-    }
     return Look::Dark;
 }
 

@@ -21,8 +21,8 @@ Look lookFromName(const QString& name);
 
 /// Of Dark or Light.
 QPalette paletteFor(Look look);
-/// Fusion style, palette and the icons that are readable on it. The first call, before anything else changes the palette, finds out
-/// how the desktop is.
+/// Fusion style, palette and the icons that are readable on it. The first call, before anything else changes the
+/// palette, finds out how the desktop is.
 void applyLook(QApplication& application, Look look);
 
 } // namespace app

@@ -20,11 +20,9 @@ std::string_view placementName(Placement placement) {
 }
 
 std::optional<Placement> placementFromName(std::string_view name) {
-    for (const Placement placement : {Placement::Manual, Placement::Auto, Placement::Proposed}) {
-        if (placementName(placement) == name) {
+    for (const Placement placement : {Placement::Manual, Placement::Auto, Placement::Proposed})
+        if (placementName(placement) == name)
             return placement;
-        }
-    }
     return std::nullopt;
 }
 
@@ -41,15 +39,15 @@ std::string_view stateName(MarkState state) {
 }
 
 std::optional<MarkState> stateFromName(std::string_view name) {
-    for (const MarkState state : {MarkState::Visible, MarkState::Occluded, MarkState::Unplaceable}) {
-        if (stateName(state) == name) {
+    for (const MarkState state : {MarkState::Visible, MarkState::Occluded, MarkState::Unplaceable})
+        if (stateName(state) == name)
             return state;
-        }
-    }
     return std::nullopt;
 }
 
-std::string jointLabel(const JointId& joint) { return std::string(sideName(joint.hand)) + " " + joint.joint; }
+std::string jointLabel(const JointId& joint) {
+    return std::string(sideName(joint.hand)) + " " + joint.joint;
+}
 
 std::vector<std::string> readableNames(const std::vector<JointId>& joints) {
     std::vector<std::string> names;
@@ -95,20 +93,20 @@ std::string successor(std::string text) {
 } // namespace
 
 MarkRange marksOfFrames(const AnnotationSet& set, int firstFrame, int lastFrame) {
-    if (lastFrame < firstFrame) {
+    if (lastFrame < firstFrame)
         return {set.marks.end(), set.marks.end()};
-    }
     const auto first = set.marks.lower_bound({.frame = firstFrame, .rater = {}, .joint = {}, .camera = {}});
     auto last = first;
-    if (lastFrame < std::numeric_limits<int>::max()) {
+    if (lastFrame < std::numeric_limits<int>::max())
         last = set.marks.lower_bound({.frame = lastFrame + 1, .rater = {}, .joint = {}, .camera = {}});
-    } else {
+    else
         last = set.marks.end();
-    }
     return {first, last};
 }
 
-MarkRange marksOfFrame(const AnnotationSet& set, int frame) { return marksOfFrames(set, frame, frame); }
+MarkRange marksOfFrame(const AnnotationSet& set, int frame) {
+    return marksOfFrames(set, frame, frame);
+}
 
 MarkRange marksOfFrame(const AnnotationSet& set, int frame, const std::string& rater) {
     return {set.marks.lower_bound({.frame = frame, .rater = rater, .joint = {}, .camera = {}}),

@@ -76,8 +76,8 @@ struct Mark {
 
 /// All annotations of one sequence: plain data, changed only by edits (edit.h).
 struct AnnotationSet {
-    std::map<MarkKey, Mark> marks;      ///< ordered by frame first, so a frame is a range
-    std::map<int, std::string> notes;   ///< per frame, free text
+    std::map<MarkKey, Mark> marks;    ///< ordered by frame first, so a frame is a range
+    std::map<int, std::string> notes; ///< per frame, free text
     bool operator==(const AnnotationSet&) const = default;
 };
 

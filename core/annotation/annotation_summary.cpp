@@ -9,15 +9,13 @@ namespace core {
 
 namespace {
 
-RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const std::vector<Camera>& cameras, double badRmsPx,
-                       const TriangulationOptions& options, const PictureGaps& gaps) {
+RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const std::vector<Camera>& cameras,
+                       double badRmsPx, const TriangulationOptions& options, const PictureGaps& gaps) {
     RaterSummary summary;
     summary.rater = rater;
-    for (const auto& [key, mark] : set.marks) {
-        if (key.rater == rater && mark.isPlaced()) {
+    for (const auto& [key, mark] : set.marks)
+        if (key.rater == rater && mark.isPlaced())
             (mark.placement == Placement::Manual ? summary.clicks : summary.accepted) += 1;
-        }
-    }
     for (const int frame : settledFrames(set, rater)) {
         ++summary.frames;
         for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options, gaps)) {
@@ -51,24 +49,24 @@ void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& jo
 } // namespace
 
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
-                                       const std::vector<Camera>& cameras, const std::vector<HandModel>& hands, double badRmsPx,
-                                       const QualityOptions& options, std::stop_token stop, const PictureGaps& gaps) {
+                                       const std::vector<Camera>& cameras, const std::vector<HandModel>& hands,
+                                       double badRmsPx, const QualityOptions& options, std::stop_token stop,
+                                       const PictureGaps& gaps) {
     AnnotationSummary summary;
     summary.sequence = sequence;
     summary.frameCount = frameCount;
-    summary.proposals = static_cast<int>(std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); }));
+    summary.proposals = static_cast<int>(
+        std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); }));
     std::map<JointId, JointSummary> joints;
     std::map<std::string, SequencePoints> points;
     for (const std::string& rater : ratersOf(set)) {
         const std::vector<int> frames = settledFrames(set, rater);
-        if (frames.empty()) {
+        if (frames.empty())
             continue;
-        }
         QualityChecker checker(cameras, hands, rater, options);
         for (const int frame : frames) {
-            if (stop.stop_requested()) {
+            if (stop.stop_requested())
                 return summary;
-            }
             checker.check(set, frame);
         }
         summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation, gaps));

@@ -27,10 +27,10 @@ struct JointSummary {
 /// What one rater has done.
 struct RaterSummary {
     std::string rater;
-    int frames = 0;        ///< with marks; proposals are none
-    int clicks = 0;        ///< placed by hand
-    int accepted = 0;      ///< accepted reprojections
-    HandCoverage joints;   ///< over both hands and all frames
+    int frames = 0;                 ///< with marks; proposals are none
+    int clicks = 0;                 ///< placed by hand
+    int accepted = 0;               ///< accepted reprojections
+    HandCoverage joints;            ///< over both hands and all frames
     std::map<int, int> doneByFrame; ///< finished joints of both hands, for frames with marks
     std::optional<ClickNoise> noise;
     std::vector<QualityFinding> findings; ///< by frame
@@ -40,22 +40,22 @@ struct RaterSummary {
 struct AnnotationSummary {
     std::string sequence;
     int frameCount = 0;
-    std::vector<RaterSummary> raters;        ///< with settled marks, ascending by name; second rounds ("ann (again)") too
-    std::vector<JointSummary> joints;        ///< the most uncertain one first
-    std::vector<double> rmsPx;               ///< of every point
-    std::vector<double> sigmaMm;             ///< parallel to it
-    std::vector<RaterComparison> agreement;  ///< of every pair of raters that share something
+    std::vector<RaterSummary> raters; ///< with settled marks, ascending by name; second rounds ("ann (again)") too
+    std::vector<JointSummary> joints; ///< the most uncertain one first
+    std::vector<double> rmsPx;        ///< of every point
+    std::vector<double> sigmaMm;      ///< parallel to it
+    std::vector<RaterComparison> agreement; ///< of every pair of raters that share something
 
-    int proposals = 0;                       ///< marks that nobody has looked at yet
+    int proposals = 0; ///< marks that nobody has looked at yet
 
     bool empty() const { return raters.empty(); }
 };
 
-/// Looks at everything that was annotated in a sequence. A joint counts as bad above `badRmsPx`. What is there when `stop` is
-/// requested is returned.
+/// Looks at everything that was annotated in a sequence. A joint counts as bad above `badRmsPx`. What is there when
+/// `stop` is requested is returned.
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands,
-                                       double badRmsPx = 2, const QualityOptions& options = {}, std::stop_token stop = {},
-                                       const PictureGaps& gaps = {});
+                                       double badRmsPx = 2, const QualityOptions& options = {},
+                                       std::stop_token stop = {}, const PictureGaps& gaps = {});
 
 } // namespace core

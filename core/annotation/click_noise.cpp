@@ -13,21 +13,20 @@ namespace {
 /// The clicks of one joint in one frame.
 using Clicks = std::vector<Observation>;
 
-std::vector<Clicks> collectClicks(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater) {
+std::vector<Clicks> collectClicks(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                  const std::string& rater) {
     std::map<std::string, int> cameraIndex;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t i = 0; i < cameras.size(); ++i)
         cameraIndex[cameras[i].name] = static_cast<int>(i);
-    }
     std::vector<Clicks> all;
     const MarkKey* before = nullptr;
     for (const auto& [key, mark] : set.marks) {
         const auto camera = cameraIndex.find(key.camera);
-        if (key.rater != rater || camera == cameraIndex.end() || !isEvidenceIn(mark, cameras[static_cast<std::size_t>(camera->second)])) {
+        if (key.rater != rater || camera == cameraIndex.end() ||
+            !isEvidenceIn(mark, cameras[static_cast<std::size_t>(camera->second)]))
             continue;
-        }
-        if (!before || before->frame != key.frame || before->joint != key.joint) {
+        if (!before || before->frame != key.frame || before->joint != key.joint)
             all.emplace_back();
-        }
         before = &key;
         all.back().push_back({camera->second, mark.px});
     }
@@ -40,7 +39,9 @@ struct Sum {
     double freedom = 0; ///< expected squared residual in units of sigma^2
     int clicks = 0;
 
-    std::optional<double> sigma() const { return freedom > 0.5 ? std::optional(std::sqrt(squaredPx2 / freedom)) : std::nullopt; }
+    std::optional<double> sigma() const {
+        return freedom > 0.5 ? std::optional(std::sqrt(squaredPx2 / freedom)) : std::nullopt;
+    }
 };
 
 struct Round {
@@ -50,7 +51,8 @@ struct Round {
     int outliers = 0;
 };
 
-void addJoint(Round& round, const std::vector<Camera>& cameras, const Clicks& clicks, const TriangulatedPoint& point, double sigmaPx) {
+void addJoint(Round& round, const std::vector<Camera>& cameras, const Clicks& clicks, const TriangulatedPoint& point,
+              double sigmaPx) {
     for (std::size_t k = 0; k < clicks.size(); ++k) {
         if (!point.inlier[k]) {
             ++round.outliers;
@@ -73,17 +75,17 @@ Round measure(const std::vector<Camera>& cameras, const std::vector<Clicks>& all
     Round round;
     for (const Clicks& clicks : all) {
         const auto result = triangulate(cameras, clicks, options);
-        if (result.point && std::count(result.point->inlier.begin(), result.point->inlier.end(), true) >= 3) {
+        if (result.point && std::count(result.point->inlier.begin(), result.point->inlier.end(), true) >= 3)
             addJoint(round, cameras, clicks, *result.point, options.sigmaPx);
-        }
     }
     return round;
 }
 
 } // namespace
 
-std::optional<ClickNoise> estimateClickNoise(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
-                                             const TriangulationOptions& options, double startSigmaPx, int leastJoints) {
+std::optional<ClickNoise> estimateClickNoise(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                             const std::string& rater, const TriangulationOptions& options,
+                                             double startSigmaPx, int leastJoints) {
     const std::vector<Clicks> clicks = collectClicks(set, cameras, rater);
     TriangulationOptions current = options;
     current.sigmaPx = startSigmaPx;
@@ -93,23 +95,19 @@ std::optional<ClickNoise> estimateClickNoise(const AnnotationSet& set, const std
     for (int i = 0; i < kMaxRounds; ++i) {
         round = measure(cameras, clicks, current);
         const auto sigma = round.all.sigma();
-        if (!sigma || round.joints < leastJoints) {
+        if (!sigma || round.joints < leastJoints)
             return std::nullopt;
-        }
         const double next = std::max(*sigma, kLeastSigmaPx);
         const bool isSettled = std::abs(next - current.sigmaPx) < 1e-3 * next;
         current.sigmaPx = next;
-        if (isSettled) {
+        if (isSettled)
             break;
-        }
     }
     ClickNoise noise{*round.all.sigma(), {}, round.all.clicks, round.all.freedom, round.outliers};
     constexpr int kLeastClicksPerCamera = 10;
-    for (const auto& [camera, sum] : round.byCamera) {
-        if (sum.clicks >= kLeastClicksPerCamera && sum.sigma()) {
+    for (const auto& [camera, sum] : round.byCamera)
+        if (sum.clicks >= kLeastClicksPerCamera && sum.sigma())
             noise.sigmaPxByCamera[camera] = *sum.sigma();
-        }
-    }
     return noise;
 }
 

@@ -21,8 +21,9 @@ struct CurveGap {
     Eigen::Vector2d nearestPx = Eigen::Vector2d::Zero(); ///< on the curve
 };
 
-/// Of all pairs of clicks, the one whose clicks lie farthest off each other's curves: the gap in either view, the larger one
-/// first; one gap if only one of the two sees the other's ray, none if no view sees the ray of another click.
+/// Of all pairs of clicks, the one whose clicks lie farthest off each other's curves: the gap in either view, the
+/// larger one first; one gap if only one of the two sees the other's ray, none if no view sees the ray of another
+/// click.
 std::vector<CurveGap> worstCurveGaps(const std::vector<Camera>& cameras, const std::vector<Observation>& clicks);
 
 } // namespace core

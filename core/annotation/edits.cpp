@@ -15,9 +15,8 @@ namespace {
 /// Notes that the mark of `key` becomes `after`, unless it already is that.
 void change(Edit& edit, const AnnotationSet& set, const MarkKey& key, const std::optional<Mark>& after) {
     const auto before = markAt(set, key);
-    if (before != after) {
+    if (before != after)
         edit.marks.push_back({key, before, after});
-    }
 }
 
 Edit single(const AnnotationSet& set, const std::string& verb, const MarkKey& key, const std::optional<Mark>& after) {
@@ -35,30 +34,30 @@ std::string frameRange(int first, int last) {
 }
 
 /// Marks for a point in the views that would see it and that nobody has marked yet; older proposals make way.
-void addMarks(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-             const JointPoint& joint, const std::optional<std::string>& onlyCamera, Placement placement) {
+void addMarks(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+              const std::string& rater, const JointPoint& joint, const std::optional<std::string>& onlyCamera,
+              Placement placement) {
     for (const Camera& camera : cameras) {
         const MarkKey key{frame, rater, joint.joint, camera.name};
         const auto before = markAt(set, key);
-        if ((onlyCamera && *onlyCamera != camera.name) || (before && before->isSettled())) {
+        if ((onlyCamera && *onlyCamera != camera.name) || (before && before->isSettled()))
             continue;
-        }
         const auto px = project(camera, joint.pointInWorld);
         const Mark mark{px.value_or(Eigen::Vector2d::Zero()), placement, MarkState::Visible};
-        if (px && isInside(camera.size, *px) && before != mark) {
+        if (px && isInside(camera.size, *px) && before != mark)
             edit.marks.push_back({key, before, mark});
-        }
     }
 }
 
 /// A guess that waits to be looked at.
-void propose(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-             const JointPoint& joint) {
+void propose(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+             const std::string& rater, const JointPoint& joint) {
     addMarks(edit, set, cameras, frame, rater, joint, std::nullopt, Placement::Proposed);
 }
 
 std::optional<Eigen::Vector3d> pointOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                                       const std::string& rater, const JointId& joint, const TriangulationOptions& options) {
+                                       const std::string& rater, const JointId& joint,
+                                       const TriangulationOptions& options) {
     const auto found = reconstruct(set, cameras, frame, rater, joint, {options, false, std::nullopt});
     return found.result.point ? std::optional(found.result.point->pointInWorld) : std::nullopt;
 }
@@ -66,9 +65,8 @@ std::optional<Eigen::Vector3d> pointOf(const AnnotationSet& set, const std::vect
 } // namespace
 
 Edit placeEdit(const AnnotationSet& set, const MarkKey& key, const Eigen::Vector2d& px) {
-    if (!px.allFinite()) {
+    if (!px.allFinite())
         throw Error(ErrorCode::Usage, "", key.camera, "a mark needs a finite pixel position");
-    }
     const auto before = markAt(set, key);
     const bool isMove = before && before->isPlaced();
     const bool staysOccluded = before && before->state == MarkState::Occluded;
@@ -76,17 +74,17 @@ Edit placeEdit(const AnnotationSet& set, const MarkKey& key, const Eigen::Vector
                   Mark{px, Placement::Manual, staysOccluded ? MarkState::Occluded : MarkState::Visible});
 }
 
-Edit removeEdit(const AnnotationSet& set, const MarkKey& key) { return single(set, "delete", key, std::nullopt); }
+Edit removeEdit(const AnnotationSet& set, const MarkKey& key) {
+    return single(set, "delete", key, std::nullopt);
+}
 
 Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state) {
     const std::string verb = "set to " + std::string(stateName(state)) + ":";
-    if (state == MarkState::Unplaceable) {
+    if (state == MarkState::Unplaceable)
         return single(set, verb, key, Mark{Eigen::Vector2d::Zero(), Placement::Manual, state});
-    }
     auto mark = markAt(set, key);
-    if (mark && mark->hasPlace()) {
+    if (mark && mark->hasPlace())
         mark->state = state;
-    }
     return single(set, verb, key, mark);
 }
 
@@ -94,18 +92,16 @@ Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text) {
     Edit edit{"note in frame " + std::to_string(frame), {}, {}};
     const auto found = set.notes.find(frame);
     const std::string before = found == set.notes.end() ? std::string() : found->second;
-    if (before != text) {
+    if (before != text)
         edit.notes.push_back({frame, before, text});
-    }
     return edit;
 }
 
 Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                 const JointId& joint, const std::optional<std::string>& camera, const TriangulationOptions& options) {
     Edit edit{"accept " + jointLabel(joint) + " in " + camera.value_or("all views"), {}, {}};
-    if (const auto point = pointOf(set, cameras, frame, rater, joint, options)) {
+    if (const auto point = pointOf(set, cameras, frame, rater, joint, options))
         addMarks(edit, set, cameras, frame, rater, {joint, *point}, camera, Placement::Auto);
-    }
     return edit;
 }
 
@@ -114,7 +110,8 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
     Edit edit{"accept all joints of frame " + std::to_string(frame), {}, {}};
     for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
         if (joint.result.point) {
-            addMarks(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt, Placement::Auto);
+            addMarks(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt,
+                     Placement::Auto);
         }
     }
     return edit;
@@ -123,9 +120,8 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                  const std::vector<JointPoint>& joints, const std::string& label) {
     Edit edit{label, {}, {}};
-    for (const JointPoint& joint : joints) {
+    for (const JointPoint& joint : joints)
         propose(edit, set, cameras, frame, rater, joint);
-    }
     return edit;
 }
 
@@ -133,14 +129,11 @@ Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, 
                   const std::string& rater, const std::optional<std::vector<JointId>>& joints,
                   const TriangulationOptions& options) {
     Edit edit{"copy pose of frame " + std::to_string(fromFrame) + " to frame " + std::to_string(toFrame), {}, {}};
-    if (fromFrame == toFrame) {
+    if (fromFrame == toFrame)
         return edit;
-    }
-    for (const auto& [id, joint] : reconstructFrame(set, cameras, fromFrame, rater, {options, false, std::nullopt})) {
-        if (joint.result.point && isChosen(joints, id)) {
+    for (const auto& [id, joint] : reconstructFrame(set, cameras, fromFrame, rater, {options, false, std::nullopt}))
+        if (joint.result.point && isChosen(joints, id))
             propose(edit, set, cameras, toFrame, rater, {id, joint.result.point->pointInWorld});
-        }
-    }
     return edit;
 }
 
@@ -148,7 +141,8 @@ namespace {
 
 using JointCurves = std::map<JointId, std::map<int, Eigen::Vector3d>>;
 
-/// Frames of the set in [first, last] and the nearest annotated ones on either side, which a cubic needs for its slopes.
+/// Frames of the set in [first, last] and the nearest annotated ones on either side, which a cubic needs for its
+/// slopes.
 std::vector<int> framesAround(const AnnotationSet& set, int first, int last) {
     std::vector<int> frames;
     std::optional<int> below;
@@ -157,14 +151,12 @@ std::vector<int> framesAround(const AnnotationSet& set, int first, int last) {
             below = frame;
         } else {
             frames.push_back(frame);
-            if (frame > last) {
+            if (frame > last)
                 break;
-            }
         }
     }
-    if (below) {
+    if (below)
         frames.insert(frames.begin(), *below);
-    }
     return frames;
 }
 
@@ -177,35 +169,32 @@ Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& camera
     JointCurves curves;
     for (const int frame : framesAround(set, firstFrame, lastFrame)) {
         const bool isOutside = frame < firstFrame || frame > lastFrame;
-        if (isOutside && kind == Interpolation::Linear) {
+        if (isOutside && kind == Interpolation::Linear)
             continue;
-        }
-        for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
-            if (joint.result.point && isChosen(joints, id)) {
+        for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt}))
+            if (joint.result.point && isChosen(joints, id))
                 curves[id].emplace(frame, joint.result.point->pointInWorld);
-            }
-        }
     }
     for (const auto& [id, points] : curves) {
         const auto firstInside = points.lower_bound(firstFrame);
         const auto pastInside = points.upper_bound(lastFrame);
-        if (firstInside == pastInside) {
+        if (firstInside == pastInside)
             continue;
-        }
         const int lastInside = std::prev(pastInside)->first;
-        for (int frame = firstInside->first + 1; frame < lastInside; ++frame) {
-            if (!points.contains(frame)) {
+        for (int frame = firstInside->first + 1; frame < lastInside; ++frame)
+            if (!points.contains(frame))
                 propose(edit, set, cameras, frame, rater, {id, *interpolated(points, frame, kind)});
-            }
-        }
     }
     return edit;
 }
 
-Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, const std::optional<int>& lastFrame) {
+Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int firstFrame,
+                   const std::optional<int>& lastFrame) {
     const int last = lastFrame.value_or(std::numeric_limits<int>::max());
-    Edit edit{"swap left and right " + (lastFrame ? "in " + frameRange(firstFrame, last)
-                                                  : "from frame " + std::to_string(firstFrame)), {}, {}};
+    Edit edit{"swap left and right " +
+                  (lastFrame ? "in " + frameRange(firstFrame, last) : "from frame " + std::to_string(firstFrame)),
+              {},
+              {}};
     std::set<MarkKey> keys;
     for (const auto& [key, mark] : marksOfFrames(set, firstFrame, last)) {
         if (key.rater == rater) {
@@ -226,11 +215,9 @@ Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int first
 Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, int lastFrame,
                      const std::optional<std::vector<JointId>>& joints) {
     Edit edit{"delete " + frameRange(firstFrame, lastFrame), {}, {}};
-    for (const auto& [key, mark] : marksOfFrames(set, firstFrame, lastFrame)) {
-        if (key.rater == rater && isChosen(joints, key.joint)) {
+    for (const auto& [key, mark] : marksOfFrames(set, firstFrame, lastFrame))
+        if (key.rater == rater && isChosen(joints, key.joint))
             change(edit, set, key, std::nullopt);
-        }
-    }
     return edit;
 }
 

@@ -9,22 +9,25 @@
 #include "core/annotation/interpolation.h"
 #include "core/annotation/reconstruction.h"
 
-/// Factories of edits. None of them changes the set: each returns what an annotator's step would change, as one undo step,
-/// and an empty edit if it would change nothing. Labels are English, such as "move left index_mcp in cam3".
+/// Factories of edits. None of them changes the set: each returns what an annotator's step would change, as one undo
+/// step, and an empty edit if it would change nothing. Labels are English, such as "move left index_mcp in cam3".
 namespace core {
 
 /// Places a manual mark at `px`, or moves the one that is there. An occluded mark stays occluded; an auto mark becomes
-/// manual (the annotator has put it there); an unplaceable one becomes visible. Throws Error(Usage) if px is not finite.
+/// manual (the annotator has put it there); an unplaceable one becomes visible. Throws Error(Usage) if px is not
+/// finite.
 Edit placeEdit(const AnnotationSet& set, const MarkKey& key, const Eigen::Vector2d& px);
 /// Takes the mark away: the view is "not done yet" again.
 Edit removeEdit(const AnnotationSet& set, const MarkKey& key);
-/// Sets the state. Visible and Occluded need a mark there (otherwise the edit is empty); Unplaceable does not, and its px is 0, 0.
+/// Sets the state. Visible and Occluded need a mark there (otherwise the edit is empty); Unplaceable does not, and its
+/// px is 0, 0.
 Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state);
 /// Replaces the note of a frame; an empty text takes it away.
 Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text);
 
-/// Accepts the reprojection of the joint's point as an auto mark in `camera`, or with no camera in every view; only views
-/// that nobody has marked (a proposed mark makes way) and whose image contains the reprojection. Empty while there is no point.
+/// Accepts the reprojection of the joint's point as an auto mark in `camera`, or with no camera in every view; only
+/// views that nobody has marked (a proposed mark makes way) and whose image contains the reprojection. Empty while
+/// there is no point.
 Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                 const JointId& joint, const std::optional<std::string>& camera = std::nullopt,
                 const TriangulationOptions& options = {});
@@ -37,18 +40,20 @@ struct JointPoint {
     JointId joint;
     Eigen::Vector3d pointInWorld;
 };
-/// Puts given 3D joints into a frame as proposed marks: only views that nobody has marked whose image contains the projection.
-/// For proposals of a hand model, for copies and for interpolation. `label` names the edit.
+/// Puts given 3D joints into a frame as proposed marks: only views that nobody has marked whose image contains the
+/// projection. For proposals of a hand model, for copies and for interpolation. `label` names the edit.
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                  const std::vector<JointPoint>& joints, const std::string& label);
 
-/// Copies the 3D joints that `rater` has in `fromFrame` (all of them, or only `joints`) to `toFrame`, as proposed marks.
+/// Copies the 3D joints that `rater` has in `fromFrame` (all of them, or only `joints`) to `toFrame`, as proposed
+/// marks.
 Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int fromFrame, int toFrame,
                   const std::string& rater, const std::optional<std::vector<JointId>>& joints = std::nullopt,
                   const TriangulationOptions& options = {});
 
-/// Interpolates each joint in 3D between the frames of [firstFrame, lastFrame] in which it has a point, and puts it as proposed
-/// marks into the frames between them; never extrapolates. Cubic also uses the nearest such frame on either side of the range.
+/// Interpolates each joint in 3D between the frames of [firstFrame, lastFrame] in which it has a point, and puts it as
+/// proposed marks into the frames between them; never extrapolates. Cubic also uses the nearest such frame on either
+/// side of the range.
 Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int firstFrame, int lastFrame,
                      const std::string& rater, Interpolation kind,
                      const std::optional<std::vector<JointId>>& joints = std::nullopt,

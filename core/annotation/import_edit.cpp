@@ -8,7 +8,8 @@ namespace core {
 namespace {
 
 bool hasSettled(const MarkRange& marks) {
-    return std::any_of(marks.begin(), marks.end(), [](const auto& item) { return item.second.isSettled(); });
+    return std::any_of(
+        marks.begin(), marks.end(), [](const auto& item) { return item.second.isSettled(); });
 }
 
 /// One rater's marks of one joint in one frame: what is there and what comes.
@@ -18,9 +19,8 @@ struct JointImport {
 
     /// Settled marks that would be changed or taken away if the imported ones took the joint over.
     int replaced(const AnnotationSet& imported) const {
-        if (!hasSettled(after)) {
+        if (!hasSettled(after))
             return 0;
-        }
         return static_cast<int>(std::count_if(before.begin(), before.end(), [&](const auto& item) {
             return item.second.isSettled() && markAt(imported, item.first) != item.second;
         }));
@@ -32,37 +32,33 @@ template <typename Visit>
 void forEachJoint(const AnnotationSet& set, const AnnotationSet& imported, Visit&& visit) {
     for (auto mark = imported.marks.begin(); mark != imported.marks.end();) {
         const MarkKey& key = mark->first;
-        const JointImport joint{marksOfJoint(set, key.frame, key.rater, key.joint), marksOfJoint(imported, key.frame, key.rater, key.joint)};
+        const JointImport joint{marksOfJoint(set, key.frame, key.rater, key.joint),
+                                marksOfJoint(imported, key.frame, key.rater, key.joint)};
         visit(joint);
         mark = joint.after.last;
     }
 }
 
 void change(Edit& edit, const MarkKey& key, const std::optional<Mark>& before, const std::optional<Mark>& after) {
-    if (before != after) {
+    if (before != after)
         edit.marks.push_back({key, before, after});
-    }
 }
 
 /// Takes the joint over as a whole.
 void replaceJoint(Edit& edit, const AnnotationSet& set, const AnnotationSet& imported, const JointImport& joint) {
-    for (const auto& [key, mark] : joint.before) {
-        if (!markAt(imported, key)) {
+    for (const auto& [key, mark] : joint.before)
+        if (!markAt(imported, key))
             change(edit, key, mark, std::nullopt);
-        }
-    }
-    for (const auto& [key, mark] : joint.after) {
+    for (const auto& [key, mark] : joint.after)
         change(edit, key, markAt(set, key), mark);
-    }
 }
 
 /// Marks only views in which nothing is settled.
 void addViews(Edit& edit, const AnnotationSet& set, const JointImport& joint) {
     for (const auto& [key, mark] : joint.after) {
         const auto before = markAt(set, key);
-        if (!before || !before->isSettled()) {
+        if (!before || !before->isSettled())
             change(edit, key, before, mark);
-        }
     }
 }
 
@@ -76,7 +72,9 @@ bool isNoteInTheWay(const AnnotationSet& set, int frame, const std::string& text
     return !before.empty() && before != text;
 }
 
-std::string counted(int count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
+std::string counted(int count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
 
 } // namespace
 
@@ -102,13 +100,11 @@ std::string conflictText(const ImportConflicts& conflicts) {
     std::string text;
     if (conflicts.marks > 0) {
         text = counted(conflicts.marks, "mark") + " of ";
-        for (const std::string& rater : conflicts.raters) {
+        for (const std::string& rater : conflicts.raters)
             text += (rater == *conflicts.raters.begin() ? "" : " and ") + rater;
-        }
     }
-    if (conflicts.notes > 0) {
+    if (conflicts.notes > 0)
         text += (text.empty() ? "" : " and ") + counted(conflicts.notes, "note");
-    }
     return text + " in " + counted(static_cast<int>(conflicts.frames.size()), "frame");
 }
 
@@ -116,17 +112,14 @@ Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const s
     Edit edit{label, {}, {}};
     forEachJoint(set, imported, [&](const JointImport& joint) {
         const bool isInTheWay = joint.replaced(imported) > 0;
-        if (!isInTheWay || mode == ImportMode::Add) {
+        if (!isInTheWay || mode == ImportMode::Add)
             addViews(edit, set, joint);
-        } else if (mode == ImportMode::Replace) {
+        else if (mode == ImportMode::Replace)
             replaceJoint(edit, set, imported, joint);
-        }
     });
-    for (const auto& [frame, text] : imported.notes) {
-        if ((mode == ImportMode::Replace || !isNoteInTheWay(set, frame, text)) && noteAt(set, frame) != text) {
+    for (const auto& [frame, text] : imported.notes)
+        if ((mode == ImportMode::Replace || !isNoteInTheWay(set, frame, text)) && noteAt(set, frame) != text)
             edit.notes.push_back({frame, noteAt(set, frame), text});
-        }
-    }
     return edit;
 }
 

@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// What an import does with a joint that the same rater has marked already in that frame, differently. Always with the joint as a
-/// whole, so that the marks of two people never end up in one joint.
+/// What an import does with a joint that the same rater has marked already in that frame, differently. Always with the
+/// joint as a whole, so that the marks of two people never end up in one joint.
 enum class ImportMode {
     Replace, ///< the joint's marks of that rater make way for the imported ones; notes, too
     Keep,    ///< the joint is left as it is; notes, too
@@ -29,8 +29,9 @@ ImportConflicts importConflicts(const AnnotationSet& set, const AnnotationSet& i
 /// "12 marks of anna and 1 note in 3 frames"; English.
 std::string conflictText(const ImportConflicts& conflicts);
 
-/// Writes the marks and notes of `imported` into the set. A proposal never displaces a settled mark; settled marks displace
-/// proposals. An empty edit if nothing would change.
-Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label, ImportMode mode = ImportMode::Replace);
+/// Writes the marks and notes of `imported` into the set. A proposal never displaces a settled mark; settled marks
+/// displace proposals. An empty edit if nothing would change.
+Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label,
+                ImportMode mode = ImportMode::Replace);
 
 } // namespace core

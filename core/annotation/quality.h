@@ -11,12 +11,13 @@ namespace core {
 
 /// What a check found.
 enum class QualityKind {
-    Disagreement, ///< a click is an outlier, or two or more views give no point; value: px (without a point, off the other view's curve)
-    BoneLength,   ///< value: percent away from the sequence's median
-    JointAngle,   ///< the hand model would have to bend beyond its limits; value: degrees beyond
-    FingerOrder,  ///< knuckles not in order, or two fingers exchanged; value: mm out of order
-    HandMixUp,    ///< looks like the other hand; value: mm, or degrees of bending the wrong way
-    SharedPixel,  ///< two joints on one pixel; value: px between them
+    Disagreement,  ///< a click is an outlier, or two or more views give no point; value: px (without a point, off the
+                   ///< other view's curve)
+    BoneLength,    ///< value: percent away from the sequence's median
+    JointAngle,    ///< the hand model would have to bend beyond its limits; value: degrees beyond
+    FingerOrder,   ///< knuckles not in order, or two fingers exchanged; value: mm out of order
+    HandMixUp,     ///< looks like the other hand; value: mm, or degrees of bending the wrong way
+    SharedPixel,   ///< two joints on one pixel; value: px between them
     OutsidePicture ///< a mark outside its view's image, which is no evidence; value: px from the image
 };
 
@@ -47,20 +48,21 @@ struct QualityFinding {
     JointId joint;
     QualityKind kind = QualityKind::Disagreement;
     double value = 0;
-    std::string text;   ///< English, for people
-    std::string camera; ///< if it is about one view, else empty
+    std::string text;      ///< English, for people
+    std::string camera;    ///< if it is about one view, else empty
     std::string curveOf{}; ///< camera on whose curve the click in `camera` should lie, where clicks give no point
     bool operator==(const QualityFinding&) const = default;
 };
 
 struct QualityOptions {
     TriangulationOptions triangulation;
-    double boneLengthShare = 0.10;   ///< flagged if |length / median - 1| is above it
-    int leastFramesForMedian = 3;    ///< bones seen in fewer frames are not judged
-    double angleToleranceDeg = 10;   ///< flagged if an angle leaves its limits by more
-    double knuckleToleranceMm = 2;   ///< flagged if knuckles are out of order by more
-    double wrongBendDeg = 15;        ///< fingers bent backwards by more on average belong to the other hand
-    double sharedPixelPx = 1;        ///< marks of one view nearer than this, unless their 3D points lie behind each other there
+    double boneLengthShare = 0.10; ///< flagged if |length / median - 1| is above it
+    int leastFramesForMedian = 3;  ///< bones seen in fewer frames are not judged
+    double angleToleranceDeg = 10; ///< flagged if an angle leaves its limits by more
+    double knuckleToleranceMm = 2; ///< flagged if knuckles are out of order by more
+    double wrongBendDeg = 15;      ///< fingers bent backwards by more on average belong to the other hand
+    double sharedPixelPx =
+        1; ///< marks of one view nearer than this, unless their 3D points lie behind each other there
 };
 
 } // namespace core

@@ -11,13 +11,14 @@
 
 namespace core {
 
-/// The findings about one rater's annotations of a sequence, kept up to date frame by frame: a frame is looked at again when its marks
-/// have changed, and everything that depends on other frames (bone lengths, exchanged hands) is computed again from the points that are
-/// known. A value: copy it to look at a state from another thread.
+/// The findings about one rater's annotations of a sequence, kept up to date frame by frame: a frame is looked at again
+/// when its marks have changed, and everything that depends on other frames (bone lengths, exchanged hands) is computed
+/// again from the points that are known. A value: copy it to look at a state from another thread.
 class QualityChecker {
 public:
     /// Angles are checked only with `hands`.
-    QualityChecker(std::vector<Camera> cameras, std::vector<HandModel> hands, std::string rater, QualityOptions options = {});
+    QualityChecker(std::vector<Camera> cameras, std::vector<HandModel> hands, std::string rater,
+                   QualityOptions options = {});
 
     /// Looks at the marks of one frame.
     void check(const AnnotationSet& set, int frame);
@@ -35,7 +36,8 @@ private:
 };
 
 /// The findings about all frames of a sequence, by frame.
-std::vector<QualityFinding> checkSequence(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
-                                          const std::vector<HandModel>& hands, const QualityOptions& options = {});
+std::vector<QualityFinding> checkSequence(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                          const std::string& rater, const std::vector<HandModel>& hands,
+                                          const QualityOptions& options = {});
 
 } // namespace core

@@ -15,9 +15,8 @@ namespace {
 Agreement agreementOf(const std::vector<Eigen::Vector3d>& differences) {
     Agreement agreement;
     agreement.count = static_cast<int>(differences.size());
-    if (differences.empty()) {
+    if (differences.empty())
         return agreement;
-    }
     const double n = agreement.count;
     std::vector<double> distances;
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -28,12 +27,10 @@ Agreement agreementOf(const std::vector<Eigen::Vector3d>& differences) {
         mean += difference / n;
     }
     Eigen::Vector3d squares = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& difference : differences) {
+    for (const Eigen::Vector3d& difference : differences)
         squares += (difference - mean).cwiseAbs2();
-    }
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis)
         agreement.axes[axis] = {mean[axis], agreement.count > 1 ? std::sqrt(squares[axis] / (n - 1)) : 0};
-    }
     agreement.medianMm = medianOf(std::move(distances));
     return agreement;
 }
@@ -41,9 +38,8 @@ Agreement agreementOf(const std::vector<Eigen::Vector3d>& differences) {
 void compareClicks(const AnnotationSet& set, RaterComparison& comparison) {
     double sum = 0;
     for (const auto& [key, mark] : set.marks) {
-        if (key.rater != comparison.first || !mark.isEvidence()) {
+        if (key.rater != comparison.first || !mark.isEvidence())
             continue;
-        }
         const auto other = markAt(set, {key.frame, comparison.second, key.joint, key.camera});
         if (other && other->isEvidence()) {
             sum += (mark.px - other->px).squaredNorm();
@@ -53,8 +49,8 @@ void compareClicks(const AnnotationSet& set, RaterComparison& comparison) {
     comparison.clickRmsPx = comparison.clicks > 0 ? std::sqrt(sum / comparison.clicks) : 0;
 }
 
-RaterComparison compared(const AnnotationSet& set, const std::string& first, const SequencePoints& firstPoints, const std::string& second,
-                         const SequencePoints& secondPoints) {
+RaterComparison compared(const AnnotationSet& set, const std::string& first, const SequencePoints& firstPoints,
+                         const std::string& second, const SequencePoints& secondPoints) {
     std::vector<Eigen::Vector3d> all;
     std::map<JointId, std::vector<Eigen::Vector3d>> byJoint;
     for (const auto& [frame, joints] : firstPoints) {
@@ -68,38 +64,39 @@ RaterComparison compared(const AnnotationSet& set, const std::string& first, con
         }
     }
     RaterComparison comparison{first, second, agreementOf(all), {}};
-    for (const auto& [id, differences] : byJoint) {
+    for (const auto& [id, differences] : byJoint)
         comparison.byJoint[id] = agreementOf(differences);
-    }
     compareClicks(set, comparison);
     return comparison;
 }
 
 } // namespace
 
-std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& first,
-                                             const std::string& second, const TriangulationOptions& options) {
-    auto comparison = compared(set, first, sequencePoints(set, cameras, first, options), second, sequencePoints(set, cameras, second, options));
+std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                             const std::string& first, const std::string& second,
+                                             const TriangulationOptions& options) {
+    auto comparison = compared(set, first, sequencePoints(set, cameras, first, options), second,
+                               sequencePoints(set, cameras, second, options));
     const bool shareNothing = comparison.all.count == 0 && comparison.clicks == 0;
     return shareNothing ? std::nullopt : std::optional(std::move(comparison));
 }
 
-std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras, const TriangulationOptions& options) {
+std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                              const TriangulationOptions& options) {
     std::map<std::string, SequencePoints> points;
-    for (const std::string& rater : ratersOf(set)) {
+    for (const std::string& rater : ratersOf(set))
         points[rater] = sequencePoints(set, cameras, rater, options);
-    }
     return compareAllRaters(set, points);
 }
 
-std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::map<std::string, SequencePoints>& points) {
+std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set,
+                                              const std::map<std::string, SequencePoints>& points) {
     std::vector<RaterComparison> comparisons;
     for (auto first = points.begin(); first != points.end(); ++first) {
         for (auto second = std::next(first); second != points.end(); ++second) {
             auto comparison = compared(set, first->first, first->second, second->first, second->second);
-            if (comparison.all.count > 0 || comparison.clicks > 0) {
+            if (comparison.all.count > 0 || comparison.clicks > 0)
                 comparisons.push_back(std::move(comparison));
-            }
         }
     }
     return comparisons;
@@ -110,12 +107,13 @@ Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras
     Consensus result;
     std::vector<Observation> observations;
     for (const auto& [key, mark] : marksOfFrame(set, frame)) {
-        const auto camera = std::find_if(cameras.begin(), cameras.end(), [&name = key.camera](const Camera& c) { return c.name == name; });
-        if (key.joint != joint || camera == cameras.end() || !isEvidenceIn(mark, *camera)) {
+        const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                         [&name = key.camera](const Camera& c) { return c.name == name; });
+        if (key.joint != joint || camera == cameras.end() || !isEvidenceIn(mark, *camera))
             continue;
-        }
         const auto sigma = sigmaPx.find(key.rater);
-        observations.push_back({static_cast<int>(camera - cameras.begin()), mark.px, sigma == sigmaPx.end() ? 0 : sigma->second});
+        observations.push_back(
+            {static_cast<int>(camera - cameras.begin()), mark.px, sigma == sigmaPx.end() ? 0 : sigma->second});
         result.clicks.push_back({key.rater, key.camera, mark.px, 0, false});
     }
     result.result = triangulate(cameras, observations, options);
@@ -126,21 +124,19 @@ Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras
     return result;
 }
 
-std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater, double share,
-                                        unsigned seed, const TriangulationOptions& options) {
+std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                        const std::string& rater, double share, unsigned seed,
+                                        const TriangulationOptions& options) {
     std::vector<RepeatTask> finished;
-    for (const auto& [frame, joints] : sequencePoints(set, cameras, rater, options)) {
-        for (const auto& [id, point] : joints) {
+    for (const auto& [frame, joints] : sequencePoints(set, cameras, rater, options))
+        for (const auto& [id, point] : joints)
             finished.push_back({frame, id});
-        }
-    }
     const int size = static_cast<int>(finished.size());
     const int count = std::clamp(static_cast<int>(std::lround(share * size)), std::min(1, size), size);
     RandomGenerator random(seed);
     std::vector<RepeatTask> tasks;
-    for (const int index : sampleWithoutReplacement(size, count, random)) {
+    for (const int index : sampleWithoutReplacement(size, count, random))
         tasks.push_back(finished[static_cast<std::size_t>(index)]);
-    }
     return tasks;
 }
 
@@ -150,17 +146,22 @@ constexpr std::string_view kAgain = " (again)";
 
 } // namespace
 
-std::string repeatRaterName(const std::string& rater) { return rater + std::string(kAgain); }
-bool isRepeatRater(const std::string& rater) { return rater.ends_with(kAgain); }
-std::string ownRaterName(const std::string& rater) { return isRepeatRater(rater) ? rater.substr(0, rater.size() - kAgain.size()) : rater; }
+std::string repeatRaterName(const std::string& rater) {
+    return rater + std::string(kAgain);
+}
+bool isRepeatRater(const std::string& rater) {
+    return rater.ends_with(kAgain);
+}
+std::string ownRaterName(const std::string& rater) {
+    return isRepeatRater(rater) ? rater.substr(0, rater.size() - kAgain.size()) : rater;
+}
 
 std::vector<RaterWork> raterWork(const AnnotationSet& set) {
     std::map<std::string, RaterWork> work;
     std::map<std::string, int> lastFrames;
     for (const auto& [key, mark] : set.marks) { // by frame
-        if (!mark.isSettled()) {
+        if (!mark.isSettled())
             continue;
-        }
         RaterWork& own = work[key.rater];
         own.rater = key.rater;
         ++own.marks;
@@ -169,9 +170,8 @@ std::vector<RaterWork> raterWork(const AnnotationSet& set) {
         last->second = key.frame;
     }
     std::vector<RaterWork> list;
-    for (const auto& [rater, own] : work) {
+    for (const auto& [rater, own] : work)
         list.push_back(own);
-    }
     return list;
 }
 

@@ -13,7 +13,7 @@ namespace core {
 /// Numbers of Bland and Altman (1986) for one coordinate, mm: differences first - second.
 struct BlandAltman {
     double biasMm = 0;
-    double sdMm = 0;                   ///< standard deviation of the differences
+    double sdMm = 0;                                          ///< standard deviation of the differences
     double lowerMm() const { return biasMm - kLimit * sdMm; } ///< 95 % limits of agreement
     double upperMm() const { return biasMm + kLimit * sdMm; }
     static constexpr double kLimit = 1.959963984540054;
@@ -21,11 +21,11 @@ struct BlandAltman {
 
 /// How far two sets of 3D joints lie apart.
 struct Agreement {
-    int count = 0;                     ///< joints that both have
-    double meanMm = 0;                 ///< distance
+    int count = 0;     ///< joints that both have
+    double meanMm = 0; ///< distance
     double medianMm = 0;
     double maxMm = 0;
-    BlandAltman axes[3];               ///< x, y, z of the world
+    BlandAltman axes[3]; ///< x, y, z of the world
 };
 
 /// Two raters compared: joints of the same frame, and clicks of the same joint in the same view.
@@ -33,19 +33,21 @@ struct RaterComparison {
     std::string first, second;
     Agreement all;
     std::map<JointId, Agreement> byJoint;
-    int clicks = 0;                    ///< marks that both placed by hand in the same view
-    double clickRmsPx = 0;             ///< root mean square distance between them
+    int clicks = 0;        ///< marks that both placed by hand in the same view
+    double clickRmsPx = 0; ///< root mean square distance between them
     /// Standard deviation of one rater's click per axis if both scatter alike, px: clickRmsPx / 2.
     double clickSigmaPx() const { return clickRmsPx / 2; }
 };
 /// Nothing if the two share neither a joint nor a click.
-std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& first,
-                                             const std::string& second, const TriangulationOptions& options = {});
+std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                             const std::string& first, const std::string& second,
+                                             const TriangulationOptions& options = {});
 /// Every pair of raters that share something, in order.
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                               const TriangulationOptions& options = {});
 /// The same where the points of each rater are known already.
-std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::map<std::string, SequencePoints>& points);
+std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set,
+                                              const std::map<std::string, SequencePoints>& points);
 
 /// One click that a consensus was made from.
 struct ConsensusClick {
@@ -59,8 +61,8 @@ struct Consensus {
     TriangulationResult result;
     std::vector<ConsensusClick> clicks;
 };
-/// Triangulates all raters' manual marks of one joint at once, each weighed by its rater's sigma (px per axis; raters that are
-/// not in `sigmaPx` get that of the options). Marks of several raters in one view all count.
+/// Triangulates all raters' manual marks of one joint at once, each weighed by its rater's sigma (px per axis; raters
+/// that are not in `sigmaPx` get that of the options). Marks of several raters in one view all count.
 Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const JointId& joint,
                     const std::map<std::string, double>& sigmaPx = {}, const TriangulationOptions& options = {});
 
@@ -70,10 +72,12 @@ struct RepeatTask {
     JointId joint;
     auto operator<=>(const RepeatTask&) const = default;
 };
-/// A random subset of what a rater has finished (joints with a point from at least two manual views): `share` of it, at least one if
-/// there is any, in random order; the same seed draws the same. The annotator must not see the first marks while repeating them.
-std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater, double share,
-                                        unsigned seed, const TriangulationOptions& options = {});
+/// A random subset of what a rater has finished (joints with a point from at least two manual views): `share` of it, at
+/// least one if there is any, in random order; the same seed draws the same. The annotator must not see the first marks
+/// while repeating them.
+std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                        const std::string& rater, double share, unsigned seed,
+                                        const TriangulationOptions& options = {});
 /// The name under which a rater's second marks are kept: "ann (again)". compareRaters of both is the intra-rater error.
 std::string repeatRaterName(const std::string& rater);
 /// True for such a name.

@@ -22,17 +22,22 @@ std::string_view statusName(JointStatus status) {
     return "done";
 }
 
-bool isOutside(const Mark& mark, const Camera& camera) { return mark.hasPlace() && !isInside(camera.size, mark.px); }
-bool isEvidenceIn(const Mark& mark, const Camera& camera) { return mark.isEvidence() && !isOutside(mark, camera); }
+bool isOutside(const Mark& mark, const Camera& camera) {
+    return mark.hasPlace() && !isInside(camera.size, mark.px);
+}
+bool isEvidenceIn(const Mark& mark, const Camera& camera) {
+    return mark.isEvidence() && !isOutside(mark, camera);
+}
 
-double sigmaMm(const Eigen::Matrix3d& covariance) { return std::sqrt(covariance.trace()); }
+double sigmaMm(const Eigen::Matrix3d& covariance) {
+    return std::sqrt(covariance.trace());
+}
 
 std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::Vector3d& pointInWorld,
                                              const Eigen::Matrix3d& covariance) {
     const auto projection = projectWithJacobian(camera, pointInWorld);
-    if (!projection) {
+    if (!projection)
         return std::nullopt;
-    }
     const Matrix23d& jacobian = projection->pxByPointInWorld;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(jacobian * covariance * jacobian.transpose());
     constexpr double kChiSquare95 = 5.991464547107979; // two degrees of freedom: -2 ln 0.05
@@ -66,9 +71,8 @@ Evidence collect(const std::vector<ViewReconstruction>& views, bool withGuesses)
 std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                         const std::string& rater, const JointId& joint) {
     std::vector<ViewReconstruction> views(cameras.size());
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t i = 0; i < cameras.size(); ++i)
         views[i].camera = cameras[i].name;
-    }
     for (const auto& [key, mark] : marksOfJoint(set, frame, rater, joint)) {
         const auto view = std::find_if(views.begin(), views.end(), [&camera = key.camera](const ViewReconstruction& v) {
             return v.camera == camera;
@@ -85,9 +89,8 @@ std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vec
 void findPictures(std::vector<ViewReconstruction>& views, const std::set<std::string>& withoutPicture) {
     const bool any = std::any_of(views.begin(), views.end(),
                                  [&](const ViewReconstruction& view) { return !withoutPicture.contains(view.camera); });
-    for (ViewReconstruction& view : views) {
+    for (ViewReconstruction& view : views)
         view.hasPicture = !any || !withoutPicture.contains(view.camera);
-    }
 }
 
 void countViews(JointReconstruction& joint) {
@@ -114,23 +117,23 @@ void lookFromEveryView(JointReconstruction& joint, const std::vector<Camera>& ca
     }
     for (std::size_t k = 0; k < evidence.views.size(); ++k) {
         ViewReconstruction& view = joint.views[evidence.views[k]];
-        if (std::isfinite(point.residualPx[k])) {
+        if (std::isfinite(point.residualPx[k]))
             view.errorPx = point.residualPx[k];
-        }
         view.outlier = !point.inlier[k];
     }
 }
 
 /// Information of the inliers, 1/mm^2.
-Eigen::Matrix3d informationOf(const TriangulatedPoint& point) { return point.covariance.inverse(); }
+Eigen::Matrix3d informationOf(const TriangulatedPoint& point) {
+    return point.covariance.inverse();
+}
 
 /// Squared Mahalanobis length of a residual whose prediction has the given covariance of the point.
 double surprise(const Camera& camera, const Eigen::Vector3d& pointInWorld, const Eigen::Matrix3d& covariance,
                 const Eigen::Vector2d& px, double sigmaPx) {
     const auto projection = projectWithJacobian(camera, pointInWorld);
-    if (!projection) {
+    if (!projection)
         return 0;
-    }
     const Matrix23d& jacobian = projection->pxByPointInWorld;
     const Eigen::Matrix2d spread =
         jacobian * covariance * jacobian.transpose() + sigmaPx * sigmaPx * Eigen::Matrix2d::Identity();
@@ -140,21 +143,17 @@ double surprise(const Camera& camera, const Eigen::Vector3d& pointInWorld, const
 
 /// The point without observation `left`, from the other inliers; nothing if they are fewer than two.
 std::optional<Eigen::Vector3d> pointWithout(const std::vector<Camera>& cameras, const Evidence& evidence,
-                                            const TriangulatedPoint& point, std::size_t left, Eigen::Matrix3d& covariance,
-                                            const TriangulationOptions& options) {
+                                            const TriangulatedPoint& point, std::size_t left,
+                                            Eigen::Matrix3d& covariance, const TriangulationOptions& options) {
     std::vector<Observation> others;
-    for (std::size_t k = 0; k < evidence.observations.size(); ++k) {
-        if (k != left && point.inlier[k]) {
+    for (std::size_t k = 0; k < evidence.observations.size(); ++k)
+        if (k != left && point.inlier[k])
             others.push_back(evidence.observations[k]);
-        }
-    }
-    if (others.size() < 2) {
+    if (others.size() < 2)
         return std::nullopt;
-    }
     const auto refined = refinePoint(cameras, others, point.pointInWorld, options);
-    if (refined) {
+    if (refined)
         covariance = triangulationInformation(cameras, others, *refined, options.sigmaPx).inverse();
-    }
     return refined;
 }
 
@@ -169,9 +168,8 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
         Eigen::Matrix3d covariance;
         const auto without = pointWithout(cameras, evidence, *joint.result.point, k, covariance, options);
         const auto px = without ? project(cameras[i], *without) : std::nullopt;
-        if (!px) {
+        if (!px)
             continue;
-        }
         view.leaveOneOutPx = (*px - view.mark->px).norm();
         const double found = surprise(cameras[i], *without, covariance, view.mark->px, options.sigmaPx);
         if (found > worst) {
@@ -189,19 +187,16 @@ bool wantsClick(const ViewReconstruction& view) {
 void rankNextViews(JointReconstruction& joint, const std::vector<Camera>& cameras, const Eigen::Vector3d& pointInWorld,
                    const Eigen::Matrix3d& information, const TriangulationOptions& options) {
     for (std::size_t i = 0; i < cameras.size(); ++i) {
-        if (!wantsClick(joint.views[i])) {
+        if (!wantsClick(joint.views[i]))
             continue;
-        }
         const auto px = project(cameras[i], pointInWorld);
-        if (!px || !isInside(cameras[i].size, *px)) {
+        if (!px || !isInside(cameras[i].size, *px))
             continue;
-        }
-        const Eigen::Matrix3d more =
-            information + triangulationInformation(cameras, {{static_cast<int>(i), *px}}, pointInWorld, options.sigmaPx);
+        const Eigen::Matrix3d more = information + triangulationInformation(cameras, {{static_cast<int>(i), *px}},
+                                                                            pointInWorld, options.sigmaPx);
         const double sigma = sigmaMm(more.inverse());
-        if (std::isfinite(sigma)) {
+        if (std::isfinite(sigma))
             joint.nextViews.push_back({cameras[i].name, sigma});
-        }
     }
     std::stable_sort(joint.nextViews.begin(), joint.nextViews.end(),
                      [](const NextView& a, const NextView& b) { return a.predictedSigmaMm < b.predictedSigmaMm; });
@@ -212,9 +207,8 @@ void rankSecondView(JointReconstruction& joint, const std::vector<Camera>& camer
                     const ReconstructionOptions& options) {
     const Observation& click = evidence.observations.front();
     const auto ray = viewingRay(cameras[evidence.views.front()], click.px);
-    if (!ray || !options.nearInWorld) {
+    if (!ray || !options.nearInWorld)
         return;
-    }
     const Eigen::Vector3d onRay = ray->pointNearestOrigin();
     const Eigen::Vector3d point = onRay + ray->direction.dot(*options.nearInWorld - onRay) * ray->direction;
     rankNextViews(joint, cameras, point,
@@ -225,7 +219,8 @@ void rankSecondView(JointReconstruction& joint, const std::vector<Camera>& camer
 } // namespace
 
 JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                                const std::string& rater, const JointId& jointId, const ReconstructionOptions& options) {
+                                const std::string& rater, const JointId& jointId,
+                                const ReconstructionOptions& options) {
     JointReconstruction joint;
     joint.views = viewsOf(set, cameras, frame, rater, jointId);
     findPictures(joint.views, options.withoutPicture);
@@ -236,24 +231,20 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
         const Evidence withGuesses = collect(joint.views, true);
         if (withGuesses.views.size() > evidence.views.size()) {
             const auto guess = triangulate(cameras, withGuesses.observations, options.triangulation);
-            if (guess.point) {
+            if (guess.point)
                 joint.proposal = guess.point->pointInWorld;
-            }
         }
-        if (joint.result.reason == kViewsDisagree) {
+        if (joint.result.reason == kViewsDisagree)
             joint.gaps = worstCurveGaps(cameras, evidence.observations);
-        }
-        if (options.details && evidence.observations.size() == 1) {
+        if (options.details && evidence.observations.size() == 1)
             rankSecondView(joint, cameras, evidence, options);
-        }
         return joint;
     }
     lookFromEveryView(joint, cameras, evidence);
     if (options.details) {
         const TriangulatedPoint& point = *joint.result.point;
-        for (std::size_t i = 0; i < cameras.size(); ++i) {
+        for (std::size_t i = 0; i < cameras.size(); ++i)
             joint.views[i].ellipse95 = projectedEllipse(cameras[i], point.pointInWorld, point.covariance);
-        }
         findSuspect(joint, cameras, evidence, options.triangulation);
         rankNextViews(joint, cameras, point.pointInWorld, informationOf(point), options.triangulation);
     }
@@ -264,11 +255,9 @@ std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set
                                                         int frame, const std::string& rater,
                                                         const ReconstructionOptions& options) {
     std::map<JointId, JointReconstruction> joints;
-    for (const auto& [key, mark] : marksOfFrame(set, frame, rater)) {
-        if (!joints.contains(key.joint)) {
+    for (const auto& [key, mark] : marksOfFrame(set, frame, rater))
+        if (!joints.contains(key.joint))
             joints.emplace(key.joint, reconstruct(set, cameras, frame, rater, key.joint, options));
-        }
-    }
     return joints;
 }
 
@@ -283,9 +272,8 @@ std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> f
 }
 
 bool isBad(const JointReconstruction& joint, double badRmsPx) {
-    if (!joint.hasPoint()) {
+    if (!joint.hasPoint())
         return joint.manualViews >= 2;
-    }
     const TriangulatedPoint& point = *joint.result.point;
     return point.rmsPx > badRmsPx || std::find(point.inlier.begin(), point.inlier.end(), false) != point.inlier.end();
 }
@@ -293,9 +281,9 @@ bool isBad(const JointReconstruction& joint, double badRmsPx) {
 namespace {
 
 bool hasOccluded(const JointReconstruction& joint) {
-    return std::any_of(joint.views.begin(), joint.views.end(), [](const ViewReconstruction& view) {
-        return view.mark && view.mark->state == MarkState::Occluded;
-    });
+    return std::any_of(
+        joint.views.begin(), joint.views.end(),
+        [](const ViewReconstruction& view) { return view.mark && view.mark->state == MarkState::Occluded; });
 }
 
 } // namespace
@@ -304,7 +292,8 @@ std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vec
                                         const std::string& rater, double badRmsPx, const TriangulationOptions& options,
                                         const PictureGaps& gaps) {
     std::map<Side, HandCoverage> coverage;
-    for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt, gaps.at(frame)})) {
+    for (const auto& [id, joint] :
+         reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt, gaps.at(frame)})) {
         HandCoverage& hand = coverage[id.hand];
         hand.done += joint.status == JointStatus::Done;
         hand.partial += joint.status == JointStatus::Partial;

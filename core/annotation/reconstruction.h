@@ -18,8 +18,8 @@
 
 namespace core {
 
-/// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is. Proposals do not
-/// count, and views without a picture need no mark.
+/// How far a joint is annotated. Done: every view is placed or unplaceable. Partial: some are. None: no view is.
+/// Proposals do not count, and views without a picture need no mark.
 enum class JointStatus { None, Partial, Done };
 std::string_view statusName(JointStatus status); ///< "none", "partial", "done"
 
@@ -30,18 +30,19 @@ struct PixelEllipse {
     double angleRad = 0;
 };
 
-/// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is not evidence.
+/// What one view says of a joint. Residuals exist for manual placed marks only: an accepted reprojection is not
+/// evidence.
 struct ViewReconstruction {
     std::string camera;
-    std::optional<Mark> mark;                      ///< nothing, or a proposal: not done yet
-    bool outside = false;                          ///< the mark lies outside the image: nobody can have seen it there, so no evidence
+    std::optional<Mark> mark; ///< nothing, or a proposal: not done yet
+    bool outside = false;     ///< the mark lies outside the image: nobody can have seen it there, so no evidence
     std::optional<Eigen::Vector2d> reprojectionPx; ///< the joint's point in this view, recorded pixels; may lie outside
     bool reprojectionInside = false;               ///< the reprojection lies within the image
     std::optional<double> errorPx;                 ///< manual mark to reprojection
     bool outlier = false;                          ///< errorPx is above outlierFactor * sigmaPx: not used
-    std::optional<double> leaveOneOutPx;           ///< manual mark to the point found without it; needs two other inliers
-    std::optional<PixelEllipse> ellipse95;         ///< projection of the 95 % ellipsoid of the covariance
-    bool hasPicture = true;                        ///< false where nobody can see anything: no mark is expected
+    std::optional<double> leaveOneOutPx;   ///< manual mark to the point found without it; needs two other inliers
+    std::optional<PixelEllipse> ellipse95; ///< projection of the 95 % ellipsoid of the covariance
+    bool hasPicture = true;                ///< false where nobody can see anything: no mark is expected
 };
 
 /// A view worth clicking next.
@@ -57,18 +58,18 @@ bool isEvidenceIn(const Mark& mark, const Camera& camera);
 
 /// One joint of one frame from the marks of one rater.
 struct JointReconstruction {
-    TriangulationResult result;             ///< from the manual marks only; `reason` when there is no point
-    std::vector<ViewReconstruction> views;  ///< one per camera, in the cameras' order
+    TriangulationResult result;            ///< from the manual marks only; `reason` when there is no point
+    std::vector<ViewReconstruction> views; ///< one per camera, in the cameras' order
     JointStatus status = JointStatus::None;
-    std::vector<NextView> nextViews;        ///< views without a click that would see the point, the most useful one first
-    std::string suspect;                    ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
+    std::vector<NextView> nextViews; ///< views without a click that would see the point, the most useful one first
+    std::string suspect;             ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
     /// Where auto and proposed marks put the joint while manual ones give no point; never exported.
     std::optional<Eigen::Vector3d> proposal;
     int manualViews = 0;
-    int placedViews = 0;                    ///< manual and auto
-    int countedViews = 0;                   ///< views with a picture: those that a mark is expected in
-    /// Where the views disagree so that there is no point: the two clicks that lie farthest off each other's curves, the larger
-    /// distance first; empty if no view sees the ray of another one's click.
+    int placedViews = 0;  ///< manual and auto
+    int countedViews = 0; ///< views with a picture: those that a mark is expected in
+    /// Where the views disagree so that there is no point: the two clicks that lie farthest off each other's curves,
+    /// the larger distance first; empty if no view sees the ray of another one's click.
     std::vector<CurveGap> gaps;
 
     bool hasPoint() const { return result.point.has_value(); }
@@ -79,14 +80,16 @@ struct ReconstructionOptions {
     bool details = true; ///< leave-one-out, ellipses, next views, suspect; without them several times faster
     /// Roughly where the joint is (such as the mean of its hand), mm: ranks the next view when only one is clicked.
     std::optional<Eigen::Vector3d> nearInWorld;
-    /// Cameras that have no picture of the frame: they need no mark, and none is asked for there. If it names all, all count.
+    /// Cameras that have no picture of the frame: they need no mark, and none is asked for there. If it names all, all
+    /// count.
     std::set<std::string> withoutPicture{};
 };
 
 /// Expected distance of a point from its true place, mm: the square root of the covariance's trace.
 double sigmaMm(const Eigen::Matrix3d& covariance);
 
-/// The projection of the 95 % ellipsoid of a point's covariance, to first order; nothing if the point is behind the camera.
+/// The projection of the 95 % ellipsoid of a point's covariance, to first order; nothing if the point is behind the
+/// camera.
 std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::Vector3d& pointInWorld,
                                              const Eigen::Matrix3d& covariance);
 

@@ -20,7 +20,7 @@ SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera
                               const TriangulationOptions& options = {});
 
 /// Where the joints of a frame are, mm: the mean over the points that its raters' marks give.
-std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                                                   const TriangulationOptions& options = {});
+std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras,
+                                                   int frame, const TriangulationOptions& options = {});
 
 } // namespace core

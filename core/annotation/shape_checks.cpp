@@ -18,7 +18,9 @@ const Eigen::Vector3d* find(const JointPoints& points, Side hand, const std::str
     return found == points.end() ? nullptr : &found->second.pointInWorld;
 }
 
-std::string joined(std::string_view finger, std::string_view joint) { return std::string(finger) + "_" + std::string(joint); }
+std::string joined(std::string_view finger, std::string_view joint) {
+    return std::string(finger) + "_" + std::string(joint);
+}
 
 /// What one frame is checked with.
 struct ShapeCheck {
@@ -36,15 +38,15 @@ void checkBoneLengths(const ShapeCheck& check, const BoneLengths& lengths) {
     for (const auto& [id, point] : check.points) {
         const auto length = boneLength(check.points, id);
         const auto median = lengths.find(id);
-        if (!length || median == lengths.end()) {
+        if (!length || median == lengths.end())
             continue;
-        }
         const double share = *length / median->second - 1;
         if (std::abs(share) > check.options.boneLengthShare) {
             check.report(id, QualityKind::BoneLength, 100 * share,
-                         "bone from " + *previousJoint(id.joint) + " to " + id.joint + " is " + fixedText(*length, 1) + " mm long, " +
-                             fixedText(std::abs(100 * share), 0) + " % " + (share > 0 ? "above" : "below") + " its median of " +
-                             fixedText(median->second, 1) + " mm");
+                         "bone from " + *previousJoint(id.joint) + " to " + id.joint + " is " + fixedText(*length, 1) +
+                             " mm long, " + fixedText(std::abs(100 * share), 0) + " % " +
+                             (share > 0 ? "above" : "below") + " its median of " + fixedText(median->second, 1) +
+                             " mm");
         }
     }
 }
@@ -53,17 +55,15 @@ void checkBoneLengths(const ShapeCheck& check, const BoneLengths& lengths) {
 void checkKnuckles(const ShapeCheck& check, Side hand) {
     const Eigen::Vector3d* first = find(check.points, hand, "index_mcp");
     const Eigen::Vector3d* last = find(check.points, hand, "little_mcp");
-    if (!first || !last || (*last - *first).norm() < check.options.knuckleToleranceMm) {
+    if (!first || !last || (*last - *first).norm() < check.options.knuckleToleranceMm)
         return;
-    }
     const Eigen::Vector3d across = (*last - *first).normalized();
     double reached = 0;
     std::string before = "index_mcp";
     for (const char* joint : {"middle_mcp", "ring_mcp", "little_mcp"}) {
         const Eigen::Vector3d* point = find(check.points, hand, joint);
-        if (!point) {
+        if (!point)
             continue;
-        }
         const double along = across.dot(*point - *first);
         if (along < reached - check.options.knuckleToleranceMm) {
             check.report({hand, joint}, QualityKind::FingerOrder, reached - along,
@@ -81,40 +81,44 @@ void checkExchangedFingers(const ShapeCheck& check, const BoneLengths& lengths, 
     for (std::size_t f = 1; f + 1 < kFingers.size(); ++f) {
         for (const auto& [inner, outer] : {std::pair("mcp", "pip"), std::pair("pip", "dip"), std::pair("dip", "tip")}) {
             const JointId a{hand, joined(kFingers[f], outer)}, b{hand, joined(kFingers[f + 1], outer)};
-            const Eigen::Vector3d *baseA = find(check.points, hand, joined(kFingers[f], inner)), *endA = find(check.points, hand, a.joint);
-            const Eigen::Vector3d *baseB = find(check.points, hand, joined(kFingers[f + 1], inner)), *endB = find(check.points, hand, b.joint);
-            if (!baseA || !baseB || !endA || !endB || !lengths.contains(a) || !lengths.contains(b)) {
+            const Eigen::Vector3d *baseA = find(check.points, hand, joined(kFingers[f], inner)),
+                                  *endA = find(check.points, hand, a.joint);
+            const Eigen::Vector3d *baseB = find(check.points, hand, joined(kFingers[f + 1], inner)),
+                                  *endB = find(check.points, hand, b.joint);
+            if (!baseA || !baseB || !endA || !endB || !lengths.contains(a) || !lengths.contains(b))
                 continue;
-            }
             const double medianA = lengths.at(a), medianB = lengths.at(b);
             const auto misfit = [&](const Eigen::Vector3d& first, const Eigen::Vector3d& second) {
                 return std::abs((first - *baseA).norm() - medianA) + std::abs((second - *baseB).norm() - medianB);
             };
             const double asTheyAre = misfit(*endA, *endB), exchanged = misfit(*endB, *endA);
             if (asTheyAre > check.options.boneLengthShare * (medianA + medianB) && exchanged < 0.3 * asTheyAre) {
-                check.report(a, QualityKind::FingerOrder, asTheyAre - exchanged, a.joint + " and " + b.joint + " seem to be exchanged");
+                check.report(a, QualityKind::FingerOrder, asTheyAre - exchanged,
+                             a.joint + " and " + b.joint + " seem to be exchanged");
             }
         }
     }
 }
 
-/// By how much the fingers of a hand bend towards the back of the hand that its name says, degrees per bend; negative if they
-/// bend as they should. Seen with index to little finger across, right fingers bend one way round and left ones the other.
+/// By how much the fingers of a hand bend towards the back of the hand that its name says, degrees per bend; negative
+/// if they bend as they should. Seen with index to little finger across, right fingers bend one way round and left ones
+/// the other.
 std::optional<double> wrongBendDeg(const JointPoints& points, Side hand) {
     const Eigen::Vector3d* first = find(points, hand, "index_mcp");
     const Eigen::Vector3d* last = find(points, hand, "little_mcp");
-    if (!first || !last || (*last - *first).norm() < 1) {
+    if (!first || !last || (*last - *first).norm() < 1)
         return std::nullopt;
-    }
     const Eigen::Vector3d across = (*last - *first).normalized();
     double sum = 0;
     int bends = 0;
     for (std::size_t f = 1; f < kFingers.size(); ++f) {
-        const Eigen::Vector3d* chain[4] = {find(points, hand, joined(kFingers[f], "mcp")), find(points, hand, joined(kFingers[f], "pip")),
-                                           find(points, hand, joined(kFingers[f], "dip")), find(points, hand, joined(kFingers[f], "tip"))};
+        const Eigen::Vector3d* chain[4] = {
+            find(points, hand, joined(kFingers[f], "mcp")), find(points, hand, joined(kFingers[f], "pip")),
+            find(points, hand, joined(kFingers[f], "dip")), find(points, hand, joined(kFingers[f], "tip"))};
         for (int j = 0; j < 2; ++j) {
             if (chain[j] && chain[j + 1] && chain[j + 2]) {
-                const Eigen::Vector3d in = (*chain[j + 1] - *chain[j]).normalized(), out = (*chain[j + 2] - *chain[j + 1]).normalized();
+                const Eigen::Vector3d in = (*chain[j + 1] - *chain[j]).normalized(),
+                                      out = (*chain[j + 2] - *chain[j + 1]).normalized();
                 sum += std::atan2(in.cross(out).dot(across), in.dot(out)) * 180 / M_PI;
                 ++bends;
             }
@@ -128,7 +132,8 @@ void checkHandedness(const ShapeCheck& check, Side hand) {
     const auto wrong = wrongBendDeg(check.points, hand);
     if (wrong && *wrong > check.options.wrongBendDeg) {
         check.report({hand, "index_mcp"}, QualityKind::HandMixUp, *wrong,
-                     "the fingers bend backwards by " + fixedText(*wrong, 0) + " degrees on average: is this the other hand?");
+                     "the fingers bend backwards by " + fixedText(*wrong, 0) +
+                         " degrees on average: is this the other hand?");
     }
 }
 
@@ -160,8 +165,8 @@ void checkExchangedHands(const ShapeCheck& check, const JointPoints& previous) {
 
 } // namespace
 
-void checkShape(int frame, const JointPoints& points, const BoneLengths& lengths, const JointPoints* previous, const QualityOptions& options,
-                std::vector<QualityFinding>& findings) {
+void checkShape(int frame, const JointPoints& points, const BoneLengths& lengths, const JointPoints* previous,
+                const QualityOptions& options, std::vector<QualityFinding>& findings) {
     const ShapeCheck check{frame, points, options, findings};
     checkBoneLengths(check, lengths);
     for (const Side hand : {Side::Left, Side::Right}) {
@@ -169,9 +174,8 @@ void checkShape(int frame, const JointPoints& points, const BoneLengths& lengths
         checkExchangedFingers(check, lengths, hand);
         checkHandedness(check, hand);
     }
-    if (previous) {
+    if (previous)
         checkExchangedHands(check, *previous);
-    }
 }
 
 } // namespace core

@@ -9,13 +9,11 @@ namespace core {
 
 void sortRows(BenchmarkResults& results) {
     std::map<FramePair, std::size_t> pairRank;
-    for (const FramePair& pair : results.pairs) {
+    for (const FramePair& pair : results.pairs)
         pairRank.emplace(pair, pairRank.size());
-    }
     std::map<std::string, std::size_t> methodRank;
-    for (const std::string& method : results.methods) {
+    for (const std::string& method : results.methods)
         methodRank.emplace(method, methodRank.size());
-    }
     const auto rank = [&](const PairResult& row) {
         return std::pair(pairRank.at(row.pair), methodRank.at(row.method));
     };
@@ -26,11 +24,9 @@ void sortRows(BenchmarkResults& results) {
 std::vector<PairResult> rowsOfPairs(const std::vector<PairResult>& rows, const std::vector<FramePair>& pairs) {
     const std::set<FramePair> wanted(pairs.begin(), pairs.end());
     std::vector<PairResult> found;
-    for (const PairResult& row : rows) {
-        if (wanted.contains(row.pair)) {
+    for (const PairResult& row : rows)
+        if (wanted.contains(row.pair))
             found.push_back(row);
-        }
-    }
     return found;
 }
 

@@ -16,8 +16,8 @@ struct PairResult {
     double initialErrorMm = 0; ///< mean joint distance of the start pose
     double errorMm = 0;        ///< mean joint distance of the estimate
     int iterations = 0;
-    int costRises = 0;         ///< iterations that ended with a higher cost than the one before
-    double seconds = 0;        ///< from masks in memory to the final pose; 0 for external trackers
+    int costRises = 0;                 ///< iterations that ended with a higher cost than the one before
+    double seconds = 0;                ///< from masks in memory to the final pose; 0 for external trackers
     std::vector<double> jointErrorsMm; ///< parallel to BenchmarkResults::joints; NaN where there is no reference
     bool operator==(const PairResult&) const = default;
 };
@@ -25,12 +25,12 @@ struct PairResult {
 /// All that a benchmark found: plain data, from which every table and figure is made.
 struct BenchmarkResults {
     std::vector<JointId> joints;
-    std::vector<FramePair> pairs;     ///< all pairs, also those of other shards
-    std::vector<std::string> methods; ///< in the order of the tables
-    std::vector<PairResult> rows;     ///< in the order of pairs, then methods
+    std::vector<FramePair> pairs;      ///< all pairs, also those of other shards
+    std::vector<std::string> methods;  ///< in the order of the tables
+    std::vector<PairResult> rows;      ///< in the order of pairs, then methods
     std::vector<std::string> external; ///< those of `methods` that were not run here: other trackers' estimates
-    bool stopped = false;             ///< true if the run was stopped before its end
-    bool papersHands = false;         ///< true if the hands are those of the paper, so that its numbers may stand beside ours
+    bool stopped = false;              ///< true if the run was stopped before its end
+    bool papersHands = false; ///< true if the hands are those of the paper, so that its numbers may stand beside ours
 };
 
 /// Brings rows into the order of `pairs`, then `methods`.

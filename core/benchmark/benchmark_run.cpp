@@ -29,11 +29,9 @@ double rounded(double value) {
 std::vector<JointId> annotatedJoints(const BenchmarkScene& scene) {
     std::set<JointId> annotated;
     for (const BenchmarkSequence& sequence : scene.sequences) {
-        for (const auto& [frame, joints] : sequence.annotatedJoints) {
-            for (const auto& [id, position] : joints) {
+        for (const auto& [frame, joints] : sequence.annotatedJoints)
+            for (const auto& [id, position] : joints)
                 annotated.insert(id);
-            }
-        }
     }
     std::vector<JointId> joints = jointNames(scene.hands);
     std::erase_if(joints, [&](const JointId& id) { return !annotated.contains(id); });
@@ -43,34 +41,30 @@ std::vector<JointId> annotatedJoints(const BenchmarkScene& scene) {
 const BenchmarkSequence& sequenceOf(const BenchmarkScene& scene, const std::string& name) {
     const auto found = std::find_if(scene.sequences.begin(), scene.sequences.end(),
                                     [&](const BenchmarkSequence& sequence) { return sequence.name == name; });
-    if (found == scene.sequences.end()) {
+    if (found == scene.sequences.end())
         throw Error(ErrorCode::BadInput, "", "pairs", "unknown sequence " + name);
-    }
     return *found;
 }
 
 void requirePair(const BenchmarkScene& scene, const FramePair& pair, BenchmarkSetup setup) {
     const BenchmarkSequence& sequence = sequenceOf(scene, pair.sequence);
     const int frames = static_cast<int>(sequence.motion.size());
-    const std::string where = "sequence " + pair.sequence + ", start " + std::to_string(pair.start) + ", test " +
-                              std::to_string(pair.test);
+    const std::string where =
+        "sequence " + pair.sequence + ", start " + std::to_string(pair.start) + ", test " + std::to_string(pair.test);
     if (pair.start < 0 || pair.test < 0 || pair.start >= frames || pair.test >= frames) {
         throw Error(ErrorCode::BadInput, "", "pairs",
                     where + ": the sequence has recorded poses for " + std::to_string(frames) + " frames");
     }
-    if (setup == BenchmarkSetup::Realistic && !sequence.annotatedJoints.contains(pair.test)) {
+    if (setup == BenchmarkSetup::Realistic && !sequence.annotatedJoints.contains(pair.test))
         throw Error(ErrorCode::BadInput, "", "pairs", where + ": the test frame has no annotated 3D joints");
-    }
-    if (setup == BenchmarkSetup::Realistic && !sequence.masks) {
+    if (setup == BenchmarkSetup::Realistic && !sequence.masks)
         throw Error(ErrorCode::BadInput, "", "pairs", where + ": the sequence has no masks");
-    }
 }
 
 int costRises(const FitResult& fit) {
     int rises = 0;
-    for (std::size_t i = 1; i < fit.history.size(); ++i) {
+    for (std::size_t i = 1; i < fit.history.size(); ++i)
         rises += fit.history[i].costMm2 > fit.history[i - 1].costMm2 ? 1 : 0;
-    }
     return rises;
 }
 
@@ -86,9 +80,8 @@ std::vector<TestFrame> testFrames(const BenchmarkScene& scene, const std::vector
     std::map<std::pair<std::string, int>, std::size_t> numberOf;
     for (const FramePair& pair : pairs) {
         const auto [at, isNew] = numberOf.try_emplace({pair.sequence, pair.test}, frames.size());
-        if (isNew) {
+        if (isNew)
             frames.push_back({&sequenceOf(scene, pair.sequence), pair.test, {}});
-        }
         frames[at->second].pairs.push_back(pair);
     }
     return frames;
@@ -98,12 +91,13 @@ std::vector<TestFrame> testFrames(const BenchmarkScene& scene, const std::vector
 class Targets {
 public:
     Targets(const BenchmarkScene& scene, BenchmarkSetup setup, const TestFrame& frame)
-        : m_scene(scene), m_setup(setup), m_frame(frame) {}
+        : m_scene(scene)
+        , m_setup(setup)
+        , m_frame(frame) {}
 
     const std::vector<cv::Mat>& masks() {
-        if (m_masks.empty()) {
+        if (m_masks.empty())
             m_masks = m_setup == BenchmarkSetup::Realistic ? m_frame.sequence->masks(m_frame.test) : rendered();
-        }
         return m_masks;
     }
 
@@ -112,9 +106,8 @@ public:
 private:
     std::vector<cv::Mat> rendered() const {
         std::vector<cv::Mat> masks;
-        for (const Camera& camera : m_scene.cameras) {
+        for (const Camera& camera : m_scene.cameras)
             masks.push_back(renderHandsMask(camera, m_scene.hands, poses(m_frame.test)));
-        }
         return masks;
     }
 
@@ -129,13 +122,16 @@ class Run {
 public:
     Run(const BenchmarkScene& scene, const BenchmarkOptions& options, const PairEstimator& estimator,
         const BenchmarkProgressFunction& progress, std::stop_token stop)
-        : m_scene(scene), m_options(options), m_estimator(estimator), m_progress(progress), m_stop(std::move(stop)) {
+        : m_scene(scene)
+        , m_options(options)
+        , m_estimator(estimator)
+        , m_progress(progress)
+        , m_stop(std::move(stop)) {
         m_results.methods = options.methods;
         m_results.joints = benchmarkJoints(scene, options.setup);
         m_results.papersHands = isPapersHands(scene.hands);
-        for (const std::string& name : options.methods) {
+        for (const std::string& name : options.methods)
             m_methods.push_back(parseMethod(name));
-        }
     }
 
     BenchmarkResults run(const std::vector<FramePair>& pairs, const std::vector<PairResult>& finished) {
@@ -154,38 +150,31 @@ private:
     void takeFinished(const std::vector<PairResult>& finished) {
         std::set<std::pair<FramePair, std::string>> wanted;
         for (const TestFrame& frame : m_frames) {
-            for (const FramePair& pair : frame.pairs) {
-                for (const std::string& method : m_options.methods) {
+            for (const FramePair& pair : frame.pairs)
+                for (const std::string& method : m_options.methods)
                     wanted.emplace(pair, method);
-                }
-            }
         }
         m_total = static_cast<int>(wanted.size());
-        for (const PairResult& row : finished) {
-            if (wanted.contains({row.pair, row.method}) && m_done.emplace(row.pair, row.method).second) {
+        for (const PairResult& row : finished)
+            if (wanted.contains({row.pair, row.method}) && m_done.emplace(row.pair, row.method).second)
                 m_results.rows.push_back(row);
-            }
-        }
     }
 
     void work() {
         {
             std::vector<std::jthread> workers;
-            for (int i = 1; i < m_options.threads; ++i) {
+            for (int i = 1; i < m_options.threads; ++i)
                 workers.emplace_back([this] { takeFrames(); });
-            }
             takeFrames();
         }
-        if (m_failure) {
+        if (m_failure)
             std::rethrow_exception(m_failure);
-        }
     }
 
     void takeFrames() {
         try {
-            for (std::size_t i = m_next++; i < m_frames.size() && !ending(); i = m_next++) {
+            for (std::size_t i = m_next++; i < m_frames.size() && !ending(); i = m_next++)
                 solve(m_frames[i]);
-            }
         } catch (...) {
             const std::scoped_lock lock(m_mutex);
             m_failure = m_failure ? m_failure : std::current_exception();
@@ -199,16 +188,13 @@ private:
         Targets targets(m_scene, m_options.setup, frame);
         for (const FramePair& pair : frame.pairs) {
             for (std::size_t m = 0; m < m_methods.size(); ++m) {
-                if (m_done.contains({pair, m_options.methods[m]})) {
+                if (m_done.contains({pair, m_options.methods[m]}))
                     continue;
-                }
-                if (ending()) {
+                if (ending())
                     return;
-                }
                 const FitResult fit = m_estimator(targets.masks(), targets.poses(pair.start), m_methods[m], m_stop);
-                if (fit.termination != FitTermination::Stopped) {
+                if (fit.termination != FitTermination::Stopped)
                     add(measured(pair, m_options.methods[m], fit));
-                }
             }
         }
     }
@@ -229,9 +215,8 @@ private:
     }
 
     void tell(const PairResult* latest) const {
-        if (m_progress) {
+        if (m_progress)
             m_progress({static_cast<int>(m_results.rows.size()), m_total, latest});
-        }
     }
 
     const BenchmarkScene& m_scene;
@@ -259,20 +244,20 @@ BenchmarkResults runBenchmark(const BenchmarkScene& scene, const std::vector<Fra
     return Run(scene, options, estimator, progress, std::move(stop)).run(pairs, finished);
 }
 
-void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& pairs, const BenchmarkOptions& options) {
+void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& pairs,
+                     const BenchmarkOptions& options) {
     std::set<std::string> methods;
     for (const std::string& name : options.methods) {
         parseMethod(name);
-        if (!methods.insert(name).second) {
+        if (!methods.insert(name).second)
             throw Error(ErrorCode::Usage, "", "methods", name + " is named twice");
-        }
     }
-    for (const FramePair& pair : pairs) {
+    for (const FramePair& pair : pairs)
         requirePair(scene, pair, options.setup);
-    }
     pairsOfShard(pairs, options.shard); // may be empty if there are more shards than test frames
     if (pairs.empty()) {
-        throw Error(ErrorCode::Usage, "", "pairs", "there are none: too few frames for this fraction and these differences");
+        throw Error(ErrorCode::Usage, "", "pairs",
+                    "there are none: too few frames for this fraction and these differences");
     }
 }
 
@@ -302,11 +287,9 @@ std::vector<PairFrames> pairFrames(const BenchmarkScene& scene, BenchmarkSetup s
     std::vector<PairFrames> result;
     for (const BenchmarkSequence& sequence : scene.sequences) {
         PairFrames frames{sequence.name, {}};
-        for (int frame = 0; frame < static_cast<int>(sequence.motion.size()); ++frame) {
-            if (setup == BenchmarkSetup::Synthetic || sequence.annotatedJoints.contains(frame)) {
+        for (int frame = 0; frame < static_cast<int>(sequence.motion.size()); ++frame)
+            if (setup == BenchmarkSetup::Synthetic || sequence.annotatedJoints.contains(frame))
                 frames.frames.push_back(frame);
-            }
-        }
         result.push_back(std::move(frames));
     }
     return result;

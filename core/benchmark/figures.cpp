@@ -10,9 +10,9 @@
 #include <limits>
 
 #include "core/benchmark/metrics.h"
+#include "core/benchmark/sweep.h"
 #include "core/fitting/method_name.h"
 #include "core/text/number_text.h"
-#include "core/benchmark/sweep.h"
 
 namespace core {
 
@@ -42,15 +42,14 @@ std::string familyOf(const BenchmarkResults& results, const std::string& method)
 }
 
 const char* familyColour(const std::string& family) {
-    for (const MethodColour& entry : kMethodColours) {
-        if (family == entry.method) {
+    for (const MethodColour& entry : kMethodColours)
+        if (family == entry.method)
             return entry.colour;
-        }
-    }
     return nullptr;
 }
 
-/// Darker and lighter by turns, so that the variants of one method look like it and unlike each other. `variant` 0 is the colour itself.
+/// Darker and lighter by turns, so that the variants of one method look like it and unlike each other. `variant` 0 is
+/// the colour itself.
 std::string shade(const char* colour, std::size_t variant) {
     constexpr std::array<double, 7> kShares = {0, -0.35, 0.4, -0.55, 0.6, -0.2, 0.2};
     const double share = kShares[variant % kShares.size()];
@@ -65,31 +64,29 @@ std::string shade(const char* colour, std::size_t variant) {
     return text.data();
 }
 
-/// A method's colour in every figure of these results: its family's, in a shade of its own if it has options; other trackers have colours
-/// of the rest.
+/// A method's colour in every figure of these results: its family's, in a shade of its own if it has options; other
+/// trackers have colours of the rest.
 std::string colourOf(const BenchmarkResults& results, const std::string& method) {
     const auto external = std::find(results.external.begin(), results.external.end(), method);
-    if (external != results.external.end()) {
+    if (external != results.external.end())
         return kOtherColours[static_cast<std::size_t>(external - results.external.begin()) % kOtherColours.size()];
-    }
     const std::string family = familyOf(results, method);
     const char* colour = familyColour(family);
-    if (colour == nullptr) {
+    if (colour == nullptr)
         return kOtherColours.back();
-    }
     const bool hasPlain = std::find(results.methods.begin(), results.methods.end(), family) != results.methods.end();
     std::size_t variant = method == family ? 0 : hasPlain ? 1 : 0;
     for (const std::string& other : results.methods) {
-        if (other == method || method == family) {
+        if (other == method || method == family)
             break;
-        }
         variant += other != family && familyOf(results, other) == family ? 1 : 0;
     }
     return shade(colour, variant);
 }
 
 bool hasData(const std::vector<PlotLine>& lines) {
-    return std::any_of(lines.begin(), lines.end(), [](const PlotLine& line) { return !line.points.empty(); });
+    return std::any_of(
+        lines.begin(), lines.end(), [](const PlotLine& line) { return !line.points.empty(); });
 }
 
 Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods, const std::string& id,
@@ -97,17 +94,18 @@ Figure curvesFigure(const BenchmarkResults& results, const std::vector<std::stri
     std::vector<PlotLine> lines;
     for (const ErrorCurve& curve : errorCurves(results)) {
         const auto at = std::find(methods.begin(), methods.end(), curve.method);
-        if (curve.method != "initial" && at == methods.end()) {
+        if (curve.method != "initial" && at == methods.end())
             continue;
-        }
         PlotLine line{curve.method, colourOf(results, curve.method), {}, "lines"};
-        for (std::size_t i = 0; i < curve.share.size(); ++i) {
+        for (std::size_t i = 0; i < curve.share.size(); ++i)
             line.points.push_back({curve.thresholdsMm[i], 100 * curve.share[i]});
-        }
         lines.push_back(std::move(line));
     }
-    return {id, title, "Share of the frame pairs whose mean joint error is below the threshold. Higher and further left is better.",
-            gnuplotPreamble(id, "threshold (mm)", "pairs below it (%)") + "set yrange [0:100]\nset xrange [0:10]\n" + gnuplotPlot(lines)};
+    return {
+        id, title,
+        "Share of the frame pairs whose mean joint error is below the threshold. Higher and further left is better.",
+        gnuplotPreamble(id, "threshold (mm)", "pairs below it (%)") + "set yrange [0:100]\nset xrange [0:10]\n" +
+            gnuplotPlot(lines)};
 }
 
 Figure differencesFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
@@ -117,9 +115,8 @@ Figure differencesFigure(const BenchmarkResults& results, const std::vector<std:
     if (!differences.empty() && differences.size() > kMostMarks) {
         tics += gnuplotWholeTics("x", differences.front(), differences.back());
     } else {
-        for (const int difference : differences) {
+        for (const int difference : differences)
             tics += (difference == differences.front() ? "set xtics (" : ", ") + std::to_string(difference);
-        }
         tics += differences.empty() ? "" : ")\n";
     }
     std::vector<PlotLine> lines;
@@ -127,15 +124,15 @@ Figure differencesFigure(const BenchmarkResults& results, const std::vector<std:
         PlotLine line{method, colourOf(results, method), {}};
         for (const int difference : differences) {
             const ErrorStatistics statistics = errorStatistics(results, method, difference);
-            if (statistics.pairs > 0) {
+            if (statistics.pairs > 0)
                 line.points.push_back({static_cast<double>(difference), statistics.meanMm});
-            }
         }
         lines.push_back(std::move(line));
     }
     return {"differences", "Error over the distance of the start frame",
             "Mean joint error after the fit; the start pose is that many frames away.",
-            gnuplotPreamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" + tics + gnuplotPlot(lines)};
+            gnuplotPreamble("differences", "frames between start and test", "mean error (mm)") + "set yrange [0:*]\n" +
+                tics + gnuplotPlot(lines)};
 }
 
 Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
@@ -143,16 +140,14 @@ Figure jointsFigure(const BenchmarkResults& results, const std::vector<std::stri
     for (const std::string& method : methods) {
         PlotLine line{method, colourOf(results, method), {}, "points pt 7 ps 0.8"};
         const std::vector<double> means = meanJointErrorsMm(results, method);
-        for (std::size_t j = 0; j < means.size(); ++j) {
-            if (!std::isnan(means[j])) {
+        for (std::size_t j = 0; j < means.size(); ++j)
+            if (!std::isnan(means[j]))
                 line.points.push_back({static_cast<double>(j), means[j]});
-            }
-        }
         lines.push_back(std::move(line));
     }
     return {"joints", "Error per joint", "Mean error of every joint over all pairs.",
-            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset grid xtics\n" + gnuplotNamedTics(readableNames(results.joints)) +
-                gnuplotPlot(lines)};
+            gnuplotPreamble("joints", "", "mean error (mm)") + "set yrange [0:*]\nset grid xtics\n" +
+                gnuplotNamedTics(readableNames(results.joints)) + gnuplotPlot(lines)};
 }
 
 Figure speedFigure(const BenchmarkResults& results, const std::vector<std::string>& methods) {
@@ -160,13 +155,15 @@ Figure speedFigure(const BenchmarkResults& results, const std::vector<std::strin
     for (const std::string& method : methods) {
         const ErrorStatistics statistics = errorStatistics(results, method);
         if (statistics.pairs > 0 && statistics.meanSeconds > 0) {
-            lines.push_back({method, colourOf(results, method), {{statistics.meanSeconds, statistics.meanMm}},
+            lines.push_back({method,
+                             colourOf(results, method),
+                             {{statistics.meanSeconds, statistics.meanMm}},
                              "points pt 7 ps 1.2"});
         }
     }
     return {"speed", "Error against time", "One point per method; further left is faster, further down is more exact.",
-            gnuplotPreamble("speed", "seconds per pair", "mean error (mm)") +
-                "set yrange [0:*]\nset xrange [0:*]\n" + gnuplotPlot(lines)};
+            gnuplotPreamble("speed", "seconds per pair", "mean error (mm)") + "set yrange [0:*]\nset xrange [0:*]\n" +
+                gnuplotPlot(lines)};
 }
 
 std::string scheduleName(Schedule schedule) {
@@ -179,13 +176,11 @@ std::vector<PlotLine> linesOf(const BenchmarkResults& results, const SweepFigure
         PlotLine line{series.name, kOtherColours[lines.size() % kOtherColours.size()], {}};
         for (const SweepPoint& point : series.points) {
             const ErrorStatistics statistics = errorStatistics(results, point.method);
-            if (statistics.pairs > 0) {
+            if (statistics.pairs > 0)
                 line.points.push_back({point.value, statistics.meanMm});
-            }
         }
-        if (!line.points.empty()) {
+        if (!line.points.empty())
             lines.push_back(std::move(line));
-        }
     }
     return lines;
 }
@@ -194,9 +189,8 @@ Figure sweepFigure(const SweepFigure& sweep, const std::vector<PlotLine>& lines,
     const std::string id = sweep.id + (schedule == Schedule::Paper ? "-paper" : "");
     const bool isLogarithmic = sweep.xLabel == "bins" || sweep.id == "tau";
     std::string tics = "set xtics (";
-    for (std::size_t i = 0; i < lines.front().points.size(); ++i) {
+    for (std::size_t i = 0; i < lines.front().points.size(); ++i)
         tics += (i == 0 ? "" : ", ") + exactText(lines.front().points[i][0]);
-    }
     return {id, sweep.title + " (" + scheduleName(schedule) + ")", "Mean joint error over all pairs.",
             gnuplotPreamble(id, sweep.xLabel, "mean error (mm)") + (isLogarithmic ? "set logscale x 2\n" : "") + tics +
                 ")\nset offsets graph 0.05, graph 0.05, graph 0.1, 0\nset yrange [0:*]\n" + gnuplotPlot(lines)};
@@ -210,19 +204,18 @@ std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule sc
         double least = std::numeric_limits<double>::infinity();
         std::string winner;
         for (const std::string& method : results.methods) {
-            if (isExternal(results, method)) {
+            if (isExternal(results, method))
                 continue;
-            }
             const Method parsed = parseMethod(method);
             const ErrorStatistics statistics = errorStatistics(results, method);
-            if (!parsed.best && parsed.distance == distance && parsed.schedule == schedule && statistics.pairs > 0 && statistics.meanMm < least) {
+            if (!parsed.best && parsed.distance == distance && parsed.schedule == schedule && statistics.pairs > 0 &&
+                statistics.meanMm < least) {
                 least = statistics.meanMm;
                 winner = method;
             }
         }
-        if (!winner.empty()) {
+        if (!winner.empty())
             best.push_back(winner);
-        }
     }
     return best;
 }
@@ -232,31 +225,29 @@ std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule sc
 std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::size_t most) {
     std::vector<std::string> chosen;
     const auto take = [&](const std::function<bool(const std::string&)>& wanted) {
-        for (const std::string& method : results.methods) {
-            if (chosen.size() < most && wanted(method) && std::find(chosen.begin(), chosen.end(), method) == chosen.end()) {
+        for (const std::string& method : results.methods)
+            if (chosen.size() < most && wanted(method) &&
+                std::find(chosen.begin(), chosen.end(), method) == chosen.end())
                 chosen.push_back(method);
-            }
-        }
     };
     take([&](const std::string& method) { return isExternal(results, method); });
     take([](const std::string& method) { return method.find(':') == std::string::npos || method == "best:live=1"; });
-    if (chosen.size() == results.external.size()) {
+    if (chosen.size() == results.external.size())
         take([](const std::string&) { return true; });
-    }
     std::vector<std::string> inOrder;
-    std::copy_if(results.methods.begin(), results.methods.end(), std::back_inserter(inOrder),
-                 [&](const std::string& method) { return std::find(chosen.begin(), chosen.end(), method) != chosen.end(); });
+    std::copy_if(
+        results.methods.begin(), results.methods.end(), std::back_inserter(inOrder),
+        [&](const std::string& method) { return std::find(chosen.begin(), chosen.end(), method) != chosen.end(); });
     return inOrder;
 }
 
 std::vector<Figure> overviewFigures(const BenchmarkResults& results, const std::vector<std::string>& methods) {
     std::vector<Figure> figures = {curvesFigure(results, methods, "curves", "Error curves"),
                                    differencesFigure(results, methods), jointsFigure(results, methods)};
-    const bool anyTime = std::any_of(results.rows.begin(), results.rows.end(),
-                                     [](const PairResult& row) { return row.seconds > 0; });
-    if (anyTime) {
+    const bool anyTime =
+        std::any_of(results.rows.begin(), results.rows.end(), [](const PairResult& row) { return row.seconds > 0; });
+    if (anyTime)
         figures.push_back(speedFigure(results, methods));
-    }
     return figures;
 }
 
@@ -265,14 +256,14 @@ std::vector<Figure> sweepResultFigures(const BenchmarkResults& results) {
     for (const Schedule schedule : {Schedule::Paper, Schedule::RigidFirst}) {
         for (const SweepFigure& sweep : sweepFigures(schedule)) {
             const std::vector<PlotLine> lines = linesOf(results, sweep);
-            if (hasData(lines)) {
+            if (hasData(lines))
                 figures.push_back(sweepFigure(sweep, lines, schedule));
-            }
         }
         const std::vector<std::string> best = bestOfEach(results, schedule);
         if (best.size() > 1) {
             const std::string id = schedule == Schedule::Paper ? "best-of-each-paper" : "best-of-each";
-            figures.push_back(curvesFigure(results, best, id, "The best setting of each method (" + scheduleName(schedule) + ")"));
+            figures.push_back(
+                curvesFigure(results, best, id, "The best setting of each method (" + scheduleName(schedule) + ")"));
         }
     }
     return figures;

@@ -9,8 +9,8 @@
 
 namespace core {
 
-/// The methods that overview figures show, in the order of the tables: those without options if there are any, at most `most`;
-/// other trackers are always among them.
+/// The methods that overview figures show, in the order of the tables: those without options if there are any, at most
+/// `most`; other trackers are always among them.
 std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::size_t most = 9);
 
 /// Error curves, error over the difference, error per joint, and error against seconds; `methods` chooses the lines.

@@ -6,8 +6,8 @@
 #include <set>
 
 #include "core/benchmark/metrics.h"
-#include "core/text/number_text.h"
 #include "core/benchmark/sweep.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -24,7 +24,9 @@ bool beats(double mm, double otherMm) {
 /// Looks up what the claims need, and remembers what was missing.
 class Evidence {
 public:
-    Evidence(const BenchmarkResults& results, Schedule schedule) : m_results(results), m_schedule(schedule) {}
+    Evidence(const BenchmarkResults& results, Schedule schedule)
+        : m_results(results)
+        , m_schedule(schedule) {}
 
     bool has(const std::string& method) const { return statistics(method).pairs > 0; }
     double mm(const std::string& method) const { return statistics(method).meanMm; }
@@ -34,20 +36,17 @@ public:
     /// "name 1.23, name 4.56"
     std::string list(const std::vector<std::string>& methods) const {
         std::string text;
-        for (const std::string& method : methods) {
+        for (const std::string& method : methods)
             text += (text.empty() ? "" : ", ") + shortName(method) + " " + fixedText(mm(method), 2);
-        }
         return text;
     }
 
     /// The finding if all methods were run, else "not measured" and the first one that was not.
     template <typename Holds>
     Finding judge(const std::string& claim, const std::vector<std::string>& methods, const Holds& holds) const {
-        for (const std::string& method : methods) {
-            if (!has(method)) {
+        for (const std::string& method : methods)
+            if (!has(method))
                 return {claim, Verdict::NotMeasured, "needs " + underSchedule(method, m_schedule)};
-            }
-        }
         return {claim, holds() ? Verdict::Reproduced : Verdict::NotReproduced, list(methods)};
     }
 
@@ -55,9 +54,8 @@ private:
     const ErrorStatistics& statistics(const std::string& method) const {
         const std::string name = underSchedule(method, m_schedule);
         const auto [at, isNew] = m_known.try_emplace(name);
-        if (isNew) {
+        if (isNew)
             at->second = errorStatistics(m_results, name);
-        }
         return at->second;
     }
 
@@ -73,21 +71,21 @@ private:
 std::vector<std::string> variants(const std::string& method, const std::string& option,
                                   const std::vector<std::string>& values) {
     std::vector<std::string> names;
-    for (const std::string& value : values) {
+    for (const std::string& value : values)
         names.push_back(method + ":" + option + "=" + value);
-    }
     return names;
 }
 
 std::string least(const Evidence& evidence, const std::vector<std::string>& methods) {
-    return *std::min_element(methods.begin(), methods.end(), [&](const std::string& a, const std::string& b) {
-        return evidence.mm(a) < evidence.mm(b);
-    });
+    return *std::min_element(
+        methods.begin(), methods.end(),
+        [&](const std::string& a, const std::string& b) { return evidence.mm(a) < evidence.mm(b); });
 }
 
 Finding signedBeatsUnsigned(const Evidence& evidence, const std::string& method, const std::string& name) {
-    return evidence.judge("signed orientation beats unsigned (" + name + ")", {method, method + ":signed=0"},
-                          [&] { return beats(evidence.mm(method), evidence.mm(method + ":signed=0")); });
+    return evidence.judge(
+        "signed orientation beats unsigned (" + name + ")", {method, method + ":signed=0"},
+        [&] { return beats(evidence.mm(method), evidence.mm(method + ":signed=0")); });
 }
 
 Finding bestTau(const Evidence& evidence) {
@@ -129,7 +127,8 @@ Finding quant2BeatsQuant(const Evidence& evidence) {
 Finding fewerBins(const Evidence& evidence, const std::string& method, const std::string& name) {
     const std::vector<std::string> bins = variants(method, "bins", {"4", "8", "16", "32"});
     return evidence.judge("fewer bins are better for " + name, bins, [&] {
-        return beats(std::min(evidence.mm(bins[0]), evidence.mm(bins[1])), std::min(evidence.mm(bins[2]), evidence.mm(bins[3])));
+        return beats(std::min(evidence.mm(bins[0]), evidence.mm(bins[1])),
+                     std::min(evidence.mm(bins[2]), evidence.mm(bins[3])));
     });
 }
 
@@ -137,10 +136,13 @@ Finding fewerBins(const Evidence& evidence, const std::string& method, const std
 const std::vector<std::string> kPapersMethods = {"dch-thres", "ch", "dch-dt3", "dch-quant"};
 
 Finding thresIsBest(const Evidence& evidence) {
-    return evidence.judge("Thres has the smallest error", kPapersMethods, [&] {
-        return std::all_of(kPapersMethods.begin() + 1, kPapersMethods.end(),
-                           [&](const std::string& method) { return beats(evidence.mm("dch-thres"), evidence.mm(method)); });
-    });
+    return evidence.judge(
+        "Thres has the smallest error", kPapersMethods,
+        [&] {
+            return std::all_of(
+                kPapersMethods.begin() + 1, kPapersMethods.end(),
+                [&](const std::string& method) { return beats(evidence.mm("dch-thres"), evidence.mm(method)); });
+        });
 }
 
 Finding thresIsFastest(const Evidence& evidence) {
@@ -151,9 +153,8 @@ Finding thresIsFastest(const Evidence& evidence) {
     });
     if (finding.verdict != Verdict::NotMeasured) {
         finding.numbers = "seconds per pair:";
-        for (const std::string& method : kPapersMethods) {
+        for (const std::string& method : kPapersMethods)
             finding.numbers += " " + method + " " + fixedText(evidence.seconds(method), 3);
-        }
     }
     return finding;
 }
@@ -166,9 +167,8 @@ Finding dt3IsSmooth(const Evidence& evidence) {
     });
     if (finding.verdict != Verdict::NotMeasured) {
         finding.numbers = "share of iterations that raised the cost:";
-        for (const std::string& method : kPapersMethods) {
+        for (const std::string& method : kPapersMethods)
             finding.numbers += " " + method + " " + fixedText(100 * evidence.roughness(method), 1) + " %";
-        }
     }
     return finding;
 }

@@ -21,8 +21,8 @@ struct Finding {
 };
 
 /// Each claim of Tzionas and Gall (2013) under a schedule, from whatever methods the results hold. Mean errors over all
-/// pairs are compared; differences below 0.02 mm (2 % of the seconds) count as equal, and a tie does not confirm a claim: what is said to
-/// be better must beat the others. Where a claim says that something suffices, a tie does.
+/// pairs are compared; differences below 0.02 mm (2 % of the seconds) count as equal, and a tie does not confirm a
+/// claim: what is said to be better must beat the others. Where a claim says that something suffices, a tie does.
 std::vector<Finding> findings(const BenchmarkResults& results, BenchmarkSetup setup, Schedule schedule);
 
 } // namespace core

@@ -16,11 +16,9 @@ double rounded(double lengthMm) {
 
 std::vector<JointId> jointNames(const std::vector<HandModel>& hands) {
     std::vector<JointId> joints;
-    for (const HandModel& hand : hands) {
-        for (const Bone& bone : hand.skeleton.bones) {
+    for (const HandModel& hand : hands)
+        for (const Bone& bone : hand.skeleton.bones)
             joints.push_back({hand.side, bone.name});
-        }
-    }
     return joints;
 }
 
@@ -28,9 +26,8 @@ JointPositions namedJointPositions(const std::vector<HandModel>& hands, const Ha
     JointPositions joints;
     for (std::size_t h = 0; h < hands.size(); ++h) {
         const std::vector<Eigen::Vector3d> positions = jointPositions(hands[h].skeleton, poses[h]);
-        for (std::size_t b = 0; b < positions.size(); ++b) {
+        for (std::size_t b = 0; b < positions.size(); ++b)
             joints[{hands[h].side, hands[h].skeleton.bones[b].name}] = positions[b];
-        }
     }
     return joints;
 }

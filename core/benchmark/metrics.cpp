@@ -16,11 +16,9 @@ using Rows = std::vector<const PairResult*>;
 
 Rows rowsOf(const BenchmarkResults& results, const std::string& method, std::optional<int> difference) {
     Rows rows;
-    for (const PairResult& row : results.rows) {
-        if (row.method == method && (!difference || row.pair.difference() == *difference)) {
+    for (const PairResult& row : results.rows)
+        if (row.method == method && (!difference || row.pair.difference() == *difference))
             rows.push_back(&row);
-        }
-    }
     return rows;
 }
 
@@ -28,41 +26,35 @@ Rows rowsOf(const BenchmarkResults& results, const std::string& method, std::opt
 Rows firstRows(const BenchmarkResults& results, std::optional<int> difference) {
     Rows rows;
     std::set<FramePair> seen;
-    for (const PairResult& row : results.rows) {
-        if ((!difference || row.pair.difference() == *difference) && seen.insert(row.pair).second) {
+    for (const PairResult& row : results.rows)
+        if ((!difference || row.pair.difference() == *difference) && seen.insert(row.pair).second)
             rows.push_back(&row);
-        }
-    }
     return rows;
 }
 
 std::vector<double> errorsOf(const Rows& rows, double PairResult::*error) {
     std::vector<double> errors;
-    for (const PairResult* row : rows) {
+    for (const PairResult* row : rows)
         errors.push_back(row->*error);
-    }
     return errors;
 }
 
 double meanOf(const std::vector<double>& values) {
     double sum = 0;
-    for (const double value : values) {
+    for (const double value : values)
         sum += value;
-    }
     return values.empty() ? 0 : sum / static_cast<double>(values.size());
 }
 
 ErrorStatistics statisticsOf(std::vector<double> errorsMm) {
     ErrorStatistics statistics;
     statistics.pairs = static_cast<int>(errorsMm.size());
-    if (errorsMm.empty()) {
+    if (errorsMm.empty())
         return statistics;
-    }
     statistics.meanMm = meanOf(errorsMm);
     double squares = 0;
-    for (const double error : errorsMm) {
+    for (const double error : errorsMm)
         squares += (error - statistics.meanMm) * (error - statistics.meanMm);
-    }
     statistics.stdMm = std::sqrt(squares / static_cast<double>(errorsMm.size()));
     statistics.worstMm = *std::max_element(errorsMm.begin(), errorsMm.end());
     statistics.medianMm = medianOf(std::move(errorsMm));
@@ -106,9 +98,8 @@ ErrorStatistics initialStatistics(const BenchmarkResults& results, std::optional
 
 std::vector<int> differencesOf(const BenchmarkResults& results) {
     std::set<int> differences;
-    for (const FramePair& pair : results.pairs) {
+    for (const FramePair& pair : results.pairs)
         differences.insert(pair.difference());
-    }
     return {differences.begin(), differences.end()};
 }
 
@@ -134,9 +125,8 @@ std::vector<double> meanJointErrorsMm(const BenchmarkResults& results, const std
             }
         }
     }
-    for (std::size_t j = 0; j < sums.size(); ++j) {
+    for (std::size_t j = 0; j < sums.size(); ++j)
         sums[j] = counts[j] > 0 ? sums[j] / counts[j] : std::numeric_limits<double>::quiet_NaN();
-    }
     return sums;
 }
 
@@ -145,9 +135,8 @@ std::vector<PairResult> worstPairs(const BenchmarkResults& results, const std::s
     std::stable_sort(rows.begin(), rows.end(),
                      [](const PairResult* a, const PairResult* b) { return a->errorMm > b->errorMm; });
     std::vector<PairResult> worst;
-    for (std::size_t i = 0; i < std::min(count, rows.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(count, rows.size()); ++i)
         worst.push_back(*rows[i]);
-    }
     return worst;
 }
 

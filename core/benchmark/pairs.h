@@ -36,8 +36,8 @@ struct PairOptions {
 /// Throws Error(Usage) if the fraction or a difference makes no sense.
 std::vector<FramePair> drawPairs(const std::vector<PairFrames>& sequences, const PairOptions& options);
 
-/// Which part of the work a run does: test frames (a sequence and a frame) whose number modulo `count` is `index`, so that
-/// all pairs of a test frame, which share their target, stay together.
+/// Which part of the work a run does: test frames (a sequence and a frame) whose number modulo `count` is `index`, so
+/// that all pairs of a test frame, which share their target, stay together.
 struct Shard {
     int index = 0;
     int count = 1;

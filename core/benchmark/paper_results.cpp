@@ -11,11 +11,9 @@ namespace {
 const std::set<std::string>& papersJoints() {
     static const std::set<std::string> joints = [] {
         std::set<std::string> names = {"forearm", "thumb_cmc", "thumb_mcp", "thumb_ip"};
-        for (const char* finger : {"index", "middle", "ring", "little"}) {
-            for (const char* part : {"_cmc", "_mcp", "_pip", "_dip"}) {
+        for (const char* finger : {"index", "middle", "ring", "little"})
+            for (const char* part : {"_cmc", "_mcp", "_pip", "_dip"})
                 names.insert(std::string(finger) + part);
-            }
-        }
         return names;
     }();
     return joints;
@@ -28,13 +26,14 @@ bool isPapersJoint(const std::string& joint) {
 }
 
 bool isPapersHands(const std::vector<HandModel>& hands) {
-    return hands.size() == 2 && std::all_of(hands.begin(), hands.end(), [](const HandModel& hand) {
-        std::set<std::string> names;
-        for (const Bone& bone : hand.skeleton.bones) {
-            names.insert(bone.name);
-        }
-        return names == papersJoints();
-    });
+    return hands.size() == 2 && std::all_of(
+                                    hands.begin(), hands.end(),
+                                    [](const HandModel& hand) {
+                                        std::set<std::string> names;
+                                        for (const Bone& bone : hand.skeleton.bones)
+                                            names.insert(bone.name);
+                                        return names == papersJoints();
+                                    });
 }
 
 std::vector<PublishedRow> publishedRows(BenchmarkSetup setup) {

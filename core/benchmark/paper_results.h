@@ -18,11 +18,11 @@ struct PublishedError {
 
 /// One row of the tables of Tzionas and Gall (GCPR 2013).
 struct PublishedRow {
-    std::string name;               ///< as printed there, such as "DCH-Thres"
-    std::string method;             ///< our name of it, empty if we have none
+    std::string name;                                        ///< as printed there, such as "DCH-Thres"
+    std::string method;                                      ///< our name of it, empty if we have none
     std::vector<std::optional<PublishedError>> byDifference; ///< 1, 5, 10, 15 frames
     std::optional<PublishedError> all;
-    std::optional<double> seconds;  ///< per pair
+    std::optional<double> seconds; ///< per pair
 };
 
 inline constexpr int kPublishedDifferences[] = {1, 5, 10, 15};

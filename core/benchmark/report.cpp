@@ -24,10 +24,12 @@ std::string introduction(const ReportContent& content) {
                        std::to_string(results.methods.size()) + " methods, " + std::to_string(results.joints.size()) +
                        " joints. ";
     text += content.setup == BenchmarkSetup::Synthetic
-                ? "Synthetic setup: targets are rendered from the recorded pose of the test frame; errors are over all named joints."
+                ? "Synthetic setup: targets are rendered from the recorded pose of the test frame; errors are over all "
+                  "named joints."
                 : "Realistic setup: targets come from the pictures; errors are over the annotated joints.";
-    text += " Mean ± standard deviation in mm for start poses that many frames away; seconds per pair run from masks in "
-            "memory to the final pose on one thread.</p>\n";
+    text +=
+        " Mean ± standard deviation in mm for start poses that many frames away; seconds per pair run from masks in "
+        "memory to the final pose on one thread.</p>\n";
     if (results.stopped) {
         text += "<p class=\"no\">This run was stopped before its end: " + std::to_string(results.rows.size()) +
                 " rows are in.</p>\n";
@@ -36,7 +38,9 @@ std::string introduction(const ReportContent& content) {
 }
 
 std::string findingCell(const Finding& finding) {
-    const char* kind = finding.verdict == Verdict::Reproduced ? "yes" : finding.verdict == Verdict::NotReproduced ? "no" : "open";
+    const char* kind = finding.verdict == Verdict::Reproduced      ? "yes"
+                       : finding.verdict == Verdict::NotReproduced ? "no"
+                                                                   : "open";
     return "<td class=\"text\"><b class=\"" + std::string(kind) + "\">" + std::string(verdictName(finding.verdict)) +
            "</b><br>" + htmlEscaped(finding.numbers) + "</td>";
 }
@@ -44,34 +48,34 @@ std::string findingCell(const Finding& finding) {
 std::string findingsHtml(const ReportContent& content) {
     const auto paper = findings(*content.results, content.setup, Schedule::Paper);
     const auto ours = findings(*content.results, content.setup, Schedule::RigidFirst);
-    std::string text = "<h2>Findings of the paper</h2>\n<p>Mean errors over all pairs, mm.</p>\n<table>\n<thead><tr><th>claim</th>"
-                       "<th>the paper's schedule</th><th>rigid phase first (default)</th></tr></thead>\n<tbody>\n";
-    for (std::size_t i = 0; i < paper.size(); ++i) {
+    std::string text =
+        "<h2>Findings of the paper</h2>\n<p>Mean errors over all pairs, mm.</p>\n<table>\n<thead><tr><th>claim</th>"
+        "<th>the paper's schedule</th><th>rigid phase first (default)</th></tr></thead>\n<tbody>\n";
+    for (std::size_t i = 0; i < paper.size(); ++i)
         text += "<tr>" + htmlTextCell(paper[i].claim) + findingCell(paper[i]) + findingCell(ours[i]) + "</tr>\n";
-    }
     return text + "</tbody>\n</table>\n";
 }
 
 std::string optionRow(const BenchmarkResults& results, const OpenOption& option, const std::string& variant) {
     const ErrorStatistics base = errorStatistics(results, option.method);
     const ErrorStatistics other = errorStatistics(results, variant);
-    std::string row = "<tr>" + htmlTextCell(option.name) + htmlTextCell(option.what) + htmlTextCell(option.defaultValue) + htmlTextCell(option.source) + htmlTextCell(variant);
-    if (base.pairs == 0 || other.pairs == 0) {
+    std::string row = "<tr>" + htmlTextCell(option.name) + htmlTextCell(option.what) +
+                      htmlTextCell(option.defaultValue) + htmlTextCell(option.source) + htmlTextCell(variant);
+    if (base.pairs == 0 || other.pairs == 0)
         return row + "<td></td><td></td><td></td><td></td></tr>\n";
-    }
-    return row + htmlNumberCell(other.meanMm, 2) + htmlNumberCell(other.meanMm - base.meanMm, 2) + htmlNumberCell(other.meanSeconds, 3) +
-           htmlNumberCell(1000 * (other.meanSeconds - base.meanSeconds), 0) + "</tr>\n";
+    return row + htmlNumberCell(other.meanMm, 2) + htmlNumberCell(other.meanMm - base.meanMm, 2) +
+           htmlNumberCell(other.meanSeconds, 3) + htmlNumberCell(1000 * (other.meanSeconds - base.meanSeconds), 0) +
+           "</tr>\n";
 }
 
 std::string optionsHtml(const BenchmarkResults& results) {
-    std::string text = "<h2>Options that the paper leaves open</h2>\n<p>What each changes against its default, over all pairs.</p>\n"
-                       "<table>\n<thead><tr><th>option</th><th>what it decides</th><th>default</th><th>source</th><th>tried</th>"
-                       "<th>mm</th><th>± mm</th><th>s/pair</th><th>± ms</th></tr></thead>\n<tbody>\n";
-    for (const OpenOption& option : openOptions()) {
-        for (const std::string& variant : option.variants) {
+    std::string text =
+        "<h2>Options that the paper leaves open</h2>\n<p>What each changes against its default, over all pairs.</p>\n"
+        "<table>\n<thead><tr><th>option</th><th>what it decides</th><th>default</th><th>source</th><th>tried</th>"
+        "<th>mm</th><th>± mm</th><th>s/pair</th><th>± ms</th></tr></thead>\n<tbody>\n";
+    for (const OpenOption& option : openOptions())
+        for (const std::string& variant : option.variants)
             text += optionRow(results, option, withOptions(variant, {}));
-        }
-    }
     return text + "</tbody>\n</table>\n";
 }
 
@@ -79,55 +83,59 @@ std::string optionsHtml(const BenchmarkResults& results) {
 std::string ideaRow(const BenchmarkResults& results, const BestIdea& idea) {
     const ErrorStatistics best = errorStatistics(results, "best");
     const ErrorStatistics variant = errorStatistics(results, idea.variant);
-    std::string row = "<tr>" + htmlTextCell(idea.what) + htmlTextCell(idea.kept ? "part of best" : "left out") + htmlTextCell(idea.variant);
-    if (best.pairs == 0 || variant.pairs == 0) {
+    std::string row = "<tr>" + htmlTextCell(idea.what) + htmlTextCell(idea.kept ? "part of best" : "left out") +
+                      htmlTextCell(idea.variant);
+    if (best.pairs == 0 || variant.pairs == 0)
         return row + "<td></td><td></td><td></td><td></td></tr>\n";
-    }
     const ErrorStatistics& with = idea.kept ? best : variant;
     const ErrorStatistics& without = idea.kept ? variant : best;
     return row + htmlNumberCell(variant.meanMm, 3) + htmlNumberCell(variant.worstMm, 2) +
-           htmlNumberCell(without.meanMm - with.meanMm, 3) + htmlNumberCell(1000 * (with.meanSeconds - without.meanSeconds), 0) +
-           "</tr>\n";
+           htmlNumberCell(without.meanMm - with.meanMm, 3) +
+           htmlNumberCell(1000 * (with.meanSeconds - without.meanSeconds), 0) + "</tr>\n";
 }
 
 std::string ideasHtml(const BenchmarkResults& results) {
     const ErrorStatistics best = errorStatistics(results, "best");
-    std::string text = "<h2>What best is made of</h2>\n<p>Each idea switched the other way, alone. Gain: how much lower the mean error is "
+    std::string text = "<h2>What best is made of</h2>\n<p>Each idea switched the other way, alone. Gain: how much "
+                       "lower the mean error is "
                        "with the idea than without it; cost: how much longer a pair takes with it.";
     if (best.pairs > 0) {
-        text += " best itself: " + fixedText(best.meanMm, 3) + " mm, worst pair " + fixedText(best.worstMm, 2) + " mm, " +
-                fixedText(best.meanSeconds, 3) + " s.";
+        text += " best itself: " + fixedText(best.meanMm, 3) + " mm, worst pair " + fixedText(best.worstMm, 2) +
+                " mm, " + fixedText(best.meanSeconds, 3) + " s.";
     }
-    text += "</p>\n<table>\n<thead><tr><th>idea</th><th>verdict</th><th>tried</th><th>mm</th><th>worst, mm</th><th>gain, mm</th>"
+    text += "</p>\n<table>\n<thead><tr><th>idea</th><th>verdict</th><th>tried</th><th>mm</th><th>worst, "
+            "mm</th><th>gain, mm</th>"
             "<th>cost, ms</th></tr></thead>\n<tbody>\n";
-    for (const BestIdea& idea : bestIdeas()) {
+    for (const BestIdea& idea : bestIdeas())
         text += ideaRow(results, idea);
-    }
     return text + "</tbody>\n</table>\n";
 }
 
 std::string worstHtml(const ReportContent& content) {
-    std::string text = "<h2>Worst pairs</h2>\n<table>\n<thead><tr><th>method</th><th>sequence</th><th>start</th><th>test</th>"
-                       "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
+    std::string text =
+        "<h2>Worst pairs</h2>\n<table>\n<thead><tr><th>method</th><th>sequence</th><th>start</th><th>test</th>"
+        "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
     for (const std::string& method : headlineMethods(*content.results)) {
         for (const PairResult& row : worstPairs(*content.results, method, kWorstPairs)) {
-            text += "<tr>" + htmlTextCell(method) + htmlTextCell(row.pair.sequence) + "<td>" + std::to_string(row.pair.start) + "</td><td>" +
-                    std::to_string(row.pair.test) + "</td>" + htmlNumberCell(row.initialErrorMm, 2) + htmlNumberCell(row.errorMm, 2) +
-                    "<td class=\"text\"><code>" + htmlEscaped(openCommand(content.dataset, row.pair)) + "</code></td></tr>\n";
+            text += "<tr>" + htmlTextCell(method) + htmlTextCell(row.pair.sequence) + "<td>" +
+                    std::to_string(row.pair.start) + "</td><td>" + std::to_string(row.pair.test) + "</td>" +
+                    htmlNumberCell(row.initialErrorMm, 2) + htmlNumberCell(row.errorMm, 2) +
+                    "<td class=\"text\"><code>" + htmlEscaped(openCommand(content.dataset, row.pair)) +
+                    "</code></td></tr>\n";
         }
     }
     return text + "</tbody>\n</table>\n";
 }
 
-/// The part of the results under one schedule, for a table of its own. `best` stands in both for comparison, its variants only in ours.
+/// The part of the results under one schedule, for a table of its own. `best` stands in both for comparison, its
+/// variants only in ours.
 BenchmarkResults underScheduleOnly(const BenchmarkResults& results, Schedule schedule) {
     BenchmarkResults part = results;
     std::erase_if(part.methods, [&](const std::string& method) {
         const auto& external = results.external;
         const bool isExternal = std::find(external.begin(), external.end(), method) != external.end();
-        if (isExternal) {
+        if (isExternal)
             return false;
-        }
         const Method m = parseMethod(method);
         const bool isPlainBest = m.best && (*m.best == BestOptions{} || *m.best == BestOptions{.live = true});
         return m.best ? schedule == Schedule::Paper && !isPlainBest : m.schedule != schedule;
@@ -136,15 +144,15 @@ BenchmarkResults underScheduleOnly(const BenchmarkResults& results, Schedule sch
 }
 
 bool hasPaperSchedule(const BenchmarkResults& results) {
-    const BenchmarkResults ours = underScheduleOnly(results, Schedule::RigidFirst); // holds whatever has no schedule, too
+    const BenchmarkResults ours =
+        underScheduleOnly(results, Schedule::RigidFirst); // holds whatever has no schedule, too
     return ours.methods.size() < results.methods.size();
 }
 
 std::string tablesHtml(const ReportContent& content) {
     const BenchmarkResults& results = *content.results;
-    if (!hasPaperSchedule(results)) {
+    if (!hasPaperSchedule(results))
         return htmlTable(resultTable(results, content.setup));
-    }
     return "<h2>Rigid phase first (default)</h2>\n" +
            htmlTable(resultTable(underScheduleOnly(results, Schedule::RigidFirst), content.setup)) +
            "<h2>The paper's schedule</h2>\n" +
@@ -154,15 +162,14 @@ std::string tablesHtml(const ReportContent& content) {
 /// A shell word: quoted only if it has to be.
 std::string shellWord(const std::string& text) {
     const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isalnum(c) != 0 || std::string_view("/._-+,:=@").find(static_cast<char>(c)) != std::string_view::npos;
+        return std::isalnum(c) != 0 ||
+               std::string_view("/._-+,:=@").find(static_cast<char>(c)) != std::string_view::npos;
     });
-    if (plain) {
+    if (plain)
         return text;
-    }
     std::string word = "'";
-    for (const char c : text) {
+    for (const char c : text)
         word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
     return word + "'";
 }
 
@@ -178,21 +185,21 @@ std::vector<Figure> reportFigures(const BenchmarkResults& results, bool sweep) {
 }
 
 std::string openCommand(const std::string& dataset, const FramePair& pair) {
-    return "handlens " + shellWord(dataset) + " --sequence " + shellWord(pair.sequence) + " --frame " + std::to_string(pair.test);
+    return "handlens " + shellWord(dataset) + " --sequence " + shellWord(pair.sequence) + " --frame " +
+           std::to_string(pair.test);
 }
 
 std::string reportHtml(const ReportContent& content) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<title>Handlens benchmark</title>\n<style>\n" +
-                       std::string(kReportStyle) + "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
+                       std::string(kReportStyle) +
+                       "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
     text += introduction(content) + tablesHtml(content);
-    if (content.sweep) {
+    if (content.sweep)
         text += findingsHtml(content);
-    }
     text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr, "nothing is computed twice");
-    if (content.sweep) {
+    if (content.sweep)
         text += optionsHtml(*content.results) + ideasHtml(*content.results);
-    }
     return text + worstHtml(content) + "</body>\n</html>\n";
 }
 

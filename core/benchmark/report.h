@@ -15,7 +15,7 @@ namespace core {
 struct ReportContent {
     std::string dataset; ///< folder, as given: part of the commands that open the worst pairs
     BenchmarkSetup setup = BenchmarkSetup::Synthetic;
-    bool sweep = false;  ///< with findings and open options
+    bool sweep = false; ///< with findings and open options
     const BenchmarkResults* results = nullptr;
     std::vector<Figure> figures;
     std::optional<std::vector<std::string>> pictures; ///< SVG per figure; nothing if they could not be drawn

@@ -13,8 +13,8 @@ namespace {
 
 /// sequence,start,test,difference,method
 std::string keyOf(const PairResult& row) {
-    return csvCell(row.pair.sequence) + "," + std::to_string(row.pair.start) + "," + std::to_string(row.pair.test) + "," +
-           std::to_string(row.pair.difference()) + "," + csvCell(row.method);
+    return csvCell(row.pair.sequence) + "," + std::to_string(row.pair.start) + "," + std::to_string(row.pair.test) +
+           "," + std::to_string(row.pair.difference()) + "," + csvCell(row.method);
 }
 
 } // namespace

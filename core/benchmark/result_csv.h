@@ -7,7 +7,8 @@
 
 namespace core {
 
-// Tables for other programs: comma-separated, one header line, LF, a point in numbers; a value that does not exist is empty.
+// Tables for other programs: comma-separated, one header line, LF, a point in numbers; a value that does not exist is
+// empty.
 
 /// sequence,start,test,difference,method,initial_error_mm,error_mm,iterations,seconds
 std::string resultsCsv(const BenchmarkResults& results);

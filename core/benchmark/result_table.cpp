@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "core/benchmark/metrics.h"
+#include "core/benchmark/paper_results.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
-#include "core/benchmark/paper_results.h"
 
 namespace core {
 
@@ -26,9 +26,8 @@ Cell errorCell(const std::optional<PublishedError>& error) {
 
 Row initialRow(const BenchmarkResults& results, const std::vector<int>& differences) {
     Row row{"initial", {}, false};
-    for (const int difference : differences) {
+    for (const int difference : differences)
         row.cells.push_back(errorCell(initialStatistics(results, difference)));
-    }
     row.cells.push_back(errorCell(initialStatistics(results)));
     row.cells.push_back({});
     return row;
@@ -36,11 +35,11 @@ Row initialRow(const BenchmarkResults& results, const std::vector<int>& differen
 
 Row methodRow(const BenchmarkResults& results, const std::string& method, const std::vector<int>& differences) {
     Row row{method, {}, false};
-    for (const int difference : differences) {
+    for (const int difference : differences)
         row.cells.push_back(errorCell(errorStatistics(results, method, difference)));
-    }
     const ErrorStatistics all = errorStatistics(results, method);
-    const bool isExternal = std::find(results.external.begin(), results.external.end(), method) != results.external.end();
+    const bool isExternal =
+        std::find(results.external.begin(), results.external.end(), method) != results.external.end();
     row.cells.push_back(errorCell(all));
     row.cells.push_back(isExternal || all.pairs == 0 ? Cell{} : Cell{fixedText(all.meanSeconds, 3), ""});
     return row;
@@ -54,7 +53,8 @@ Row publishedRow(const PublishedRow& published, const std::vector<int>& differen
         row.cells.push_back(at == std::end(kPublishedDifferences) ? Cell{} : errorCell(published.byDifference[index]));
     }
     // The paper's mean over all pairs is one over its own differences.
-    const bool isSame = std::equal(differences.begin(), differences.end(), std::begin(kPublishedDifferences), std::end(kPublishedDifferences));
+    const bool isSame = std::equal(differences.begin(), differences.end(), std::begin(kPublishedDifferences),
+                                   std::end(kPublishedDifferences));
     row.cells.push_back(isSame ? errorCell(published.all) : Cell{});
     row.cells.push_back(published.seconds ? Cell{fixedText(*published.seconds, 0), ""} : Cell{});
     return row;
@@ -73,9 +73,8 @@ std::string plain(const Cell& cell, const std::string& plusMinus) {
 std::string latexEscaped(const std::string& text) {
     std::string escaped;
     for (const char c : text) {
-        if (std::string_view("#$%&_{}").find(c) != std::string_view::npos) {
+        if (std::string_view("#$%&_{}").find(c) != std::string_view::npos)
             escaped += '\\';
-        }
         escaped += c;
     }
     return escaped;
@@ -86,17 +85,14 @@ std::string latexEscaped(const std::string& text) {
 ResultTable resultTable(const BenchmarkResults& results, BenchmarkSetup setup) {
     const std::vector<int> differences = differencesOf(results);
     ResultTable table;
-    for (const int difference : differences) {
+    for (const int difference : differences)
         table.columns.push_back(std::to_string(difference));
-    }
     table.columns.insert(table.columns.end(), {"All", "s/pair"});
     std::vector<PublishedRow> published = results.papersHands ? publishedRows(setup) : std::vector<PublishedRow>{};
     const auto addPublished = [&](const std::string& method) {
-        for (const PublishedRow& row : published) {
-            if (row.method == publishedName(method)) {
+        for (const PublishedRow& row : published)
+            if (row.method == publishedName(method))
                 table.rows.push_back(publishedRow(row, differences));
-            }
-        }
         std::erase_if(published, [&](const PublishedRow& row) { return row.method == publishedName(method); });
     };
     table.rows.push_back(initialRow(results, differences));
@@ -118,9 +114,8 @@ std::string markdownTable(const ResultTable& table) {
     text += "\n" + rule + "\n";
     for (const Row& row : table.rows) {
         text += "| " + row.name + " |";
-        for (const Cell& cell : row.cells) {
+        for (const Cell& cell : row.cells)
             text += " " + plain(cell, " ± ") + " |";
-        }
         text += "\n";
     }
     return text;
@@ -128,15 +123,13 @@ std::string markdownTable(const ResultTable& table) {
 
 std::string latexTable(const ResultTable& table) {
     std::string text = "\\begin{tabular}{l" + std::string(table.columns.size(), 'r') + "}\n\\hline\nmethod";
-    for (const std::string& column : table.columns) {
+    for (const std::string& column : table.columns)
         text += " & " + latexEscaped(column);
-    }
     text += " \\\\\n\\hline\n";
     for (const Row& row : table.rows) {
         text += row.published ? "\\emph{" + latexEscaped(row.name) + "}" : latexEscaped(row.name);
-        for (const Cell& cell : row.cells) {
+        for (const Cell& cell : row.cells)
             text += cell.mean.empty() ? " & " : " & $" + plain(cell, " \\pm ") + "$";
-        }
         text += " \\\\\n";
     }
     return text + "\\hline\n\\end{tabular}\n";
@@ -144,16 +137,14 @@ std::string latexTable(const ResultTable& table) {
 
 std::string htmlTable(const ResultTable& table) {
     std::string text = "<table>\n<thead><tr><th>method</th>";
-    for (const std::string& column : table.columns) {
+    for (const std::string& column : table.columns)
         text += "<th>" + htmlEscaped(column) + "</th>";
-    }
     text += "</tr></thead>\n<tbody>\n";
     for (const Row& row : table.rows) {
         text += row.published ? "<tr class=\"paper\"><th>" : "<tr><th>";
         text += htmlEscaped(row.name) + "</th>";
-        for (const Cell& cell : row.cells) {
+        for (const Cell& cell : row.cells)
             text += "<td>" + plain(cell, " ± ") + "</td>";
-        }
         text += "</tr>\n";
     }
     return text + "</tbody>\n</table>\n";

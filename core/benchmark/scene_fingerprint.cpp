@@ -23,11 +23,9 @@ public:
     template <typename Derived>
     void add(const Eigen::DenseBase<Derived>& values) {
         add(static_cast<int>(values.size()));
-        for (Eigen::Index row = 0; row < values.rows(); ++row) {
-            for (Eigen::Index col = 0; col < values.cols(); ++col) {
+        for (Eigen::Index row = 0; row < values.rows(); ++row)
+            for (Eigen::Index col = 0; col < values.cols(); ++col)
                 add(static_cast<double>(values(row, col)));
-            }
-        }
     }
 
     std::string text() const {
@@ -42,9 +40,8 @@ private:
 
 void addHand(Fingerprint& fingerprint, const HandModel& hand) {
     fingerprint.add(std::string(sideName(hand.side)));
-    for (const Eigen::Vector3d& vertex : hand.mesh.vertices) {
+    for (const Eigen::Vector3d& vertex : hand.mesh.vertices)
         fingerprint.add(vertex);
-    }
     for (const Bone& bone : hand.skeleton.bones) {
         fingerprint.add(bone.name);
         fingerprint.add(bone.worldFromBoneAtRest.translation);
@@ -59,18 +56,15 @@ void addCamera(Fingerprint& fingerprint, const Camera& camera) {
     fingerprint.add(camera.intrinsics);
     fingerprint.add(camera.cameraFromWorld.rotation);
     fingerprint.add(camera.cameraFromWorld.translation);
-    for (const double coefficient : camera.distortion) {
+    for (const double coefficient : camera.distortion)
         fingerprint.add(coefficient);
-    }
 }
 
 void addSequence(Fingerprint& fingerprint, const BenchmarkSequence& sequence) {
     fingerprint.add(sequence.name);
-    for (const HandPoses& poses : sequence.motion) {
-        for (const Pose& pose : poses) {
+    for (const HandPoses& poses : sequence.motion)
+        for (const Pose& pose : poses)
             fingerprint.add(pose);
-        }
-    }
     for (const auto& [frame, joints] : sequence.annotatedJoints) {
         fingerprint.add(frame);
         for (const auto& [id, position] : joints) {
@@ -84,15 +78,12 @@ void addSequence(Fingerprint& fingerprint, const BenchmarkSequence& sequence) {
 
 std::string sceneFingerprint(const BenchmarkScene& scene) {
     Fingerprint fingerprint;
-    for (const HandModel& hand : scene.hands) {
+    for (const HandModel& hand : scene.hands)
         addHand(fingerprint, hand);
-    }
-    for (const Camera& camera : scene.cameras) {
+    for (const Camera& camera : scene.cameras)
         addCamera(fingerprint, camera);
-    }
-    for (const BenchmarkSequence& sequence : scene.sequences) {
+    for (const BenchmarkSequence& sequence : scene.sequences)
         addSequence(fingerprint, sequence);
-    }
     fingerprint.add(kEstimatorRevision);
     return fingerprint.text();
 }

@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// A short text (16 hexadecimal digits) that differs if hands, cameras, motions, annotated joints or the methods' revision differ: results of
-/// equal fingerprints may be brought together. Not meant against forgery.
+/// A short text (16 hexadecimal digits) that differs if hands, cameras, motions, annotated joints or the methods'
+/// revision differ: results of equal fingerprints may be brought together. Not meant against forgery.
 std::string sceneFingerprint(const BenchmarkScene& scene);
 
 } // namespace core

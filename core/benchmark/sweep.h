@@ -22,23 +22,23 @@ struct SweepSeries {
 
 /// One figure of the paper: the mean error over a setting.
 struct SweepFigure {
-    std::string id;     ///< such as "tau"
+    std::string id; ///< such as "tau"
     std::string title;
     std::string xLabel;
     std::vector<SweepSeries> series;
 };
 
-/// The settings of the paper's figures under a schedule: tau (signed and unsigned), lambda, bins of DT3, bins of Quant and
-/// Quant2. Methods are named as methodName does.
+/// The settings of the paper's figures under a schedule: tau (signed and unsigned), lambda, bins of DT3, bins of Quant
+/// and Quant2. Methods are named as methodName does.
 std::vector<SweepFigure> sweepFigures(Schedule schedule);
 
 /// An option that the paper leaves open.
 struct OpenOption {
-    std::string name;         ///< of the option, such as "epsilon"
-    std::string what;         ///< what it decides
+    std::string name; ///< of the option, such as "epsilon"
+    std::string what; ///< what it decides
     std::string defaultValue;
-    std::string source;       ///< where the default comes from
-    std::string method;       ///< the method at the default
+    std::string source;                ///< where the default comes from
+    std::string method;                ///< the method at the default
     std::vector<std::string> variants; ///< the same with other values
 };
 std::vector<OpenOption> openOptions();
@@ -51,8 +51,8 @@ struct BestIdea {
 };
 std::vector<BestIdea> bestIdeas();
 
-/// Everything that `--sweep figures` runs, without repetition: plain methods and best, figures under both schedules, open
-/// options under the default one, and the ideas of `best` one by one.
+/// Everything that `--sweep figures` runs, without repetition: plain methods and best, figures under both schedules,
+/// open options under the default one, and the ideas of `best` one by one.
 std::vector<std::string> sweepMethods();
 
 /// A method's name with options added, in the canonical form: withOptions("dch-thres", {"tau=45"}).

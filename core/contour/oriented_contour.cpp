@@ -20,22 +20,20 @@ bool anyNonZero(const unsigned char* begin, const unsigned char* end) {
     for (; end - begin >= 8; begin += 8) {
         std::uint64_t word;
         std::memcpy(&word, begin, sizeof word);
-        if (word != 0) {
+        if (word != 0)
             return true;
-        }
     }
     return std::any_of(begin, end, [](unsigned char value) { return value != 0; });
 }
 
-/// Outward normals (not normalised) of the chain's pixels from the polygon's segments. The region lies on the same side of
-/// outer outlines and holes, so the outward normal of a tangent (t_x, t_y) is (-t_y, t_x) for both.
+/// Outward normals (not normalised) of the chain's pixels from the polygon's segments. The region lies on the same side
+/// of outer outlines and holes, so the outward normal of a tangent (t_x, t_y) is (-t_y, t_x) for both.
 std::vector<cv::Point2f> polygonNormals(const PixelChain& chain, double epsilonPx) {
     PixelChain polygon;
     cv::approxPolyDP(chain, polygon, epsilonPx, true);
     std::vector<cv::Point2f> normals(chain.size());
-    if (polygon.size() < 2) {
+    if (polygon.size() < 2)
         return normals;
-    }
     // The polygon's corners are pixels of the chain, in its order, but may begin anywhere.
     const auto first = std::find(chain.begin(), chain.end(), polygon.front()) - chain.begin();
     std::size_t at = static_cast<std::size_t>(first);
@@ -72,9 +70,8 @@ void appendChain(OrientedContour& contour, const PixelChain& chain, const cv::Si
         const cv::Point& q = chain[i];
         const float length = std::hypot(normals[i].x, normals[i].y);
         const bool border = q.x <= 0 || q.y <= 0 || q.x >= size.width - 1 || q.y >= size.height - 1;
-        if (border || length == 0) {
+        if (border || length == 0)
             continue;
-        }
         const float offset = static_cast<float>(options.offsetPx) / length;
         contour.x.push_back(static_cast<float>(q.x) + offset * normals[i].x);
         contour.y.push_back(static_cast<float>(q.y) + offset * normals[i].y);
@@ -89,21 +86,17 @@ cv::Rect maskBounds(const cv::Mat& mask) {
     const auto rowIsEmpty = [&](int y) {
         return !anyNonZero(mask.ptr<unsigned char>(y), mask.ptr<unsigned char>(y) + mask.cols);
     };
-    while (top <= bottom && rowIsEmpty(top)) {
+    while (top <= bottom && rowIsEmpty(top))
         ++top;
-    }
-    while (bottom > top && rowIsEmpty(bottom)) {
+    while (bottom > top && rowIsEmpty(bottom))
         --bottom;
-    }
-    if (top > bottom) {
+    if (top > bottom)
         return {};
-    }
     int left = mask.cols, right = 0;
     for (int y = top; y <= bottom; ++y) {
         const unsigned char* row = mask.ptr<unsigned char>(y);
-        if (left > 0 && anyNonZero(row, row + left)) {
+        if (left > 0 && anyNonZero(row, row + left))
             left = static_cast<int>(std::find_if(row, row + left, [](unsigned char v) { return v != 0; }) - row);
-        }
         while (right < mask.cols && anyNonZero(row + right, row + mask.cols)) {
             const unsigned char* found =
                 std::find_if(row + right, row + mask.cols, [](unsigned char v) { return v != 0; });
@@ -114,27 +107,23 @@ cv::Rect maskBounds(const cv::Mat& mask) {
 }
 
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options) {
-    if (!mask.empty() && mask.type() != CV_8U) {
+    if (!mask.empty() && mask.type() != CV_8U)
         throw Error(ErrorCode::BadInput, "", "mask", "must be an 8-bit image of one channel");
-    }
     return orientedContour(mask, maskBounds(mask), options);
 }
 
 OrientedContour orientedContour(const cv::Mat& mask, const cv::Rect& bounds, const ContourOptions& options) {
     OrientedContour contour;
-    if (bounds.empty()) {
+    if (bounds.empty())
         return contour;
-    }
     // findContours never sees the outermost pixels of what it is given: hand it a frame of background.
     cv::Mat window;
     cv::copyMakeBorder(mask(bounds), window, 1, 1, 1, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED, cv::Scalar(0));
     std::vector<PixelChain> chains;
     cv::findContours(window, chains, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, bounds.tl() - cv::Point(1, 1));
-    for (const PixelChain& chain : chains) {
-        if (static_cast<int>(chain.size()) >= options.minLengthPx) {
+    for (const PixelChain& chain : chains)
+        if (static_cast<int>(chain.size()) >= options.minLengthPx)
             appendChain(contour, chain, mask.size(), options);
-        }
-    }
     return contour;
 }
 

@@ -25,9 +25,8 @@ class ProjectedSurfaces {
 public:
     ProjectedSurfaces(const Camera& camera, const std::vector<PosedSurface>& surfaces)
         : m_surfaces(surfaces) {
-        for (const PosedSurface& surface : surfaces) {
+        for (const PosedSurface& surface : surfaces)
             m_vertices.push_back(projected(camera, *surface.verticesInWorld));
-        }
     }
 
     /// Calls draw(global triangle index, its three vertices) for every triangle in front of the camera.
@@ -37,9 +36,8 @@ public:
         for (std::size_t s = 0; s < m_surfaces.size(); ++s) {
             const std::vector<ProjectedVertex>& vertices = m_vertices[s];
             for (const auto& [a, b, c] : *m_surfaces[s].triangles) {
-                if (vertices[a].inverseDepth > 0 && vertices[b].inverseDepth > 0 && vertices[c].inverseDepth > 0) {
+                if (vertices[a].inverseDepth > 0 && vertices[b].inverseDepth > 0 && vertices[c].inverseDepth > 0)
                     draw(offset, vertices[a], vertices[b], vertices[c]);
-                }
                 ++offset;
             }
         }
@@ -49,15 +47,12 @@ public:
     cv::Rect bounds(const ImageSize& size) const {
         Eigen::AlignedBox2d box;
         for (const std::vector<ProjectedVertex>& vertices : m_vertices) {
-            for (const ProjectedVertex& v : vertices) {
-                if (v.inverseDepth > 0) {
+            for (const ProjectedVertex& v : vertices)
+                if (v.inverseDepth > 0)
                     box.extend(v.px);
-                }
-            }
         }
-        if (box.isEmpty()) {
+        if (box.isEmpty())
             return {};
-        }
         const cv::Point topLeft(static_cast<int>(std::floor(box.min().x())),
                                 static_cast<int>(std::floor(box.min().y())));
         const cv::Point bottomRight(static_cast<int>(std::ceil(box.max().x())),
@@ -87,8 +82,8 @@ private:
     std::vector<std::vector<ProjectedVertex>> m_vertices;
 };
 
-/// 1/z is linear in the image: value + byX * x + byY * y. A pixel's centre may fall into a sliver by the rounding of its
-/// corners alone: its depth is kept within theirs.
+/// 1/z is linear in the image: value + byX * x + byY * y. A pixel's centre may fall into a sliver by the rounding of
+/// its corners alone: its depth is kept within theirs.
 struct InverseDepth {
     double value, byX, byY;
     double low, high;
@@ -101,9 +96,8 @@ InverseDepth inverseDepth(const ProjectedVertex& a, const ProjectedVertex& b, co
     const double area = ab.x() * ac.y() - ab.y() * ac.x();
     const double ia = a.inverseDepth, ib = b.inverseDepth - ia, ic = c.inverseDepth - ia;
     const double low = ia + std::min({0.0, ib, ic}), high = ia + std::max({0.0, ib, ic});
-    if (std::abs(area) < 1e-9) {
+    if (std::abs(area) < 1e-9)
         return {ia, 0, 0, low, high};
-    }
     const double byX = (ib * ac.y() - ic * ab.y()) / area;
     const double byY = (ic * ab.x() - ib * ac.x()) / area;
     return {ia - byX * a.px.x() - byY * a.px.y(), byX, byY, low, high};
@@ -112,18 +106,16 @@ InverseDepth inverseDepth(const ProjectedVertex& a, const ProjectedVertex& b, co
 /// Draws the part of the image that `window` covers.
 DepthImage drawDepth(const ProjectedSurfaces& surfaces, const ImageSize& size, const cv::Rect& window) {
     DepthImage image{cv::Mat(window.size(), CV_32F), cv::Mat(window.size(), CV_32S)};
-    if (window.empty()) {
+    if (window.empty())
         return image;
-    }
     std::fill_n(image.depthMm.ptr<float>(), image.depthMm.total(), std::numeric_limits<float>::infinity());
     std::fill_n(image.triangle.ptr<int>(), image.triangle.total(), -1);
     surfaces.forEachTriangle(
         [&](int index, const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c) {
             std::optional<InverseDepth> plane; // most triangles of a small picture cover no pixel's centre
             scanTriangle(a.fixed, b.fixed, c.fixed, size, [&](int x, int y) {
-                if (!plane) {
+                if (!plane)
                     plane = inverseDepth(a, b, c);
-                }
                 const auto depth = static_cast<float>(1 / plane->at(x, y));
                 float& stored = image.depthMm.ptr<float>(y - window.y)[x - window.x];
                 if (depth < stored) {
@@ -159,13 +151,11 @@ cv::Mat renderMask(const Camera& camera, const std::vector<PosedSurface>& surfac
 
 cv::Mat renderHandsMask(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses) {
     std::vector<std::vector<Eigen::Vector3d>> vertices;
-    for (std::size_t h = 0; h < hands.size(); ++h) {
+    for (std::size_t h = 0; h < hands.size(); ++h)
         vertices.push_back(posedVertices(hands[h], poses[h]));
-    }
     std::vector<PosedSurface> surfaces;
-    for (std::size_t h = 0; h < hands.size(); ++h) {
+    for (std::size_t h = 0; h < hands.size(); ++h)
         surfaces.push_back({&vertices[h], &hands[h].mesh.triangles});
-    }
     return renderMask(camera, surfaces);
 }
 

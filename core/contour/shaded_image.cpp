@@ -168,9 +168,8 @@ void forEachCoveredPixel(const DepthWindow& depth, VisibleTriangles& visible, Pa
         const int* row = depth.image.triangle.ptr<int>(windowY) - depth.window.x;
         const int y = windowY + depth.window.y;
         for (int x = depth.window.x; x < depth.window.br().x; ++x) {
-            if (row[x] < 0) {
+            if (row[x] < 0)
                 continue;
-            }
             if (row[x] != currentIndex) {
                 currentIndex = row[x];
                 current = visible(currentIndex);
@@ -182,9 +181,8 @@ void forEachCoveredPixel(const DepthWindow& depth, VisibleTriangles& visible, Pa
 
 std::vector<PosedSurface> posedSurfaces(const std::vector<ShadedSurface>& surfaces) {
     std::vector<PosedSurface> posed;
-    for (const ShadedSurface& s : surfaces) {
+    for (const ShadedSurface& s : surfaces)
         posed.push_back(s.surface);
-    }
     return posed;
 }
 

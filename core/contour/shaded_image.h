@@ -29,7 +29,7 @@ struct Lighting {
     float rim = 0.22f;      ///< brightening where the surface turns away
     float specular = 0.05f; ///< of the key light
     float warmth = 0.10f;   ///< how much light bleeds, reddened, past the shadow's edge, as in skin
-    float tint = 1;         ///< how far lights and shadows have colours of their own; 0: shades of the surface's colour alone
+    float tint = 1; ///< how far lights and shadows have colours of their own; 0: shades of the surface's colour alone
 };
 
 /// Even and colourless, for surfaces whose colour means something: what is lit has its own colour on average.

@@ -36,17 +36,14 @@ void scanTriangle(FixedPoint a, FixedPoint b, FixedPoint c, const ImageSize& siz
     const int x1 = std::min(size.width - 1, std::max({a.x, b.x, c.x}) >> kShift);
     const int y0 = std::max(0, (std::min({a.y, b.y, c.y}) + kLast) >> kShift);
     const int y1 = std::min(size.height - 1, std::max({a.y, b.y, c.y}) >> kShift);
-    if (x0 > x1 || y0 > y1) {
+    if (x0 > x1 || y0 > y1)
         return;
-    }
     const auto product = [](std::int32_t p, std::int32_t q) { return static_cast<std::int64_t>(p) * q; };
     const std::int64_t area = product(b.x - a.x, c.y - a.y) - product(b.y - a.y, c.x - a.x);
-    if (area == 0) {
+    if (area == 0)
         return;
-    }
-    if (area < 0) {
+    if (area < 0)
         std::swap(b, c);
-    }
     struct Edge {
         std::int64_t value, byX, byY;
     };
@@ -73,9 +70,8 @@ void scanTriangle(FixedPoint a, FixedPoint b, FixedPoint c, const ImageSize& siz
             e1 += edges[1].byX;
             e2 += edges[2].byX;
         }
-        for (Edge& e : edges) {
+        for (Edge& e : edges)
             e.value += e.byY;
-        }
     }
 }
 

@@ -18,9 +18,8 @@ void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eig
     const float scale = 1.0f / m_cellPx;
     std::array<Eigen::Vector2f, 3> p{(a - m_originPx) * scale, (b - m_originPx) * scale, (c - m_originPx) * scale};
     const auto order = [&](int u, int v) {
-        if (p[v].y() < p[u].y()) {
+        if (p[v].y() < p[u].y())
             std::swap(p[u], p[v]);
-        }
     };
     order(0, 1);
     order(1, 2);
@@ -39,18 +38,16 @@ void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eig
         const int x0 = std::max(0, static_cast<int>(std::ceil(std::min(xLong, xShort))));
         const int x1 = std::min(m_width - 1, static_cast<int>(std::floor(std::max(xLong, xShort))));
         unsigned char* cells = m_cells.data() + static_cast<std::size_t>(y) * m_width;
-        for (int x = x0; x <= x1; ++x) {
+        for (int x = x0; x <= x1; ++x)
             cells[x] = 1;
-        }
     }
 }
 
 bool Coverage::covers(const Eigen::Vector2f& px) const {
     const int x = static_cast<int>(std::lround((px.x() - m_originPx.x()) / m_cellPx));
     const int y = static_cast<int>(std::lround((px.y() - m_originPx.y()) / m_cellPx));
-    if (x < 0 || y < 0 || x >= m_width || y >= m_height) {
+    if (x < 0 || y < 0 || x >= m_width || y >= m_height)
         return false;
-    }
     return m_cells[static_cast<std::size_t>(y) * m_width + x] != 0;
 }
 
@@ -85,9 +82,8 @@ struct FastCamera {
     Eigen::Vector2f project(const Eigen::Vector3f& world) const {
         const Eigen::Vector3f p = rotation * world + translation;
         Eigen::Vector2f n = p.head<2>() / std::max(p.z(), 1.0f);
-        if (lens) {
+        if (lens)
             n = distort(camera, n.cast<double>()).cast<float>();
-        }
         return {intrinsics(0, 0) * n.x() + intrinsics(0, 1) * n.y() + intrinsics(0, 2),
                 intrinsics(1, 1) * n.y() + intrinsics(1, 2)};
     }
@@ -122,9 +118,8 @@ struct FastCamera {
 void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands, float cellPx, const cv::Rect& alsoPx,
                   RimScratch& scratch) {
     std::size_t count = 0;
-    for (const RimSource& hand : hands) {
+    for (const RimSource& hand : hands)
         count += hand.coverPoints->positions.size();
-    }
     scratch.px.resize(count);
     Eigen::Vector2f low(1e9f, 1e9f), high(-1e9f, -1e9f);
     if (!alsoPx.empty()) {
@@ -152,9 +147,8 @@ void drawCoverage(const FastCamera& camera, const std::vector<RimSource>& hands,
             const Eigen::Vector2f &pa = scratch.px[offset + a], &pb = scratch.px[offset + b],
                                   &pc = scratch.px[offset + c];
             const float area = (pb.x() - pa.x()) * (pc.y() - pa.y()) - (pb.y() - pa.y()) * (pc.x() - pa.x());
-            if (area < 0) { // faces the camera (y down)
+            if (area < 0) // faces the camera (y down)
                 scratch.coverage.add(pa, pb, pc);
-            }
         }
         offset += hand.coverPoints->positions.size();
     }
@@ -185,25 +179,21 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
     const PosedPoints& points = *source.rimPoints;
     const std::size_t count = points.positions.size();
     scratch.facing.resize(count);
-    for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t v = 0; v < count; ++v)
         scratch.facing[v] = points.normals[v].dot(points.positions[v] - camera.centre);
-    }
     const float right = static_cast<float>(camera.camera.size.width) - 1.5f;
     const float bottom = static_cast<float>(camera.camera.size.height) - 1.5f;
     for (const auto& [a, b] : source.rimSurface->edges) {
         const float fa = scratch.facing[a], fb = scratch.facing[b];
-        if ((fa < 0) == (fb < 0)) {
+        if ((fa < 0) == (fb < 0))
             continue;
-        }
         RimPoint rim = crossing(points, hand, a, b, fa / (fa - fb));
         rim.px = camera.project(rim.point);
-        if (rim.px.x() < 0.5f || rim.px.y() < 0.5f || rim.px.x() > right || rim.px.y() > bottom) {
+        if (rim.px.x() < 0.5f || rim.px.y() < 0.5f || rim.px.x() > right || rim.px.y() > bottom)
             continue;
-        }
         rim.normalPx = camera.imageNormal(rim.point, rim.normal);
-        if (!scratch.coverage.covers(rim.px + outwardPx * rim.normalPx)) {
+        if (!scratch.coverage.covers(rim.px + outwardPx * rim.normalPx))
             scratch.candidates.push_back(rim);
-        }
     }
 }
 
@@ -220,15 +210,13 @@ void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const
     const FastCamera fast(camera);
     drawCoverage(fast, hands, options.cellPx, {}, scratch);
     scratch.candidates.clear();
-    for (std::size_t h = 0; h < hands.size(); ++h) {
+    for (std::size_t h = 0; h < hands.size(); ++h)
         collectCandidates(fast, hands[h], static_cast<int>(h), options.outwardPx, scratch);
-    }
     rim.clear();
     const std::size_t found = scratch.candidates.size();
     const std::size_t wanted = std::min<std::size_t>(found, static_cast<std::size_t>(options.maxPoints));
-    for (std::size_t i = 0; i < wanted; ++i) {
+    for (std::size_t i = 0; i < wanted; ++i)
         rim.push_back(scratch.candidates[i * found / wanted]);
-    }
 }
 
 } // namespace core

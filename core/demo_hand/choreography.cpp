@@ -27,34 +27,26 @@ class HandCurves {
 public:
     explicit HandCurves(std::vector<HandKey> keys) {
         // q and -q are the same turn: choose the nearer one.
-        for (std::size_t k = 1; k < keys.size(); ++k) {
-            if (keys[k].stageFromWrist.dot(keys[k - 1].stageFromWrist) < 0) {
+        for (std::size_t k = 1; k < keys.size(); ++k)
+            if (keys[k].stageFromWrist.dot(keys[k - 1].stageFromWrist) < 0)
                 keys[k].stageFromWrist.coeffs() = -keys[k].stageFromWrist.coeffs();
-            }
-        }
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i)
             m_wrist.push_back(curve(keys, [i](const HandKey& key) { return key.wristInStage[i]; }));
-        }
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 4; ++i)
             m_turn.push_back(curve(keys, [i](const HandKey& key) { return key.stageFromWrist.coeffs()[i]; }));
-        }
-        for (Eigen::Index i = 0; i < keys.front().anglesRad.size(); ++i) {
+        for (Eigen::Index i = 0; i < keys.front().anglesRad.size(); ++i)
             m_angles.push_back(curve(keys, [i](const HandKey& key) { return key.anglesRad[i]; }));
-        }
     }
 
     HandKey at(double frame) const {
         HandKey key{frame, {}, {}, Eigen::VectorXd(static_cast<Eigen::Index>(m_angles.size()))};
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 3; ++i)
             key.wristInStage[i] = m_wrist[i](frame);
-        }
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 4; ++i)
             key.stageFromWrist.coeffs()[i] = m_turn[i](frame);
-        }
         key.stageFromWrist.normalize();
-        for (Eigen::Index i = 0; i < key.anglesRad.size(); ++i) {
+        for (Eigen::Index i = 0; i < key.anglesRad.size(); ++i)
             key.anglesRad[i] = m_angles[i](frame);
-        }
         return key;
     }
 
@@ -66,11 +58,11 @@ private:
 class StageCurves {
 public:
     explicit StageCurves(std::vector<StageKey> keys) {
-        if (keys.empty()) {
+        if (keys.empty())
             keys.emplace_back();
-        }
         for (int i = 0; i < 3; ++i) {
-            m_place.push_back(curve(keys, [i](const StageKey& key) { return key.stageInWorld[i]; }));
+            m_place.push_back(curve(
+                keys, [i](const StageKey& key) { return key.stageInWorld[i]; }));
             m_turn.push_back(curve(keys, [i](const StageKey& key) { return key.turnRad[i]; }));
         }
     }
@@ -102,11 +94,9 @@ std::vector<double> smoothEnvelope(const std::vector<double>& values, int reach)
     const int count = static_cast<int>(values.size());
     const auto sample = [&](const std::vector<double>& list, int i) { return list[std::clamp(i, 0, count - 1)]; };
     std::vector<double> highest(values), smooth(values);
-    for (int i = 0; i < count; ++i) {
-        for (int k = -reach; k <= reach; ++k) {
+    for (int i = 0; i < count; ++i)
+        for (int k = -reach; k <= reach; ++k)
             highest[i] = std::max(highest[i], sample(values, i + k));
-        }
-    }
     for (int i = 0; i < count; ++i) {
         double sum = 0, weights = 0;
         for (int k = -reach; k <= reach; ++k) {
@@ -150,22 +140,19 @@ void keepInTouch(const ContactRule& rule, const StageCurves& stage, const std::v
 
 Motion play(const Choreography& choreography, const std::vector<HandModel>& hands) {
     std::vector<HandCurves> curves;
-    for (const std::vector<HandKey>& keys : choreography.keys) {
+    for (const std::vector<HandKey>& keys : choreography.keys)
         curves.emplace_back(keys);
-    }
     const StageCurves stage(choreography.stage);
     Motion motion;
     for (int frame = 0; frame < choreography.frameCount; ++frame) {
         const RigidMotion worldFromStage = stage.worldFromStage(frame);
         HandPoses poses;
-        for (std::size_t h = 0; h < hands.size(); ++h) {
+        for (std::size_t h = 0; h < hands.size(); ++h)
             poses.push_back(poseOf(hands[h].skeleton, worldFromStage, curves[h].at(frame)));
-        }
         motion.push_back(std::move(poses));
     }
-    if (choreography.contact && hands.size() == 2) {
+    if (choreography.contact && hands.size() == 2)
         keepInTouch(*choreography.contact, stage, hands, motion);
-    }
     return motion;
 }
 

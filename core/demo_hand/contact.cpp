@@ -26,9 +26,8 @@ public:
     void raise(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
         const Eigen::Vector2d ab = (b - a).head<2>(), ac = (c - a).head<2>();
         const double area = ab.x() * ac.y() - ab.y() * ac.x();
-        if (std::abs(area) < 1e-12) {
+        if (std::abs(area) < 1e-12)
             return;
-        }
         const Eigen::Array2d low = ((a.cwiseMin(b).cwiseMin(c).head<2>() - m_low) / m_cellMm).array();
         const Eigen::Array2d high = ((a.cwiseMax(b).cwiseMax(c).head<2>() - m_low) / m_cellMm).array();
         const Eigen::Array2i from = low.ceil().cast<int>().max(0);
@@ -57,18 +56,16 @@ private:
 
 Eigen::AlignedBox2d planeBox(const std::vector<Eigen::Vector3d>& points) {
     Eigen::AlignedBox2d box;
-    for (const Eigen::Vector3d& point : points) {
+    for (const Eigen::Vector3d& point : points)
         box.extend(Eigen::Vector2d(point.head<2>()));
-    }
     return box;
 }
 
 HeightField heights(const Eigen::AlignedBox2d& box, double cellMm, const std::vector<Eigen::Vector3d>& points,
                     const std::vector<std::array<int, 3>>& triangles) {
     HeightField field(box, cellMm);
-    for (const auto& [a, b, c] : triangles) {
+    for (const auto& [a, b, c] : triangles)
         field.raise(points[a], points[b], points[c]);
-    }
     return field;
 }
 
@@ -80,25 +77,20 @@ double gapAlong(const Eigen::Vector3d& direction, const std::vector<Eigen::Vecto
     const Eigen::Matrix3d planeFromWorld =
         Eigen::Quaterniond::FromTwoVectors(direction, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     std::vector<Eigen::Vector3d> below = first, above = second;
-    for (Eigen::Vector3d& point : below) {
+    for (Eigen::Vector3d& point : below)
         point = planeFromWorld * point;
-    }
-    for (Eigen::Vector3d& point : above) {
+    for (Eigen::Vector3d& point : above)
         point = planeFromWorld * point;
-    }
     const Eigen::AlignedBox2d shared = planeBox(below).intersection(planeBox(above));
-    if (shared.isEmpty()) {
+    if (shared.isEmpty())
         return kInfinity;
-    }
-    for (Eigen::Vector3d& point : above) {
+    for (Eigen::Vector3d& point : above)
         point.z() = -point.z(); // its lowest becomes its highest
-    }
     const HeightField top = heights(shared, cellMm, below, firstTriangles);
     const HeightField bottom = heights(shared, cellMm, above, secondTriangles);
     double gap = kInfinity;
-    for (std::size_t i = 0; i < top.heights().size(); ++i) {
+    for (std::size_t i = 0; i < top.heights().size(); ++i)
         gap = std::min(gap, -bottom.heights()[i] - top.heights()[i]);
-    }
     return gap;
 }
 

@@ -24,9 +24,8 @@ std::vector<RigidMotion> restFrames(const DemoHandShape& shape, const Rig& rig) 
         }
     }
     std::vector<RigidMotion> result;
-    for (const RigJoint& joint : rig.joints) {
+    for (const RigJoint& joint : rig.joints)
         result.push_back(frames.at(joint.name));
-    }
     return result;
 }
 
@@ -50,21 +49,18 @@ HandModel mirroredHand(const HandModel& hand) {
     const Eigen::Vector3d flip(1, -1, 1);
     HandModel mirrored = hand;
     mirrored.side = hand.side == Side::Left ? Side::Right : Side::Left;
-    for (Eigen::Vector3d& vertex : mirrored.mesh.vertices) {
+    for (Eigen::Vector3d& vertex : mirrored.mesh.vertices)
         vertex = vertex.cwiseProduct(flip);
-    }
-    for (auto& triangle : mirrored.mesh.triangles) {
+    for (auto& triangle : mirrored.mesh.triangles)
         std::swap(triangle[1], triangle[2]);
-    }
     mirrored.skeleton.centreAtRest = hand.skeleton.centreAtRest.cwiseProduct(flip);
     for (Bone& bone : mirrored.skeleton.bones) {
         RigidMotion& frame = bone.worldFromBoneAtRest;
         frame.rotation = flip.asDiagonal() * frame.rotation * flip.asDiagonal();
         frame.translation = frame.translation.cwiseProduct(flip);
     }
-    for (DegreeOfFreedom& dof : mirrored.skeleton.dofs) {
+    for (DegreeOfFreedom& dof : mirrored.skeleton.dofs)
         dof.axisInBone = -dof.axisInBone.cwiseProduct(flip);
-    }
     return mirrored;
 }
 

@@ -31,17 +31,14 @@ double DemoHandSolid::padDistance(const PadShape& pad, const Eigen::Vector3d& po
 
 double DemoHandSolid::distance(const Eigen::Vector3d& point) const {
     double palm = m_forearm.locate(point).distanceMm;
-    for (std::size_t r = 1; r < m_metacarpals.size(); ++r) {
+    for (std::size_t r = 1; r < m_metacarpals.size(); ++r)
         palm = smoothMin(palm, m_metacarpals[r].locate(point).distanceMm, m_shape.palmBlendMm);
-    }
     palm = smoothMin(palm, m_metacarpals[0].locate(point).distanceMm, m_shape.thumbBlendMm);
-    for (const PadShape& pad : m_shape.pads) {
+    for (const PadShape& pad : m_shape.pads)
         palm = smoothMin(palm, padDistance(pad, point), m_shape.padBlendMm);
-    }
     double fingers = m_digits[0].locate(point).distanceMm;
-    for (std::size_t r = 1; r < m_digits.size(); ++r) {
+    for (std::size_t r = 1; r < m_digits.size(); ++r)
         fingers = smoothMin(fingers, m_digits[r].locate(point).distanceMm, m_shape.webBlendMm);
-    }
     return smoothMin(palm, fingers, m_shape.fingerBlendMm);
 }
 
@@ -57,9 +54,8 @@ std::vector<SweepPosition> DemoHandSolid::alongRays(const Eigen::Vector3d& point
 double DemoHandSolid::edgeLengthMm(const Eigen::Vector3d& point) const {
     constexpr double kTransitionMm = 15;
     double toFinger = kTransitionMm;
-    for (const SweptSolid& digit : m_digits) {
+    for (const SweptSolid& digit : m_digits)
         toFinger = std::min(toFinger, digit.locate(point).distanceMm);
-    }
     const double t = std::clamp(toFinger / kTransitionMm, 0.0, 1.0);
     return m_shape.fingerEdgeMm + t * (m_shape.palmEdgeMm - m_shape.fingerEdgeMm);
 }
@@ -67,14 +63,11 @@ double DemoHandSolid::edgeLengthMm(const Eigen::Vector3d& point) const {
 Eigen::AlignedBox3d DemoHandSolid::bounds() const {
     constexpr double kMarginMm = 26;
     Eigen::AlignedBox3d box;
-    for (const RayShape& ray : m_shape.rays) {
-        for (const Eigen::Vector3d& joint : ray.joints) {
+    for (const RayShape& ray : m_shape.rays)
+        for (const Eigen::Vector3d& joint : ray.joints)
             box.extend(joint);
-        }
-    }
-    for (const Eigen::Vector3d& point : m_shape.forearmPath) {
+    for (const Eigen::Vector3d& point : m_shape.forearmPath)
         box.extend(point);
-    }
     // The forearm is wider than the margin.
     box.extend(Eigen::Vector3d(0, 20, 0)).extend(Eigen::Vector3d(0, -20, 0));
     return {box.min() - Eigen::Vector3d::Constant(kMarginMm), box.max() + Eigen::Vector3d::Constant(kMarginMm)};

@@ -22,17 +22,15 @@ double smoothStep(double t) {
 
 /// How far beyond joint `j` of the ray the point lies, mm along the ray; negative before it.
 double beyondJointMm(const RayShape& ray, int j, double at, const Eigen::Vector3d& point) {
-    if (j == 0) { // the path starts here: what lies before it is measured straight
+    if (j == 0) // the path starts here: what lies before it is measured straight
         return (point - ray.joints[0]).dot((ray.joints[1] - ray.joints[0]).normalized());
-    }
     double sum = 0;
     const int last = static_cast<int>(ray.joints.size()) - 1;
     for (int s = std::min(j, static_cast<int>(at)); s <= std::max(j, std::min(static_cast<int>(at), last - 1)); ++s) {
         const double from = std::clamp(std::min(at, double(j)), double(s), s + 1.0);
         const double to = std::clamp(std::max(at, double(j)), double(s), s + 1.0);
-        if (s < last) {
+        if (s < last)
             sum += (to - from) * (ray.joints[s + 1] - ray.joints[s]).norm();
-        }
     }
     return at < j ? -sum : sum;
 }
@@ -40,11 +38,9 @@ double beyondJointMm(const RayShape& ray, int j, double at, const Eigen::Vector3
 /// Share of each ray in a vertex, summing to 1.
 std::vector<double> rayShares(const DemoHandShape& shape, const std::vector<SweepPosition>& positions) {
     std::size_t nearest = 0;
-    for (std::size_t r = 1; r < positions.size(); ++r) {
-        if (positions[r].distanceMm < positions[nearest].distanceMm) {
+    for (std::size_t r = 1; r < positions.size(); ++r)
+        if (positions[r].distanceMm < positions[nearest].distanceMm)
             nearest = r;
-        }
-    }
     const double pastMcpMm = beyondJointMm(shape.rays[nearest], 1, positions[nearest].at, {});
     const double inFinger = smoothStep((pastMcpMm + 6) / 22);
     const double reach = kShareInPalmMm + inFinger * (kShareInFingerMm - kShareInPalmMm);
@@ -55,9 +51,8 @@ std::vector<double> rayShares(const DemoHandShape& shape, const std::vector<Swee
         shares[r] = std::pow(std::max(0.0, 1 - excess / reach), 2);
         sum += shares[r];
     }
-    for (double& share : shares) {
+    for (double& share : shares)
         share /= sum;
-    }
     return shares;
 }
 
@@ -98,9 +93,8 @@ void smoothAlong(const TriangleMesh& mesh, std::vector<WeightRow>& rows) {
             ++count[edge.vertexA];
             ++count[edge.vertexB];
         }
-        for (std::size_t v = 0; v < rows.size(); ++v) {
+        for (std::size_t v = 0; v < rows.size(); ++v)
             rows[v] = 0.5 * rows[v] + 0.5 * sum[v] / count[v];
-        }
     }
 }
 
@@ -111,23 +105,19 @@ SkinWeights demoSkinWeights(const DemoHandShape& shape, const DemoHandSolid& sol
     std::vector<std::vector<int>> boneOfJoint;
     for (const RayShape& ray : shape.rays) {
         boneOfJoint.emplace_back();
-        for (const std::string& name : rayJointNames(ray)) {
+        for (const std::string& name : rayJointNames(ray))
             boneOfJoint.back().push_back(skeleton.boneIndex(name));
-        }
     }
     const int boneCount = static_cast<int>(skeleton.bones.size());
     std::vector<WeightRow> rows;
-    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
         rows.push_back(vertexWeights(shape, solid, boneOfJoint, boneCount, vertex));
-    }
     smoothAlong(mesh, rows);
     SkinWeights weights{{0}, {}};
     for (const WeightRow& row : rows) {
-        for (int b = 0; b < boneCount; ++b) {
-            if (row[b] > 0) {
+        for (int b = 0; b < boneCount; ++b)
+            if (row[b] > 0)
                 weights.entries.push_back({b, row[b]});
-            }
-        }
         weights.firstEntry.push_back(static_cast<int>(weights.entries.size()));
     }
     return compressedWeights(weights, kMaxBones, kLeastWeight);

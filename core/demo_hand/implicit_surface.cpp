@@ -33,9 +33,8 @@ public:
 
     TriangleMesh run(const Eigen::Vector3d& inside) {
         Eigen::Vector3i cell = ((inside - m_origin) / m_stepMm).array().floor().cast<int>().matrix();
-        while (isCube(cell) && value(cell) < 0) {
+        while (isCube(cell) && value(cell) < 0)
             cell.z() += 1;
-        }
         cell.z() -= 1;
         enqueue(cell);
         while (!m_queue.empty()) {
@@ -116,9 +115,8 @@ private:
     }
 
     void addTriangle(std::array<int, 3> triangle, bool rightHanded) {
-        if (!rightHanded) {
+        if (!rightHanded)
             std::swap(triangle[1], triangle[2]);
-        }
         m_mesh.triangles.push_back(triangle);
     }
 

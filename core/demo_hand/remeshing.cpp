@@ -15,11 +15,9 @@ using Triangle = std::array<int, 3>;
 /// Triangles around every vertex.
 std::vector<std::vector<int>> vertexTriangles(const TriangleMesh& mesh) {
     std::vector<std::vector<int>> around(mesh.vertices.size());
-    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
-        for (const int v : mesh.triangles[t]) {
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t)
+        for (const int v : mesh.triangles[t])
             around[v].push_back(t);
-        }
-    }
     return around;
 }
 
@@ -42,18 +40,14 @@ public:
         , m_isGone(mesh.triangles.size(), false) {}
 
     bool collapse(int a, int b) {
-        if (m_touched[a] || m_touched[b] || !keepsTopology(a, b)) {
+        if (m_touched[a] || m_touched[b] || !keepsTopology(a, b))
             return false;
-        }
         const Eigen::Vector3d middle = 0.5 * (m_mesh.vertices[a] + m_mesh.vertices[b]);
-        if (turnsOver(a, b, middle) || turnsOver(b, a, middle)) {
+        if (turnsOver(a, b, middle) || turnsOver(b, a, middle))
             return false;
-        }
-        for (const int end : {a, b}) {
-            for (const int v : neighbours(end)) {
+        for (const int end : {a, b})
+            for (const int v : neighbours(end))
                 m_touched[v] = true;
-            }
-        }
         m_mesh.vertices[a] = middle;
         for (const int t : m_around[b]) {
             Triangle& triangle = m_mesh.triangles[t];
@@ -68,9 +62,8 @@ public:
         std::vector<int> newIndex(m_mesh.vertices.size(), -1);
         TriangleMesh result;
         for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
-            if (m_isGone[t]) {
+            if (m_isGone[t])
                 continue;
-            }
             Triangle triangle = m_mesh.triangles[t];
             for (int& v : triangle) {
                 if (newIndex[v] < 0) {
@@ -88,11 +81,9 @@ private:
     std::vector<int> neighbours(int vertex) const {
         std::vector<int> result;
         for (const int t : m_around[vertex]) {
-            for (const int v : m_mesh.triangles[t]) {
-                if (v != vertex) {
+            for (const int v : m_mesh.triangles[t])
+                if (v != vertex)
                     result.push_back(v);
-                }
-            }
         }
         std::sort(result.begin(), result.end());
         result.erase(std::unique(result.begin(), result.end()), result.end());
@@ -110,16 +101,14 @@ private:
     bool turnsOver(int moved, int other, const Eigen::Vector3d& place) const {
         for (const int t : m_around[moved]) {
             Triangle triangle = m_mesh.triangles[t];
-            if (contains(triangle, other)) {
+            if (contains(triangle, other))
                 continue;
-            }
             std::rotate(triangle.begin(), std::find(triangle.begin(), triangle.end(), moved), triangle.end());
             const Eigen::Vector3d& c = m_mesh.vertices[triangle[1]];
             const Eigen::Vector3d after = (c - place).cross(m_mesh.vertices[triangle[2]] - place);
             const Eigen::Vector3d before = areaNormal(m_mesh, triangle);
-            if (before.dot(after) < 0.3 * before.norm() * after.norm()) {
+            if (before.dot(after) < 0.3 * before.norm() * after.norm())
                 return true;
-            }
         }
         return false;
     }
@@ -151,9 +140,8 @@ public:
 
     int run() {
         int flips = 0;
-        for (const MeshEdge& edge : m_edges) {
+        for (const MeshEdge& edge : m_edges)
             flips += edge.triangleB >= 0 && flip(edge) ? 1 : 0;
-        }
         return flips;
     }
 
@@ -165,9 +153,8 @@ private:
 
     Diamond diamondAround(const MeshEdge& edge) const {
         Triangle left = m_mesh.triangles[edge.triangleA];
-        while (contains({edge.vertexA, edge.vertexB, -1}, left[2])) {
+        while (contains({edge.vertexA, edge.vertexB, -1}, left[2]))
             std::rotate(left.begin(), left.begin() + 1, left.end());
-        }
         const Triangle& right = m_mesh.triangles[edge.triangleB];
         const auto across =
             std::find_if(right.begin(), right.end(), [&](int v) { return v != left[0] && v != left[1]; });
@@ -192,13 +179,11 @@ private:
     }
 
     bool flip(const MeshEdge& edge) {
-        if (m_touched[edge.triangleA] || m_touched[edge.triangleB]) {
+        if (m_touched[edge.triangleA] || m_touched[edge.triangleB])
             return false;
-        }
         const Diamond q = diamondAround(edge);
-        if (m_exists.count(edgeKey(q.c, q.d)) || !improvesValence(q) || !staysFlat(q)) {
+        if (m_exists.count(edgeKey(q.c, q.d)) || !improvesValence(q) || !staysFlat(q))
             return false;
-        }
         m_mesh.triangles[edge.triangleA] = {q.c, q.d, q.b};
         m_mesh.triangles[edge.triangleB] = {q.d, q.c, q.a};
         m_touched[edge.triangleA] = m_touched[edge.triangleB] = true;
@@ -228,9 +213,8 @@ Eigen::Vector3d gradient(const SolidField& field, const Eigen::Vector3d& point) 
 Eigen::Vector3d onSurface(const SolidField& field, Eigen::Vector3d point) {
     for (int step = 0; step < 3; ++step) {
         const double value = field(point);
-        if (std::abs(value) < 1e-3) {
+        if (std::abs(value) < 1e-3)
             break;
-        }
         const Eigen::Vector3d slope = gradient(field, point);
         const Eigen::Vector3d move = -value * slope / std::max(slope.squaredNorm(), 0.05);
         point += move / std::max(move.norm(), 1.0);
@@ -250,17 +234,15 @@ int collapseShortEdges(TriangleMesh& mesh, const EdgeLengthField& edgeLength) {
         const Eigen::Vector3d& a = mesh.vertices[edge.vertexA];
         const Eigen::Vector3d& b = mesh.vertices[edge.vertexB];
         const double relative = (a - b).norm() / edgeLength(0.5 * (a + b));
-        if (relative < 0.8) {
+        if (relative < 0.8)
             shortEdges.push_back({relative, edge.vertexA, edge.vertexB});
-        }
     }
     std::stable_sort(shortEdges.begin(), shortEdges.end(),
                      [](const ShortEdge& x, const ShortEdge& y) { return x.relativeLength < y.relativeLength; });
     Collapser collapser(mesh);
     int count = 0;
-    for (const ShortEdge& edge : shortEdges) {
+    for (const ShortEdge& edge : shortEdges)
         count += collapser.collapse(edge.a, edge.b) ? 1 : 0;
-    }
     collapser.compact();
     return count;
 }

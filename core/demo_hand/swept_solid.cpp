@@ -85,18 +85,16 @@ double SweptSolid::crossSectionDistance(const Sample& s, const Eigen::Vector3d& 
     const double section = std::pow(std::pow(std::abs(y), kExponent) + std::pow(std::abs(z), kExponent), 2 / kExponent);
     const double relative = std::sqrt(section + x * x);
     const double smallest = std::min({s.sideMm, s.dorsalMm, s.palmarMm});
-    if (relative < 0.2) {
+    if (relative < 0.2)
         return (relative - 1) * smallest;
-    }
     return offset.norm() * (1 - 1 / relative);
 }
 
 SweepPosition SweptSolid::locate(const Eigen::Vector3d& point) const {
     constexpr double kNearMm = 25;
     const double outside = (point - m_boundCentre).norm() - m_boundRadiusMm;
-    if (outside > kNearMm) {
+    if (outside > kNearMm)
         return {outside, m_samples.front().at};
-    }
     double best = std::numeric_limits<double>::infinity();
     std::size_t bestSpan = 0;
     double bestT = 0;

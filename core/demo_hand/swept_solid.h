@@ -29,7 +29,8 @@ struct SweepPosition {
     double at = 0;         ///< of the nearest point of the path, in the path's points
 };
 
-/// A limb prepared for distance queries: a smooth curve through the path's points, with cross-sections of rounded-box shape.
+/// A limb prepared for distance queries: a smooth curve through the path's points, with cross-sections of rounded-box
+/// shape.
 class SweptSolid {
 public:
     /// At least two points; `dorsal` points towards the back of the hand and is not parallel to the path.

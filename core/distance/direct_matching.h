@@ -28,14 +28,14 @@ std::optional<DirectMatch> nearestPoint(const OrientedContour& contour, const Ei
 
 /// The nearest contour point among those of one orientation bin.
 std::optional<DirectMatch> nearestPointInBin(const OrientedContour& contour, const OrientationBins& bins, int bin,
-                                              const Eigen::Vector2d& px);
+                                             const Eigen::Vector2d& px);
 
 /// The contour point q that minimises |p - q| + lambda * circ(phi_p, phi_q), lambda in px per rad.
 std::optional<DirectMatch> nearestOrientedPoint(const OrientedContour& contour, const Eigen::Vector2d& px,
-                                                 double angleRad, double lambdaPxPerRad, bool isSigned);
+                                                double angleRad, double lambdaPxPerRad, bool isSigned);
 
 /// The same with both orientations quantised to the centres of their bins, as a DT3 tensor does.
 std::optional<DirectMatch> nearestQuantisedPoint(const OrientedContour& contour, const OrientationBins& bins,
-                                                  const Eigen::Vector2d& px, int bin, double lambdaPxPerRad);
+                                                 const Eigen::Vector2d& px, int bin, double lambdaPxPerRad);
 
 } // namespace core

@@ -3,9 +3,9 @@
 
 namespace core {
 
-/// d(p, q) of a rim point p and a contour point q, and which matches are kept: the special cases of the generalized Chamfer
-/// distance (Tzionas and Gall 2013, section 3; docs/method.md). phi is the direction of the outward normal, circ the
-/// circular distance.
+/// d(p, q) of a rim point p and a contour point q, and which matches are kept: the special cases of the generalized
+/// Chamfer distance (Tzionas and Gall 2013, section 3; docs/method.md). phi is the direction of the outward normal,
+/// circ the circular distance.
 enum class DistanceKind {
     Ch,        ///< CH: |p - q|, all are kept
     DchThres,  ///< DCH-Thres: |p - q|, kept if circ(phi_p, phi_q) < tau

@@ -33,9 +33,8 @@ DistanceTransform computeDistanceTransform(const OrientedContour& contour, const
 std::vector<DistanceTransform> computeBinTransforms(const OrientedContour& contour, const OrientationBins& bins,
                                                     const cv::Rect& region) {
     std::vector<DistanceTransform> transforms;
-    for (const std::vector<GridSite>& sites : gridSitesByBin(contour, bins, region)) {
+    for (const std::vector<GridSite>& sites : gridSitesByBin(contour, bins, region))
         transforms.push_back(transformOf(sites, region));
-    }
     return transforms;
 }
 
@@ -44,31 +43,31 @@ namespace {
 /// What the transform says of the pixel nearest to px; what `direct` says if that lies outside the region.
 template <typename Direct>
 std::optional<DirectMatch> lookedUp(const DistanceTransform& transform, const OrientedContour& contour,
-                                     const Eigen::Vector2d& px, const Direct& direct) {
+                                    const Eigen::Vector2d& px, const Direct& direct) {
     const int x = static_cast<int>(std::lround(px.x()));
     const int y = static_cast<int>(std::lround(px.y()));
-    if (!transform.contains(x, y)) {
+    if (!transform.contains(x, y))
         return direct();
-    }
     const int nearest = transform.nearest[transform.at(x, y)];
-    if (nearest < 0) {
+    if (nearest < 0)
         return std::nullopt;
-    }
     return DirectMatch{nearest, distancePx(contour, nearest, px)};
 }
 
 } // namespace
 
 std::optional<DirectMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
-                                                 const Eigen::Vector2d& px) {
-    return lookedUp(transform, contour, px, [&] { return nearestPoint(contour, px); });
+                                                const Eigen::Vector2d& px) {
+    return lookedUp(
+        transform, contour, px, [&] { return nearestPoint(contour, px); });
 }
 
 std::optional<DirectMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
-                                                     const OrientedContour& contour, const OrientationBins& bins,
-                                                     int bin, const Eigen::Vector2d& px) {
-    return lookedUp(transforms[static_cast<std::size_t>(bin)], contour, px,
-                    [&] { return nearestPointInBin(contour, bins, bin, px); });
+                                                    const OrientedContour& contour, const OrientationBins& bins,
+                                                    int bin, const Eigen::Vector2d& px) {
+    return lookedUp(
+        transforms[static_cast<std::size_t>(bin)], contour, px,
+        [&] { return nearestPointInBin(contour, bins, bin, px); });
 }
 
 } // namespace core

@@ -38,14 +38,14 @@ DistanceTransform computeDistanceTransform(const OrientedContour& contour, const
 std::vector<DistanceTransform> computeBinTransforms(const OrientedContour& contour, const OrientationBins& bins,
                                                     const cv::Rect& region);
 
-/// The contour point that the transform names for the pixel nearest to `px`, with its distance from `px` itself: at most
-/// sqrt(2) px farther than the nearest one. Outside the region: all points are searched, which is slower and exact.
-/// Empty if the transform holds no point.
+/// The contour point that the transform names for the pixel nearest to `px`, with its distance from `px` itself: at
+/// most sqrt(2) px farther than the nearest one. Outside the region: all points are searched, which is slower and
+/// exact. Empty if the transform holds no point.
 std::optional<DirectMatch> nearestFromTransform(const DistanceTransform& transform, const OrientedContour& contour,
-                                                 const Eigen::Vector2d& px);
+                                                const Eigen::Vector2d& px);
 /// The same, from the transform of one bin; outside the region the points of that bin are searched.
 std::optional<DirectMatch> nearestFromBinTransforms(const std::vector<DistanceTransform>& transforms,
-                                                     const OrientedContour& contour, const OrientationBins& bins,
-                                                     int bin, const Eigen::Vector2d& px);
+                                                    const OrientedContour& contour, const OrientationBins& bins,
+                                                    int bin, const Eigen::Vector2d& px);
 
 } // namespace core

@@ -33,15 +33,16 @@ struct Dt3Tensor {
     }
 };
 
-/// Exact transforms per bin, then relaxation around the circle of bins: 1.5 laps forward and 1.5 back, so that every bin
-/// has heard of every other one on both ways; distance and argmin travel together. Contour points count at their nearest
-/// pixel, those outside the region are left out. Throws Error(Unsupported) if the contour has 65535 points or more.
+/// Exact transforms per bin, then relaxation around the circle of bins: 1.5 laps forward and 1.5 back, so that every
+/// bin has heard of every other one on both ways; distance and argmin travel together. Contour points count at their
+/// nearest pixel, those outside the region are left out. Throws Error(Unsupported) if the contour has 65535 points or
+/// more.
 Dt3Tensor computeDt3Tensor(const OrientedContour& contour, const OrientationBins& bins, double lambdaPxPerRad,
                            const cv::Rect& region);
 
 /// The contour point that the tensor names for the pixel nearest to `px` and the bin of `angleRad`; the distance is
 /// |p - q| + lambda * circ from `px` itself, orientations quantised. Outside the region all points are searched.
 std::optional<DirectMatch> nearestFromTensor(const Dt3Tensor& tensor, const OrientedContour& contour,
-                                              const Eigen::Vector2d& px, double angleRad);
+                                             const Eigen::Vector2d& px, double angleRad);
 
 } // namespace core

@@ -50,12 +50,10 @@ ColumnDistances nearestInColumns(const std::vector<GridSite>& sites, cv::Size si
     const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     ColumnDistances columns{size.height, size.width, std::vector<int>(pixels, kNoSite), std::vector<int>(pixels, -1)};
     markSites(sites, columns);
-    for (int row = 1; row < columns.rows; ++row) {
+    for (int row = 1; row < columns.rows; ++row)
         relaxRow(columns, row - 1, row);
-    }
-    for (int row = columns.rows - 2; row >= 0; --row) {
+    for (int row = columns.rows - 2; row >= 0; --row)
         relaxRow(columns, row + 1, row);
-    }
     return columns;
 }
 
@@ -80,23 +78,19 @@ int RowEnvelope::firstWin(const Segment& challenger, const Segment& holder) {
 int RowEnvelope::build(const int* distances, const int* indices, int cols) {
     int count = 0;
     for (int x = 0; x < cols; ++x) {
-        if (indices[x] < 0) {
+        if (indices[x] < 0)
             continue;
-        }
         Segment challenger{x, 0, distances[x] * distances[x], indices[x]};
         while (count > 0) {
             const Segment& holder = m_segments[static_cast<std::size_t>(count - 1)];
-            if (!beats(challenger, holder, holder.first)) {
+            if (!beats(challenger, holder, holder.first))
                 break;
-            }
             --count;
         }
-        if (count > 0) {
+        if (count > 0)
             challenger.first = firstWin(challenger, m_segments[static_cast<std::size_t>(count - 1)]);
-        }
-        if (challenger.first < cols) {
+        if (challenger.first < cols)
             m_segments[static_cast<std::size_t>(count++)] = challenger;
-        }
     }
     return count;
 }

@@ -23,16 +23,17 @@ ColumnDistances nearestInColumns(const std::vector<GridSite>& sites, cv::Size si
 /// Second pass: the lower envelope of the parabolas over one row.
 class RowEnvelope {
 public:
-    explicit RowEnvelope(int cols) : m_segments(static_cast<std::size_t>(cols)) {}
+    explicit RowEnvelope(int cols)
+        : m_segments(static_cast<std::size_t>(cols)) {}
 
     /// Writes the distance in pixels (infinity if there is no site) and the index (-1) for each of the row's pixels.
     void run(const ColumnDistances& columns, int row, float* distancePx, int* index);
 
 private:
     struct Segment {
-        int column;   ///< whose parabola is lowest ...
-        int first;    ///< ... from this pixel on
-        int squared;  ///< height of the parabola: squared distance within the column
+        int column;  ///< whose parabola is lowest ...
+        int first;   ///< ... from this pixel on
+        int squared; ///< height of the parabola: squared distance within the column
         int index;
     };
 

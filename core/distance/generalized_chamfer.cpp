@@ -36,14 +36,12 @@ double penaltyOf(const ChamferPenalty& penalty, double costPx) {
 ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedContour& observed,
                    const DirectionalDistance& distance, const ChamferPenalty& penalty) {
     ChamferTerm term{0, candidate.contourPoint, candidate.distancePx, penalty.rejectedPx2, false};
-    if (candidate.contourPoint < 0 || candidate.distancePx > distance.gatePx) {
+    if (candidate.contourPoint < 0 || candidate.distancePx > distance.gatePx)
         return term;
-    }
     const double contourAngleRad = observed.angleRad[static_cast<std::size_t>(candidate.contourPoint)];
     if (distance.kind == DistanceKind::DchThres &&
-        !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad)) {
+        !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad))
         return term;
-    }
     term.kept = true;
     term.penalty = penaltyOf(penalty, candidate.costPx);
     return term;
@@ -56,9 +54,8 @@ Candidate positional(const std::optional<DirectMatch>& match) {
 /// The candidates of one point, exactly: one, or two for DchQuant2.
 std::vector<Candidate> directCandidates(const OrientedContour& observed, const DirectionalDistance& distance,
                                         const Eigen::Vector2d& px, double angleRad) {
-    if (distance.kind == DistanceKind::Ch || distance.kind == DistanceKind::DchThres) {
+    if (distance.kind == DistanceKind::Ch || distance.kind == DistanceKind::DchThres)
         return {positional(nearestPoint(observed, px))};
-    }
     const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
     const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
     if (distance.kind == DistanceKind::DchDt3) {
@@ -67,9 +64,8 @@ std::vector<Candidate> directCandidates(const OrientedContour& observed, const D
                       : Candidate{}};
     }
     std::vector<Candidate> candidates = {positional(nearestPointInBin(observed, bins, nearestBins[0], px))};
-    if (distance.kind == DistanceKind::DchQuant2) {
+    if (distance.kind == DistanceKind::DchQuant2)
         candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[1], px)));
-    }
     return candidates;
 }
 
@@ -100,16 +96,17 @@ public:
         if (m_tensor) {
             const Eigen::Vector2d px(x, y);
             const auto match = nearestFromTensor(*m_tensor, m_observed, px, m_angleRad);
-            candidates.push_back(match ? Candidate{match->index, distancePx(m_observed, match->index, px),
-                                                   match->distancePx}
-                                       : Candidate{});
+            candidates.push_back(
+                match ? Candidate{match->index, distancePx(m_observed, match->index, px), match->distancePx}
+                      : Candidate{});
         }
         for (std::size_t i = 0; i < m_transforms.size(); ++i) {
             const std::size_t at = m_transforms[i].at(x, y);
             const double distance = m_transforms[i].distancePx[at];
             const int nearest = m_transforms[i].nearest[at];
             const bool subset = !m_members.empty() && nearest >= 0;
-            candidates.push_back({subset ? m_members[i][static_cast<std::size_t>(nearest)] : nearest, distance, distance});
+            candidates.push_back(
+                {subset ? m_members[i][static_cast<std::size_t>(nearest)] : nearest, distance, distance});
         }
     }
 
@@ -167,9 +164,8 @@ cv::Mat chamferField(const OrientedContour& observed, const DirectionalDistance&
         for (int col = 0; col < region.width; ++col) {
             candidates.collect(region.x + col, region.y + row, found);
             double sum = 0;
-            for (const Candidate& candidate : found) {
+            for (const Candidate& candidate : found)
                 sum += termOf(candidate, angleRad, observed, distance, penalty).penalty;
-            }
             out[col] = static_cast<float>(sum / static_cast<double>(found.size()));
         }
     }

@@ -40,7 +40,7 @@ struct ChamferPenalty {
 /// One term of the sum: a point of the model's rim and the contour point that it was matched with.
 struct ChamferTerm {
     int modelPoint = 0;
-    int contourPoint = -1; ///< -1 if nothing qualified
+    int contourPoint = -1;                                       ///< -1 if nothing qualified
     double distancePx = std::numeric_limits<double>::infinity(); ///< |p - q|
     double penalty = 0;
     bool kept = false;

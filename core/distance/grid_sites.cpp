@@ -10,9 +10,8 @@ std::vector<GridSite> gridSites(const OrientedContour& contour, const cv::Rect& 
     sites.reserve(contour.size());
     for (std::size_t i = 0; i < contour.size(); ++i) {
         const cv::Point pixel(static_cast<int>(std::lround(contour.x[i])), static_cast<int>(std::lround(contour.y[i])));
-        if (region.contains(pixel)) {
+        if (region.contains(pixel))
             sites.push_back({pixel.x - region.x, pixel.y - region.y, static_cast<int>(i)});
-        }
     }
     return sites;
 }

@@ -20,14 +20,14 @@ int modulo(int value, int count) {
 } // namespace
 
 OrientationBins::OrientationBins(int count, bool isSigned, double centreOffset)
-    : m_count(count), m_isSigned(isSigned), m_centreOffset(centreOffset),
-      m_widthRad((isSigned ? 2.0 : 1.0) * std::numbers::pi / std::max(count, 1)) {
-    if (count < 1 || count > 256) {
+    : m_count(count)
+    , m_isSigned(isSigned)
+    , m_centreOffset(centreOffset)
+    , m_widthRad((isSigned ? 2.0 : 1.0) * std::numbers::pi / std::max(count, 1)) {
+    if (count < 1 || count > 256)
         throw Error(ErrorCode::Usage, "", "bins", "must be between 1 and 256, not " + std::to_string(count));
-    }
-    if (!(centreOffset >= 0 && centreOffset < 1)) {
+    if (!(centreOffset >= 0 && centreOffset < 1))
         throw Error(ErrorCode::Usage, "", "bin centre offset", "must be at least 0 and below 1");
-    }
 }
 
 int OrientationBins::binOf(double angleRad) const {

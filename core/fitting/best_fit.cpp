@@ -50,15 +50,14 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
     return poses;
 }
 
-/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if the fit is
-/// over.
+/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
+/// the fit is over.
 bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
              const HandPoses& start, FitAttempt& best) {
     double bestScore = refiner.silhouetteDifferencePx(best.poses);
     for (const StartKind kind : otherStarts) {
-        if (bestScore <= kUnexplainedPx) {
+        if (bestScore <= kUnexplainedPx)
             return true;
-        }
         const bool again = kind == StartKind::Start;
         FitAttempt attempt;
         attempt.poses = again ? start : withFingers(refiner.hands(), best.poses, kind);
@@ -88,9 +87,8 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitAttempt attempt;
     attempt.poses = start;
     if (loop.run(phases.main, attempt) &&
-        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, attempt))) {
+        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, attempt)))
         loop.run(phases.polish, attempt);
-    }
     return attempt;
 }
 

@@ -17,9 +17,8 @@ FitLoop::Outcome FitLoop::iterate(const IterationSettings& settings, double sett
     const bool settled = record.stepMm < settledMm;
     attempt.history.push_back(std::move(record));
     ++m_done;
-    if (m_progress) {
+    if (m_progress)
         m_progress(std::min(m_done, m_expected), m_expected);
-    }
     if (!hasMatches) {
         attempt.termination = FitTermination::NoMatches;
         return Outcome::Over;
@@ -33,12 +32,10 @@ FitLoop::Outcome FitLoop::runPhase(const Phase& phase, FitAttempt& attempt) {
     attempt.termination = FitTermination::MaxIterations;
     for (int i = first; i < phase.until && i - first < phase.iterations; ++i) {
         const Outcome outcome = iterate(settings, phase.settledMm, attempt);
-        if (outcome == Outcome::Settled) {
+        if (outcome == Outcome::Settled)
             attempt.termination = FitTermination::Converged;
-        }
-        if (outcome != Outcome::Moving) {
+        if (outcome != Outcome::Moving)
             return outcome;
-        }
     }
     return Outcome::Moving;
 }
@@ -46,12 +43,10 @@ FitLoop::Outcome FitLoop::runPhase(const Phase& phase, FitAttempt& attempt) {
 bool FitLoop::run(std::span<const Phase> phases, FitAttempt& attempt) {
     for (std::size_t p = 0; p < phases.size(); ++p) {
         const Outcome outcome = runPhase(phases[p], attempt);
-        if (outcome == Outcome::Over) {
+        if (outcome == Outcome::Over)
             return false;
-        }
-        while (outcome == Outcome::Settled && p + 1 < phases.size() && phases[p + 1].stage == phases[p].stage) {
+        while (outcome == Outcome::Settled && p + 1 < phases.size() && phases[p + 1].stage == phases[p].stage)
             ++p; // the rest of this stage would move no further
-        }
     }
     return true;
 }

@@ -30,8 +30,8 @@ public:
         , m_progress(progress)
         , m_expected(expectedIterations) {}
 
-    /// Runs the phases in their order from attempt.poses on. False if the fit is over: it was stopped or has no matches, as
-    /// attempt.termination says. Else the termination is that of the last phase.
+    /// Runs the phases in their order from attempt.poses on. False if the fit is over: it was stopped or has no
+    /// matches, as attempt.termination says. Else the termination is that of the last phase.
     bool run(std::span<const Phase> phases, FitAttempt& attempt);
 
 private:

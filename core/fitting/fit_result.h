@@ -9,7 +9,8 @@
 
 namespace core {
 
-/// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one folder.
+/// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one
+/// folder.
 inline constexpr int kEstimatorRevision = 1;
 
 enum class FitTermination {

@@ -25,9 +25,8 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
     const Eigen::Matrix3d worldFromCamera = camera.cameraFromWorld.rotation.transpose();
     for (std::size_t i = 0; i < found.size(); ++i) {
         const auto normalised = undistort(camera, {found.x[i], found.y[i]});
-        if (!normalised) {
+        if (!normalised)
             continue;
-        }
         kept.x.push_back(found.x[i]);
         kept.y.push_back(found.y[i]);
         kept.angleRad.push_back(found.angleRad[i]);
@@ -76,11 +75,9 @@ std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, con
     };
     tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });
     std::vector<CameraTarget> targets;
-    for (auto& target : made) {
-        if (target) {
+    for (auto& target : made)
+        if (target)
             targets.push_back(std::move(*target));
-        }
-    }
     return targets;
 }
 

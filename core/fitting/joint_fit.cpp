@@ -13,17 +13,15 @@ namespace {
 
 Eigen::Vector3d mean(const std::vector<Eigen::Vector3d>& points) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector3d& point : points) {
+    for (const Eigen::Vector3d& point : points)
         sum += point;
-    }
     return sum / static_cast<double>(points.size());
 }
 
 double rootMeanSquare(const std::vector<double>& values) {
     double sum = 0;
-    for (const double value : values) {
+    for (const double value : values)
         sum += value * value;
-    }
     return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
@@ -37,10 +35,10 @@ Pose clampedToLimits(const Skeleton& skeleton, Pose pose) {
 
 } // namespace
 
-std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& pose) {
-    if (targets.size() < 3) {
+std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets,
+                                    const Pose& pose) {
+    if (targets.size() < 3)
         return std::nullopt;
-    }
     const auto joints = jointPositions(skeleton, pose);
     std::vector<Eigen::Vector3d> from, to;
     for (const JointTarget& target : targets) {
@@ -49,18 +47,17 @@ std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<
     }
     const Eigen::Vector3d fromMean = mean(from), toMean = mean(to);
     Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
-    for (std::size_t i = 0; i < from.size(); ++i) {
+    for (std::size_t i = 0; i < from.size(); ++i)
         correlation += (to[i] - toMean) * (from[i] - fromMean).transpose();
-    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
     constexpr double kOnALine = 1e-6; // relative size of the second singular value
-    if (!(svd.singularValues()[1] > kOnALine * svd.singularValues()[0])) {
+    if (!(svd.singularValues()[1] > kOnALine * svd.singularValues()[0]))
         return std::nullopt;
-    }
     Eigen::Matrix3d fix = Eigen::Matrix3d::Identity();
     fix(2, 2) = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
     const Eigen::Matrix3d turn = svd.matrixU() * fix * svd.matrixV().transpose();
-    // worldFromRoot = Translate(centre + translation) exp(rotation) ...: turning the world moves the hand's centre along.
+    // worldFromRoot = Translate(centre + translation) exp(rotation) ...: turning the world moves the hand's centre
+    // along.
     Pose aligned = pose;
     const Eigen::Vector3d centre = skeleton.centreAtRest + pose.head<3>();
     aligned.head<3>() = turn * (centre - fromMean) + toMean - skeleton.centreAtRest;
@@ -68,13 +65,12 @@ std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<
     return aligned;
 }
 
-std::optional<JointFit> fitPoseToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& start,
-                                        const JointFitOptions& options) {
+std::optional<JointFit> fitPoseToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets,
+                                        const Pose& start, const JointFitOptions& options) {
     const Pose begin = options.withLimits ? clampedToLimits(skeleton, start) : start;
     const auto aligned = alignedToJoints(skeleton, targets, begin);
-    if (!aligned) {
+    if (!aligned)
         return std::nullopt;
-    }
     const JointProblem problem(skeleton, targets, begin, options);
     SolverOptions solver;
     solver.maxIterations = options.maxIterations;

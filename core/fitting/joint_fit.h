@@ -22,14 +22,15 @@ struct JointFit {
     SolverSummary summary;
 };
 
-/// The rigid part of a pose that brings the joints nearest to their targets while the angles stay as in `pose`: closed form
-/// (Umeyama 1991, without scale). No value with fewer than three targets or with targets on a line.
-std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& pose);
+/// The rigid part of a pose that brings the joints nearest to their targets while the angles stay as in `pose`: closed
+/// form (Umeyama 1991, without scale). No value with fewer than three targets or with targets on a line.
+std::optional<Pose> alignedToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets,
+                                    const Pose& pose);
 
-/// The pose whose bone origins explain annotated joints: minimises JointProblem by Levenberg-Marquardt with box constraints on the
-/// angles, from `start` aligned to the targets. A start angle outside its limits is moved onto them first. No value with fewer
-/// than three targets or with targets on a line.
-std::optional<JointFit> fitPoseToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& start,
-                                        const JointFitOptions& options = {});
+/// The pose whose bone origins explain annotated joints: minimises JointProblem by Levenberg-Marquardt with box
+/// constraints on the angles, from `start` aligned to the targets. A start angle outside its limits is moved onto them
+/// first. No value with fewer than three targets or with targets on a line.
+std::optional<JointFit> fitPoseToJoints(const Skeleton& skeleton, const std::vector<JointTarget>& targets,
+                                        const Pose& start, const JointFitOptions& options = {});
 
 } // namespace core

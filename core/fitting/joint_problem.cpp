@@ -62,9 +62,8 @@ StepBox JointProblem::stepBox(const Pose& pose) const {
 std::vector<double> JointProblem::distancesMm(const Pose& pose) const {
     const auto joints = jointPositions(m_skeleton, pose);
     std::vector<double> lengths;
-    for (std::size_t i = 0; i < m_targets.size(); ++i) {
+    for (std::size_t i = 0; i < m_targets.size(); ++i)
         lengths.push_back(residualOf(i, joints).norm());
-    }
     return lengths;
 }
 

@@ -25,11 +25,13 @@ struct JointProblemOptions {
 
 /// Annotated joints as a least-squares problem over poses:
 /// 1/2 sum_i (b_i(x) - y_i)^T (C_i + sigma_m^2 I)^-1 (b_i(x) - y_i) + 1/2 |angles(x) - angles(start)|^2 / sigma_p^2,
-/// b_i the origin of bone i, y_i and C_i its target. The Jacobian of b_i is exact in every pose (retract's tangent step).
+/// b_i the origin of bone i, y_i and C_i its target. The Jacobian of b_i is exact in every pose (retract's tangent
+/// step).
 class JointProblem {
 public:
     /// `skeleton` and `targets` must outlive the problem.
-    JointProblem(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& start, const JointProblemOptions& options);
+    JointProblem(const Skeleton& skeleton, const std::vector<JointTarget>& targets, const Pose& start,
+                 const JointProblemOptions& options);
 
     double cost(const Pose& pose) const;
     void linearise(const Pose& pose, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) const;

@@ -23,14 +23,12 @@ MatchRule matchRule(const Method& method) {
     rule.distance = method.distance;
     rule.withinTau = method.best && method.best->withinTau;
     const bool quant = method.distance == DistanceKind::DchQuant || method.distance == DistanceKind::DchQuant2;
-    if (method.distance == DistanceKind::DchThres) {
+    if (method.distance == DistanceKind::DchThres)
         rule.tauRad = static_cast<float>(method.tauDeg * kRadPerDeg);
-    }
-    if (method.gatePx > 0) {
+    if (method.gatePx > 0)
         rule.gatePx = static_cast<float>(method.gatePx);
-    } else if (quant) {
+    else if (quant)
         rule.gatePx = static_cast<float>(kQuantGatePx);
-    }
     rule.lambdaPxPerRad = static_cast<float>(method.lambdaPxPerRad);
     rule.truncatePx2 = static_cast<float>(method.truncatePx2);
     rule.binWeights = method.binWeights;
@@ -69,27 +67,28 @@ bool isWithinTau(const CameraTarget& target, const MatchRule& rule, int index, d
 }
 
 /// DCH-Thres: the nearest point, then the threshold; with `withinTau`, the nearest of those that pass it.
-ContourMatch nearestByThreshold(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px, float angle) {
-    if (rule.withinTau) {
+ContourMatch nearestByThreshold(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px,
+                                float angle) {
+    if (rule.withinTau)
         return target.index.nearestWithin(px.x(), px.y(), angle, rule.tauRad, rule.gatePx);
-    }
     const ContourMatch match = target.index.nearest(px.x(), px.y(), rule.gatePx);
-    return match.index >= 0 && isWithinTau(target, rule, match.index, static_cast<double>(angle)) ? match : ContourMatch{};
+    return match.index >= 0 && isWithinTau(target, rule, match.index, static_cast<double>(angle)) ? match
+                                                                                                  : ContourMatch{};
 }
 
 /// DCH-DT3. The tensor holds the best of all points, which is not the best within a gate: then the points are searched.
-ContourMatch nearestOriented(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px, float angle) {
-    if (target.tensor && std::isinf(rule.gatePx)) {
+ContourMatch nearestOriented(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px,
+                             float angle) {
+    if (target.tensor && std::isinf(rule.gatePx))
         return nearestInTensor(target, px, angle);
-    }
-    return target.index.nearestDirectional(std::round(px.x()), std::round(px.y()), rule.bins.binOf(static_cast<double>(angle)),
-                                           rule.lambdaPxPerRad, rule.gatePx);
+    return target.index.nearestDirectional(std::round(px.x()), std::round(px.y()),
+                                           rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
+                                           rule.gatePx);
 }
 
 void addIfFound(const ContourMatch& match, std::vector<WeightedMatch>& matches) {
-    if (match.index >= 0) {
+    if (match.index >= 0)
         matches.push_back({match.index, 1});
-    }
 }
 
 } // namespace

@@ -11,12 +11,14 @@
 
 namespace core {
 
-/// How a rim point p finds its contour point q, with every default of the method filled in. docs/method.md has the equations.
+/// How a rim point p finds its contour point q, with every default of the method filled in. docs/method.md has the
+/// equations.
 struct MatchRule {
     /// Which q is taken, and whether the match is kept.
     DistanceKind distance = DistanceKind::DchThres;
     float tauRad = std::numeric_limits<float>::infinity(); ///< DchThres: kept if circ(phi_p, phi_q) < tau
-    /// DchThres: q = argmin |p - q| over those with circ(phi_p, phi_q) < tau, instead of over all with a rejection afterwards.
+    /// DchThres: q = argmin |p - q| over those with circ(phi_p, phi_q) < tau, instead of over all with a rejection
+    /// afterwards.
     bool withinTau = false;
     float lambdaPxPerRad = 0;                              ///< DchDt3: d = |p - q| + lambda circ(phi_p, phi_q)
     float gatePx = std::numeric_limits<float>::infinity(); ///< matches with |p - q| above it are not made

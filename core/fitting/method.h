@@ -35,16 +35,16 @@ struct BestOptions {
 struct Method {
     DistanceKind distance = DistanceKind::DchThres;
     std::optional<BestOptions> best = std::nullopt; ///< set: our own method over DCH-Thres
-    double tauDeg = 22.5;            ///< tau, Thres only
-    bool signedOrientation = true;   ///< circ is signed, in [0, pi]; else unsigned, in [0, pi/2]
-    double lambdaPxPerRad = 25;      ///< lambda, DT3 only
-    int bins = 0;                    ///< 0 = the distance's default: Quant and Quant2 8, DT3 16
-    double binCentre = 0;            ///< offset of the bins' centres from the x axis, in bins, [0, 1)
-    bool binWeights = false;         ///< Quant2 only: weighs the two matches by how near their bin centres are
-    double gatePx = 0;               ///< 0 = the distance's default: Quant and Quant2 60, the others none
-    double truncatePx2 = 0;          ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
-    double polygonEpsilonPx = 1.25;  ///< approxPolyDP's epsilon for phi(q)
-    bool chordTangent = false;       ///< phi(q) from a +-7 px chord instead of the polygon
+    double tauDeg = 22.5;                           ///< tau, Thres only
+    bool signedOrientation = true;                  ///< circ is signed, in [0, pi]; else unsigned, in [0, pi/2]
+    double lambdaPxPerRad = 25;                     ///< lambda, DT3 only
+    int bins = 0;                                   ///< 0 = the distance's default: Quant and Quant2 8, DT3 16
+    double binCentre = 0;                           ///< offset of the bins' centres from the x axis, in bins, [0, 1)
+    bool binWeights = false;        ///< Quant2 only: weighs the two matches by how near their bin centres are
+    double gatePx = 0;              ///< 0 = the distance's default: Quant and Quant2 60, the others none
+    double truncatePx2 = 0;         ///< K of the truncated penalty min(d^2, K), px^2; 0 = none
+    double polygonEpsilonPx = 1.25; ///< approxPolyDP's epsilon for phi(q)
+    bool chordTangent = false;      ///< phi(q) from a +-7 px chord instead of the polygon
     int maxIterations = 25;
     double damping = 1e-3; ///< relative to diag(H)
     Schedule schedule = Schedule::RigidFirst;

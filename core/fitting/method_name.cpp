@@ -17,9 +17,8 @@ struct NamedMethod {
 
     Method plain() const {
         Method method{.distance = distance};
-        if (isBest) {
+        if (isBest)
             method.best.emplace();
-        }
         return method;
     }
 };
@@ -34,20 +33,17 @@ constexpr std::array<NamedMethod, 6> kMethods{{{"ch", DistanceKind::Ch, false},
 const NamedMethod& namedAs(std::string_view name) {
     std::string names;
     for (const NamedMethod& method : kMethods) {
-        if (name == method.name) {
+        if (name == method.name)
             return method;
-        }
         names += (names.empty() ? "" : ", ") + std::string(method.name);
     }
     throw Error(ErrorCode::Usage, "--method", std::string(name), "unknown method; the methods are " + names);
 }
 
 const NamedMethod& namedLike(const Method& method) {
-    for (const NamedMethod& named : kMethods) {
-        if (named.distance == method.distance && named.isBest == method.best.has_value()) {
+    for (const NamedMethod& named : kMethods)
+        if (named.distance == method.distance && named.isBest == method.best.has_value())
             return named;
-        }
-    }
     return kMethods.back(); // `best` over another distance than DCH-Thres does not exist
 }
 
@@ -56,30 +52,25 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     while (true) {
         const std::size_t end = text.find(separator);
         parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) {
+        if (end == std::string_view::npos)
             return parts;
-        }
         text.remove_prefix(end + 1);
     }
 }
 
 std::string optionKeys(const Method& method) {
     std::string keys;
-    for (const MethodOption& option : methodOptions()) {
-        if (option.appliesTo(method)) {
+    for (const MethodOption& option : methodOptions())
+        if (option.appliesTo(method))
             keys += (keys.empty() ? "" : ", ") + std::string(option.key);
-        }
-    }
     return keys;
 }
 
 /// What is wrong with one `key=value`; empty if it was set.
 std::string setOption(Method& method, const char* name, std::string_view key, std::string_view value) {
-    for (const MethodOption& option : methodOptions()) {
-        if (option.key == key && option.appliesTo(method)) {
+    for (const MethodOption& option : methodOptions())
+        if (option.key == key && option.appliesTo(method))
             return option.parse(method, value);
-        }
-    }
     return "unknown option; the options of " + std::string(name) + " are " + optionKeys(method);
 }
 
@@ -95,9 +86,8 @@ Method parseMethod(std::string_view text) {
         const std::string problem = equals == std::string_view::npos
                                         ? "options are written as name=value"
                                         : setOption(method, named.name, key, parts[i].substr(equals + 1));
-        if (!problem.empty()) {
+        if (!problem.empty())
             throw Error(ErrorCode::Usage, "--method " + std::string(text), std::string(key), problem);
-        }
     }
     return method;
 }
@@ -106,19 +96,16 @@ std::string methodName(const Method& method) {
     const NamedMethod& named = namedLike(method);
     const Method plain = named.plain();
     std::string name = named.name;
-    for (const MethodOption& option : methodOptions()) {
-        if (option.appliesTo(method) && option.print(method) != option.print(plain)) {
+    for (const MethodOption& option : methodOptions())
+        if (option.appliesTo(method) && option.print(method) != option.print(plain))
             name += ":" + std::string(option.key) + "=" + option.print(method);
-        }
-    }
     return name;
 }
 
 std::vector<std::string> plainMethodNames() {
     std::vector<std::string> names;
-    for (const NamedMethod& method : kMethods) {
+    for (const NamedMethod& method : kMethods)
         names.emplace_back(method.name);
-    }
     return names;
 }
 

@@ -12,7 +12,9 @@ namespace core {
 namespace {
 
 // Sets of methods, one bit each.
-constexpr unsigned bit(DistanceKind distance) { return 1u << static_cast<unsigned>(distance); }
+constexpr unsigned bit(DistanceKind distance) {
+    return 1u << static_cast<unsigned>(distance);
+}
 constexpr unsigned kBest = 1u << 5;
 constexpr unsigned kThres = bit(DistanceKind::DchThres);
 constexpr unsigned kQuant2 = bit(DistanceKind::DchQuant2);
@@ -38,11 +40,10 @@ using FieldValue = typename decltype(memberOf(Field))::ValueType;
 /// A field of a method or of its BestOptions, which are there for every option that applies to `best`.
 template <auto Field, typename AnyMethod>
 auto& valueOf(AnyMethod& method) {
-    if constexpr (std::is_same_v<FieldOwner<Field>, Method>) {
+    if constexpr (std::is_same_v<FieldOwner<Field>, Method>)
         return method.*Field;
-    } else {
+    else
         return (*method.best).*Field;
-    }
 }
 
 struct ValueFormat {
@@ -55,12 +56,11 @@ template <auto Field, double Low, double High>
 constexpr ValueFormat number() {
     return {[](Method& method, std::string_view value) -> std::string {
                 double parsed = 0;
-                if (!parseNumber(value, parsed) || parsed < Low || parsed > High) {
-                    return "'" + std::string(value) + "' is not a number from " + exactText(Low) + " to " + exactText(High);
-                }
-                if (std::is_integral_v<FieldValue<Field>> && parsed != static_cast<int>(parsed)) {
+                if (!parseNumber(value, parsed) || parsed < Low || parsed > High)
+                    return "'" + std::string(value) + "' is not a number from " + exactText(Low) + " to " +
+                           exactText(High);
+                if (std::is_integral_v<FieldValue<Field>> && parsed != static_cast<int>(parsed))
                     return "must be a whole number";
-                }
                 valueOf<Field>(method) = static_cast<FieldValue<Field>>(parsed);
                 return "";
             },
@@ -79,9 +79,7 @@ constexpr ValueFormat choice() {
                 }
                 return "must be " + std::string(Words[0]) + " or " + std::string(Words[1]);
             },
-            [](const Method& method) {
-                return std::string(Words[static_cast<std::size_t>(valueOf<Field>(method))]);
-            }};
+            [](const Method& method) { return std::string(Words[static_cast<std::size_t>(valueOf<Field>(method))]); }};
 }
 
 constexpr std::array<std::string_view, 2> kNoYes{"0", "1"};
@@ -103,20 +101,21 @@ using B = BestOptions;
 using M = Method;
 
 constexpr std::array kOptions{
-    option("tau", kThres, number<&M::tauDeg, 0.0, 180.0>(), "a match is kept if the directions differ by less, deg", "22.5",
-           "paper: the best of its figure"),
-    option("signed", kDirectional, flag<&M::signedOrientation>(), "directions over 360 deg; else lines over 180 deg", "1",
-           "paper: signed is better"),
+    option("tau", kThres, number<&M::tauDeg, 0.0, 180.0>(), "a match is kept if the directions differ by less, deg",
+           "22.5", "paper: the best of its figure"),
+    option("signed", kDirectional, flag<&M::signedOrientation>(), "directions over 360 deg; else lines over 180 deg",
+           "1", "paper: signed is better"),
     option("lambda", kDt3, number<&M::lambdaPxPerRad, 0.0, 1000.0>(), "weight of orientation, px per rad", "25",
            "paper: saturates from 15 to 35"),
     option("bins", kBinned, number<&M::bins, 1.0, 256.0>(), "orientation bins", "8 for Quant and Quant2, 16 for DT3",
            "paper: 16 suffice for DT3, fewer are better for Quant"),
     option("centre", kBinned, number<&M::binCentre, 0.0, 0.999>(),
-           "where orientation bins are centred: on the x axis, or that share of a bin beside it", "0", "own; the paper says nothing"),
-    option("weights", kQuant2, flag<&M::binWeights>(), "weigh the two matches of Quant2 by how near their bins are", "0",
-           "own; paper: equal weights"),
-    option("backend", kDt3, choice<&M::backend, kBackends>(), "DT3 by a tensor or by direct search: equal matches", "direct",
-           "own; paper: a tensor"),
+           "where orientation bins are centred: on the x axis, or that share of a bin beside it", "0",
+           "own; the paper says nothing"),
+    option("weights", kQuant2, flag<&M::binWeights>(), "weigh the two matches of Quant2 by how near their bins are",
+           "0", "own; paper: equal weights"),
+    option("backend", kDt3, choice<&M::backend, kBackends>(), "DT3 by a tensor or by direct search: equal matches",
+           "direct", "own; paper: a tensor"),
     option("live", kBest, flag<&B::live>(), "the real-time variant", "0", "own"),
     option("palm", kBest, flag<&B::palm>(), "the palm is placed before the fingers move", "1", "own"),
     option("coarse", kBest, flag<&B::coarse>(), "coarse levels of the mesh first", "1", "own"),
@@ -127,20 +126,23 @@ constexpr std::array kOptions{
     option("polish", kBest, flag<&B::polish>(), "last iterations on the full mesh", "1", "own"),
     option("both", kBest, flag<&B::bothWays>(), "contour points pull the model, too", "0", "own"),
     option("within", kBest, flag<&B::withinTau>(), "only contour points within tau are searched", "0", "own"),
-    option("robust", kBest, number<&B::robustMm, 0.0, 1000.0>(), "Cauchy weights with that scale, mm; 0 for none", "0", "own"),
-    option("gate", kPaper, number<&M::gatePx, 0.0, 1e6>(), "longest distance of a match, px", "60 for Quant and Quant2, none for the others",
-           "own; the paper names no gate"),
-    option("truncate", kPaper, number<&M::truncatePx2, 0.0, 1e9>(), "K of Stenger's truncated penalty, px^2; 0 for none", "0",
-           "Stenger et al. 2006"),
+    option("robust", kBest, number<&B::robustMm, 0.0, 1000.0>(), "Cauchy weights with that scale, mm; 0 for none", "0",
+           "own"),
+    option("gate", kPaper, number<&M::gatePx, 0.0, 1e6>(), "longest distance of a match, px",
+           "60 for Quant and Quant2, none for the others", "own; the paper names no gate"),
+    option("truncate", kPaper, number<&M::truncatePx2, 0.0, 1e9>(),
+           "K of Stenger's truncated penalty, px^2; 0 for none", "0", "Stenger et al. 2006"),
     option("epsilon", kAll, number<&M::polygonEpsilonPx, 0.1, 20.0>(), "epsilon of approxPolyDP for phi(q), px", "1.25",
            "own; the paper names approxPolyDP, no epsilon"),
-    option("tangent", kAll, choice<&M::chordTangent, kTangents>(), "phi(q) from polygon segments or from a chord of +-7 px", "polygon",
-           "paper: a line representation"),
-    option("iterations", kPaper, number<&M::maxIterations, 1.0, 1000.0>(), "most iterations of a fit", "25", "own; the paper gives none"),
-    option("damping", kPaper, number<&M::damping, 0.0, 10.0>(), "damping relative to the diagonal of the normal matrix", "0.001",
+    option("tangent", kAll, choice<&M::chordTangent, kTangents>(),
+           "phi(q) from polygon segments or from a chord of +-7 px", "polygon", "paper: a line representation"),
+    option("iterations", kPaper, number<&M::maxIterations, 1.0, 1000.0>(), "most iterations of a fit", "25",
            "own; the paper gives none"),
+    option("damping", kPaper, number<&M::damping, 0.0, 10.0>(), "damping relative to the diagonal of the normal matrix",
+           "0.001", "own; the paper gives none"),
     option("schedule", kPaper, choice<&M::schedule, kSchedules>(),
-           "a first phase moves only the six rigid degrees of freedom of each hand", "rigid", "own; paper: no such phase"),
+           "a first phase moves only the six rigid degrees of freedom of each hand", "rigid",
+           "own; paper: no such phase"),
 };
 
 } // namespace
@@ -149,14 +151,14 @@ bool MethodOption::appliesTo(const Method& method) const {
     return (methods & (method.best ? kBest : bit(method.distance))) != 0;
 }
 
-std::span<const MethodOption> methodOptions() { return kOptions; }
+std::span<const MethodOption> methodOptions() {
+    return kOptions;
+}
 
 const MethodOption& methodOption(std::string_view key) {
-    for (const MethodOption& candidate : kOptions) {
-        if (candidate.key == key) {
+    for (const MethodOption& candidate : kOptions)
+        if (candidate.key == key)
             return candidate;
-        }
-    }
     throw std::out_of_range("method option " + std::string(key));
 }
 

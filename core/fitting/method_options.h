@@ -9,8 +9,8 @@
 
 namespace core {
 
-/// An option of a method's name, `key=value`. The table of them is the only list: parsing, names, error messages and the report
-/// read it.
+/// An option of a method's name, `key=value`. The table of them is the only list: parsing, names, error messages and
+/// the report read it.
 struct MethodOption {
     std::string_view key;
     unsigned methods;             ///< which methods have it, see appliesTo

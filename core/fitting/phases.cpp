@@ -28,18 +28,27 @@ std::vector<Phase> withNarrowGateFrom(int iteration, const std::vector<Phase>& p
 }
 
 // `best`. The palm first, then the fingers, on the coarse level; the last iterations on the full mesh.
-constexpr Phase kPalm{.iterations = 8, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 45};
-constexpr Phase kFingers{.stage = 1, .iterations = 17, .settledMm = 0.05, .detail = Detail::Coarse, .points = 120, .tauDeg = 45};
-constexpr Phase kPolish{.stage = 2, .iterations = 4, .settledMm = 0.02, .detail = Detail::Full, .points = 300, .tauDeg = 22.5};
+constexpr Phase kPalm{
+    .iterations = 8, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 45};
+constexpr Phase kFingers{
+    .stage = 1, .iterations = 17, .settledMm = 0.05, .detail = Detail::Coarse, .points = 120, .tauDeg = 45};
+constexpr Phase kPolish{
+    .stage = 2, .iterations = 4, .settledMm = 0.02, .detail = Detail::Full, .points = 300, .tauDeg = 22.5};
 
 // Further attempts where the outlines are left unexplained.
-constexpr Phase kLongPalm{.iterations = 16, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 90};
-constexpr Phase kWideFingers{.iterations = 25, .settledMm = 0.05, .detail = Detail::Coarse, .points = 200, .tauDeg = 90};
-constexpr Phase kNarrowFingers{.stage = 1, .iterations = 25, .settledMm = 0.05, .detail = Detail::Coarse, .points = 200, .tauDeg = 22.5};
+constexpr Phase kLongPalm{
+    .iterations = 16, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 90};
+constexpr Phase kWideFingers{
+    .iterations = 25, .settledMm = 0.05, .detail = Detail::Coarse, .points = 200, .tauDeg = 90};
+constexpr Phase kNarrowFingers{
+    .stage = 1, .iterations = 25, .settledMm = 0.05, .detail = Detail::Coarse, .points = 200, .tauDeg = 22.5};
 
-constexpr Phase kLivePalm{.iterations = 4, .settledMm = 0.2, .rigidOnly = true, .detail = Detail::Coarse, .points = 100, .tauDeg = 45};
-constexpr Phase kLiveFingers{.stage = 1, .iterations = 7, .settledMm = 0.1, .detail = Detail::Coarse, .points = 100, .tauDeg = 45};
-constexpr Phase kLivePolish{.stage = 2, .iterations = 1, .settledMm = 0, .detail = Detail::Medium, .points = 150, .tauDeg = 22.5};
+constexpr Phase kLivePalm{
+    .iterations = 4, .settledMm = 0.2, .rigidOnly = true, .detail = Detail::Coarse, .points = 100, .tauDeg = 45};
+constexpr Phase kLiveFingers{
+    .stage = 1, .iterations = 7, .settledMm = 0.1, .detail = Detail::Coarse, .points = 100, .tauDeg = 45};
+constexpr Phase kLivePolish{
+    .stage = 2, .iterations = 1, .settledMm = 0, .detail = Detail::Medium, .points = 150, .tauDeg = 22.5};
 
 constexpr double kNarrowTauDeg = 22.5;
 
@@ -61,18 +70,16 @@ IterationSettings settingsOf(const Phase& phase, const IterationSettings& base) 
     settings.detail = phase.detail;
     settings.pointsPerCamera = phase.points;
     settings.contourPointsPerCamera = phase.contourPoints;
-    if (phase.tauDeg >= 0) {
+    if (phase.tauDeg >= 0)
         settings.rule.tauRad = static_cast<float>(phase.tauDeg * std::numbers::pi / 180);
-    }
     settings.rule.gatePx = std::min(base.rule.gatePx, static_cast<float>(phase.gatePx));
     return settings;
 }
 
 std::vector<Phase> schedulePhases(const Method& method) {
     const int last = method.maxIterations;
-    if (method.schedule == Schedule::Paper) {
+    if (method.schedule == Schedule::Paper)
         return {Phase{.until = last}};
-    }
     const std::vector<Phase> phases{
         Phase{.until = std::min(kRigidIterations, last), .rigidOnly = true, .detail = Detail::Coarse},
         Phase{.stage = 1, .until = last - kFullDetailIterations, .detail = Detail::Medium},
@@ -87,17 +94,15 @@ BestPhases bestPhases(const BestOptions& options) {
     phases.main = made(options.live ? std::vector{kLivePalm, kLiveFingers} : std::vector{kPalm, kFingers});
     phases.again = made({kLongPalm, kNarrowFingers});
     phases.fromOtherFingers = made({kWideFingers, kNarrowFingers});
-    if (options.polish) {
+    if (options.polish)
         phases.polish = made({options.live ? kLivePolish : kPolish});
-    }
     return phases;
 }
 
 int mostIterations(const std::vector<Phase>& phases) {
     int most = 0;
-    for (const Phase& phase : phases) {
+    for (const Phase& phase : phases)
         most = phase.iterations == Phase::kNoLimit ? std::max(most, phase.until) : most + phase.iterations;
-    }
     return most;
 }
 

@@ -9,31 +9,32 @@
 
 namespace core {
 
-/// A run of iterations with the same settings. It ends with the first of: `iterations` of its own, `until` iterations of the whole
-/// attempt, or a step that moves the joints by less than `settledMm` on average.
+/// A run of iterations with the same settings. It ends with the first of: `iterations` of its own, `until` iterations
+/// of the whole attempt, or a step that moves the joints by less than `settledMm` on average.
 struct Phase {
     static constexpr int kNoLimit = std::numeric_limits<int>::max();
     static constexpr double kTauOfMethod = -1;
 
-    /// Consecutive phases of one stage end together when a step settles: what follows moves the same degrees of freedom.
+    /// Consecutive phases of one stage end together when a step settles: what follows moves the same degrees of
+    /// freedom.
     int stage = 0;
     int iterations = kNoLimit;
     int until = kNoLimit;
     double settledMm = 0.01;
     bool rigidOnly = false; ///< only the six rigid degrees of freedom of each hand move
     Detail detail = Detail::Full;
-    int points = 300;             ///< rim points per camera
-    int contourPoints = 0;        ///< contour points per camera that pull the rim; 0 = none
-    double tauDeg = kTauOfMethod; ///< not negative: instead of the method's
+    int points = 300;                                        ///< rim points per camera
+    int contourPoints = 0;                                   ///< contour points per camera that pull the rim; 0 = none
+    double tauDeg = kTauOfMethod;                            ///< not negative: instead of the method's
     double gatePx = std::numeric_limits<double>::infinity(); ///< a gate above it is narrowed to it
 };
 
 /// How one iteration of a phase is done, given what the method's phases share.
 IterationSettings settingsOf(const Phase& phase, const IterationSettings& base);
 
-/// The paper's methods. Schedule::Paper is one phase. Schedule::RigidFirst has three: up to 14 iterations of the rigid degrees of
-/// freedom on the coarse level of the mesh, then all of them on the medium level, the last 5 on the full mesh; the last two fifths
-/// narrow the gate of Quant and Quant2 to 12 px.
+/// The paper's methods. Schedule::Paper is one phase. Schedule::RigidFirst has three: up to 14 iterations of the rigid
+/// degrees of freedom on the coarse level of the mesh, then all of them on the medium level, the last 5 on the full
+/// mesh; the last two fifths narrow the gate of Quant and Quant2 to 12 px.
 std::vector<Phase> schedulePhases(const Method& method);
 
 /// The phases of `best`.

@@ -30,14 +30,11 @@ void checkInput(const std::vector<HandModel>& hands, const std::vector<Camera>& 
                         "must be an 8-bit image of the camera's size");
         }
     }
-    if (start.size() != hands.size()) {
+    if (start.size() != hands.size())
         throw Error(ErrorCode::BadInput, "", "start", "must hold one pose per hand");
-    }
-    for (std::size_t h = 0; h < hands.size(); ++h) {
-        if (start[h].size() != hands[h].skeleton.poseSize() || !start[h].allFinite()) {
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        if (start[h].size() != hands[h].skeleton.poseSize() || !start[h].allFinite())
             throw Error(ErrorCode::BadInput, "", "start", "pose " + std::to_string(h) + " does not fit its hand");
-        }
-    }
 }
 
 FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
@@ -46,9 +43,8 @@ FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
     options.contour.polygonEpsilonPx = method.polygonEpsilonPx;
     options.bins = rule.bins;
     options.wholePixels = rule.wholePixels;
-    if (method.distance == DistanceKind::DchDt3 && method.backend == Dt3Backend::Tensor) {
+    if (method.distance == DistanceKind::DchDt3 && method.backend == Dt3Backend::Tensor)
         options.tensorLambdaPxPerRad = method.lambdaPxPerRad;
-    }
     return options;
 }
 

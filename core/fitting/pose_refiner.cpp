@@ -65,9 +65,8 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
     hands.models = std::move(models);
     for (const HandModel& model : hands.models) {
         auto& levels = hands.levels.emplace_back();
-        for (int level = 0; level < kSurfaceLevels; ++level) {
+        for (int level = 0; level < kSurfaceLevels; ++level)
             levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
-        }
     }
     return hands;
 }
@@ -92,12 +91,12 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
 template <typename Work>
 void PoseRefiner::forEachView(Work&& work) {
     if (m_threads <= 1) {
-        for (std::size_t v = 0; v < m_views.size(); ++v) {
+        for (std::size_t v = 0; v < m_views.size(); ++v)
             work(m_views[v], m_targets[v]);
-        }
     } else {
         tbb::task_arena(m_threads).execute([&] {
-            tbb::parallel_for(std::size_t{0}, m_views.size(), [&](std::size_t v) { work(m_views[v], m_targets[v]); });
+            tbb::parallel_for(
+                std::size_t{0}, m_views.size(), [&](std::size_t v) { work(m_views[v], m_targets[v]); });
         });
     }
     for (View& view : m_views) {
@@ -114,9 +113,8 @@ void PoseRefiner::poseSurfaces(const HandPoses& poses, Detail detail) {
         const BoneMatrices bones = boneMatrices(m_hands.models[h].skeleton, poses[h]);
         poseSurface(m_hands.levels[h][0], bones, m_posed[h][0]);
         const auto level = static_cast<std::size_t>(detail);
-        if (level > 0) {
+        if (level > 0)
             poseSurface(m_hands.levels[h][level], bones, m_posed[h][level]);
-        }
     }
     m_profile.skinning += watch.seconds();
 }
@@ -124,9 +122,8 @@ void PoseRefiner::poseSurfaces(const HandPoses& poses, Detail detail) {
 std::vector<RimSource> PoseRefiner::rimSources(Detail detail) const {
     const auto level = static_cast<std::size_t>(detail);
     std::vector<RimSource> sources;
-    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h)
         sources.push_back({&m_hands.levels[h][level], &m_posed[h][level], &m_hands.levels[h][0], &m_posed[h][0]});
-    }
     return sources;
 }
 
@@ -146,9 +143,8 @@ void PoseRefiner::matchRim(View& view, const CameraTarget& target, const Iterati
     for (const RimPoint& rim : view.rim) {
         view.matches.clear();
         findMatches(target, settings.rule, rim, view.matches);
-        if (view.matches.empty()) {
+        if (view.matches.empty())
             ++view.rejected;
-        }
         for (const WeightedMatch& match : view.matches) {
             view.correspondences[static_cast<std::size_t>(rim.hand)].push_back(
                 correspondence(rim, target, match.index, static_cast<double>(match.weight), settings));
@@ -157,9 +153,8 @@ void PoseRefiner::matchRim(View& view, const CameraTarget& target, const Iterati
 }
 
 void PoseRefiner::matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const {
-    if (settings.contourPointsPerCamera <= 0 || view.rim.empty()) {
+    if (settings.contourPointsPerCamera <= 0 || view.rim.empty())
         return;
-    }
     const ContourIndex index(rimContour(view.rim), settings.rule.bins);
     const std::size_t count = target.contour.size();
     const std::size_t wanted = std::min(count, static_cast<std::size_t>(settings.contourPointsPerCamera));
@@ -187,9 +182,8 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
         extractRim(view, target, settings.detail, settings.pointsPerCamera);
         Stopwatch watch;
         view.rejected = 0;
-        for (auto& list : view.correspondences) {
+        for (auto& list : view.correspondences)
             list.clear();
-        }
         matchRim(view, target, settings);
         matchContour(view, target, settings);
         view.secondsMatch += watch.restart();
@@ -206,18 +200,15 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         NormalEquations sum;
         sum.reset(linearisations[h].poseSize());
-        for (const View& view : m_views) { // fixed order: independent of the threads
+        for (const View& view : m_views) // fixed order: independent of the threads
             sum += view.equations[h];
-        }
         squared += sum.sumSquaredMm2;
         record.matches += sum.count;
-        if (sum.count > 0) {
+        if (sum.count > 0)
             poses[h] = retract(poses[h], solveHand(h, poses, sum, settings));
-        }
     }
-    for (const View& view : m_views) {
+    for (const View& view : m_views)
         record.rejected += view.rejected;
-    }
     record.costMm2 = record.matches ? squared / (2 * record.matches) : 0;
     record.stepMm = meanJointDistanceMm(m_hands.models, before, poses);
     m_profile.solving += watch.seconds();

@@ -36,9 +36,8 @@ HandLinearisation::HandLinearisation(const HandModel& hand, const SkinnedSurface
         m_worldFromRest.push_back(matrix);
     }
     const DofAxes axes = dofAxes(skeleton, pose);
-    for (int k = kRigidDofs; k < m_poseSize; ++k) {
+    for (int k = kRigidDofs; k < m_poseSize; ++k)
         m_dofBone.push_back(skeleton.dofs[static_cast<std::size_t>(k - kRigidDofs)].bone);
-    }
     for (int k = 0; k < m_poseSize; ++k) {
         m_axisX.push_back(axes.axisInWorld[k].x());
         m_axisY.push_back(axes.axisInWorld[k].y());
@@ -63,9 +62,8 @@ void HandLinearisation::addVertex(int vertex, double factor, Carried& carried) c
 }
 
 void HandLinearisation::carry(int vertexA, int vertexB, double t, Carried& carried) const {
-    for (auto* values : {&carried.x, &carried.y, &carried.z, &carried.weight}) {
+    for (auto* values : {&carried.x, &carried.y, &carried.z, &carried.weight})
         values->assign(m_parents.size(), 0.0);
-    }
     addVertex(vertexA, 1 - t, carried);
     addVertex(vertexB, t, carried);
     for (std::size_t b = m_parents.size(); b-- > 1;) {
@@ -116,9 +114,8 @@ void HandLinearisation::accumulate(const std::vector<RayCorrespondence>& corresp
         const Eigen::Vector3d offset = c.point - c.rayPoint;
         // Two orthonormal rows perpendicular to the ray: across the outline and along it.
         Eigen::Vector3d across = c.normal - c.normal.dot(c.rayDirection) * c.rayDirection;
-        if (across.squaredNorm() < 1e-12) {
+        if (across.squaredNorm() < 1e-12)
             across = c.rayDirection.unitOrthogonal();
-        }
         across.normalize();
         const Eigen::Vector3d along = c.rayDirection.cross(across);
         const double scaleAcross = std::sqrt(c.weight), scaleAlong = std::sqrt(c.weight * c.tangentWeight);
@@ -131,9 +128,8 @@ void HandLinearisation::accumulate(const std::vector<RayCorrespondence>& corresp
         }
         equations.sumSquaredMm2 += c.weight * (offset - offset.dot(c.rayDirection) * c.rayDirection).squaredNorm();
         ++equations.count;
-        if (used + 2 > kBlock) {
+        if (used + 2 > kBlock)
             flush();
-        }
     }
     flush();
     equations.hessian.triangularView<Eigen::StrictlyUpper>() = equations.hessian.transpose();

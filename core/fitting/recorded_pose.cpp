@@ -30,9 +30,8 @@ Pose closedFormStart(const Skeleton& skeleton, const std::vector<RigidMotion>& w
 } // namespace
 
 RecordedPoseFit fitRecordedPose(const Skeleton& skeleton, const std::vector<RigidMotion>& worldFromBone) {
-    if (worldFromBone.size() != skeleton.bones.size()) {
+    if (worldFromBone.size() != skeleton.bones.size())
         throw Error(ErrorCode::BadInput, "", "worldFromBone", "one pose per bone is expected");
-    }
     SolverOptions options;
     options.maxIterations = 30;
     options.minStep = 1e-9;
@@ -42,9 +41,8 @@ RecordedPoseFit fitRecordedPose(const Skeleton& skeleton, const std::vector<Rigi
     RecordedPoseFit fit{closedFormStart(skeleton, worldFromBone), {}};
     levenbergMarquardt(RecordedPoseProblem(skeleton, worldFromBone), options, fit.pose);
     const std::vector<Eigen::Vector3d> joints = jointPositions(skeleton, fit.pose);
-    for (std::size_t b = 0; b < joints.size(); ++b) {
+    for (std::size_t b = 0; b < joints.size(); ++b)
         fit.originErrorMm.push_back((joints[b] - worldFromBone[b].translation).norm());
-    }
     return fit;
 }
 

@@ -20,9 +20,8 @@ std::vector<std::vector<bool>> movedBones(const Skeleton& skeleton) {
     std::vector<std::vector<bool>> moved(skeleton.bones.size(), std::vector<bool>(skeleton.dofs.size(), false));
     for (std::size_t b = 1; b < skeleton.bones.size(); ++b) {
         moved[b] = moved[static_cast<std::size_t>(skeleton.bones[b].parent)];
-        for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
+        for (std::size_t d = 0; d < skeleton.dofs.size(); ++d)
             moved[b][d] = moved[b][d] || skeleton.dofs[d].bone == static_cast<int>(b);
-        }
     }
     return moved;
 }
@@ -42,7 +41,8 @@ Eigen::VectorXd RecordedPoseProblem::residuals(const Pose& pose) const {
         const Eigen::Vector3d end = bones[b] * endInBone(m_skeleton.bones[b]);
         residual.segment<3>(row) = bones[b].translation - m_recorded[b].translation;
         residual.segment<3>(row + 3) = end - m_recorded[b] * endInBone(m_skeleton.bones[b]);
-        residual.segment<3>(row + 6) = kRotationWeightMm * rotationLog(bones[b].rotation * m_recorded[b].rotation.transpose());
+        residual.segment<3>(row + 6) =
+            kRotationWeightMm * rotationLog(bones[b].rotation * m_recorded[b].rotation.transpose());
     }
     return residual;
 }

@@ -9,12 +9,12 @@
 
 namespace core {
 
-/// Recorded bone poses as a least-squares problem over poses. Nine residuals per bone b with recorded pose (R_b', o_b'):
-/// its origin o_b - o_b' (mm), its end e_b - e_b' (mm) and kRotationWeightMm log(R_b R_b'^T).
+/// Recorded bone poses as a least-squares problem over poses. Nine residuals per bone b with recorded pose (R_b',
+/// o_b'): its origin o_b - o_b' (mm), its end e_b - e_b' (mm) and kRotationWeightMm log(R_b R_b'^T).
 ///
-/// The Jacobian of origins and ends is exact. That of the rotation is w_k, the axis of degree of freedom k; exact would be
-/// J_l^-1(log(R_b R_b'^T)) w_k, J_l the left Jacobian of SO(3), which is I + O(angle): right where the bones fit, and
-/// near enough for descent elsewhere.
+/// The Jacobian of origins and ends is exact. That of the rotation is w_k, the axis of degree of freedom k; exact would
+/// be J_l^-1(log(R_b R_b'^T)) w_k, J_l the left Jacobian of SO(3), which is I + O(angle): right where the bones fit,
+/// and near enough for descent elsewhere.
 class RecordedPoseProblem {
 public:
     static constexpr double kRotationWeightMm = 5; ///< 1 rad of rotation counts as much as this many mm

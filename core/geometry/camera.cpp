@@ -40,9 +40,8 @@ Eigen::Vector2d distortFisheye(const Camera& camera, const Eigen::Vector2d& n, E
     const auto k = coefficients(camera);
     const double r = n.norm();
     if (r < 1e-12) {
-        if (jacobian) {
+        if (jacobian)
             jacobian->setIdentity();
-        }
         return n;
     }
     const double theta = std::atan(r), t2 = theta * theta;
@@ -59,7 +58,8 @@ Eigen::Vector2d distortFisheye(const Camera& camera, const Eigen::Vector2d& n, E
 } // namespace
 
 bool Camera::hasLens() const {
-    return fisheye || std::any_of(distortion.begin(), distortion.end(), [](double k) { return k != 0; });
+    return fisheye || std::any_of(
+                          distortion.begin(), distortion.end(), [](double k) { return k != 0; });
 }
 
 Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian) {
@@ -69,21 +69,18 @@ Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised,
 
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld) {
     const Eigen::Vector3d p = camera.cameraFromWorld * pointInWorld;
-    if (!(p.z() > 1e-9)) {
+    if (!(p.z() > 1e-9))
         return std::nullopt;
-    }
     Eigen::Vector2d n = p.head<2>() / p.z();
-    if (camera.hasLens()) {
+    if (camera.hasLens())
         n = distort(camera, n);
-    }
     return camera.intrinsics.topLeftCorner<2, 2>() * n + camera.intrinsics.topRightCorner<2, 1>();
 }
 
 std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen::Vector3d& pointInWorld) {
     const Eigen::Vector3d p = camera.cameraFromWorld * pointInWorld;
-    if (!(p.z() > 1e-9)) {
+    if (!(p.z() > 1e-9))
         return std::nullopt;
-    }
     const Eigen::Vector2d n = p.head<2>() / p.z();
     Matrix23d normalisedByPoint;
     normalisedByPoint << 1 / p.z(), 0, -n.x() / p.z(), 0, 1 / p.z(), -n.y() / p.z();
@@ -97,9 +94,8 @@ std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen:
 std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vector2d& px) {
     const Eigen::Vector2d target =
         camera.intrinsics.topLeftCorner<2, 2>().inverse() * (px - camera.intrinsics.topRightCorner<2, 1>());
-    if (!camera.hasLens()) {
+    if (!camera.hasLens())
         return target;
-    }
     Eigen::Vector2d n = target;
     if (camera.fisheye) {
         // Start from the inverse of the undistorted fisheye: r = tan(theta).
@@ -110,12 +106,10 @@ std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vect
     for (int i = 0; i < kMaxIterations; ++i) {
         Eigen::Matrix2d jacobian;
         const Eigen::Vector2d error = distort(camera, n, &jacobian) - target;
-        if (error.cwiseAbs().maxCoeff() < 1e-13) {
+        if (error.cwiseAbs().maxCoeff() < 1e-13)
             return n;
-        }
-        if (!(jacobian.determinant() > 1e-6)) {
+        if (!(jacobian.determinant() > 1e-6))
             return std::nullopt; // the lens model folds over here
-        }
         n -= jacobian.inverse() * error;
     }
     const double left = (distort(camera, n) - target).norm();
@@ -124,9 +118,8 @@ std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vect
 
 std::optional<PlueckerLine> viewingRay(const Camera& camera, const Eigen::Vector2d& px) {
     const auto n = undistort(camera, px);
-    if (!n) {
+    if (!n)
         return std::nullopt;
-    }
     const Eigen::Vector3d direction = camera.cameraFromWorld.rotation.transpose() * n->homogeneous();
     return PlueckerLine::through(camera.centreInWorld(), direction);
 }

@@ -30,9 +30,8 @@ std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras) 
     const AxisEquations equations = axisEquations(cameras);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(equations.normal);
     constexpr double kLeastSpread = 1e-4; // smallest eigenvalue per camera of axes about half a degree apart
-    if (solver.eigenvalues()[0] < kLeastSpread * static_cast<double>(cameras.size())) {
+    if (solver.eigenvalues()[0] < kLeastSpread * static_cast<double>(cameras.size()))
         return std::nullopt;
-    }
     return equations.normal.ldlt().solve(equations.right);
 }
 

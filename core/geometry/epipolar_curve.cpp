@@ -46,32 +46,32 @@ struct Stretch {
 
 /// Keeps the part of the stretch where a + s b >= 0.
 bool clip(Stretch& stretch, double a, double b) {
-    if (b > 0) {
+    if (b > 0)
         stretch.nearMm = std::max(stretch.nearMm, -a / b);
-    } else if (b < 0) {
+    else if (b < 0)
         stretch.farMm = std::min(stretch.farMm, -a / b);
-    } else if (a < 0) {
+    else if (a < 0)
         return false;
-    }
     return stretch.nearMm < stretch.farMm;
 }
 
-/// Clips origin + s direction (in the camera's frame) to the front of the camera and to the box; x/z >= low is linear in s.
+/// Clips origin + s direction (in the camera's frame) to the front of the camera and to the box; x/z >= low is linear
+/// in s.
 bool clipToView(Stretch& stretch, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, const Box& box) {
     constexpr double kNearestMm = 1e-3;
-    if (!clip(stretch, origin.z() - kNearestMm, direction.z())) {
+    if (!clip(stretch, origin.z() - kNearestMm, direction.z()))
         return false;
-    }
-    for (int axis = 0; axis < 2; ++axis) {
-        if (!clip(stretch, origin[axis] - box.low[axis] * origin.z(), direction[axis] - box.low[axis] * direction.z()) ||
-            !clip(stretch, box.high[axis] * origin.z() - origin[axis], box.high[axis] * direction.z() - direction[axis])) {
+    for (int axis = 0; axis < 2; ++axis)
+        if (!clip(stretch, origin[axis] - box.low[axis] * origin.z(),
+                  direction[axis] - box.low[axis] * direction.z()) ||
+            !clip(stretch, box.high[axis] * origin.z() - origin[axis],
+                  box.high[axis] * direction.z() - direction[axis]))
             return false;
-        }
-    }
     return true;
 }
 
-/// Distance along the ray at which its image has gone the share t of the way between two distances: even steps in the image.
+/// Distance along the ray at which its image has gone the share t of the way between two distances: even steps in the
+/// image.
 double distanceAt(const Stretch& stretch, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double t) {
     const double depthNear = origin.z() + stretch.nearMm * direction.z();
     const double depthFar = origin.z() + stretch.farMm * direction.z();
@@ -84,13 +84,11 @@ Eigen::Vector2d borderCrossing(const ImageSize& size, const Eigen::Vector2d& inn
     const Eigen::Vector2d low(-0.5, -0.5), high(size.width - 0.5, size.height - 0.5);
     const Eigen::Vector2d way = outer - inner;
     double t = 1;
-    for (int axis = 0; axis < 2; ++axis) {
-        if (way[axis] > 0) {
+    for (int axis = 0; axis < 2; ++axis)
+        if (way[axis] > 0)
             t = std::min(t, (high[axis] - inner[axis]) / way[axis]);
-        } else if (way[axis] < 0) {
+        else if (way[axis] < 0)
             t = std::min(t, (low[axis] - inner[axis]) / way[axis]);
-        }
-    }
     return inner + std::max(0.0, t) * way;
 }
 
@@ -99,9 +97,8 @@ Polyline cutAtBorder(const Polyline& line, const ImageSize& size) {
     Polyline cut;
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (isInside(size, line[i])) {
-            if (cut.empty() && i > 0) {
+            if (cut.empty() && i > 0)
                 cut.push_back(borderCrossing(size, line[i], line[i - 1]));
-            }
             cut.push_back(line[i]);
         } else if (!cut.empty()) {
             cut.push_back(borderCrossing(size, line[i - 1], line[i]));
@@ -130,14 +127,12 @@ Polyline epipolarCurve(const Camera& from, const Eigen::Vector2d& px, const Came
     const auto ray = viewingRay(from, px);
     const Eigen::Vector3d origin = to.cameraFromWorld * from.centreInWorld();
     constexpr double kSameCentreMm = 1e-6;
-    if (!ray || origin.norm() < kSameCentreMm) {
+    if (!ray || origin.norm() < kSameCentreMm)
         return {};
-    }
     const Eigen::Vector3d direction = to.cameraFromWorld.rotation * ray->direction;
     Stretch stretch{range.nearMm, range.farMm};
-    if (!clipToView(stretch, origin, direction, visibleBox(to))) {
+    if (!clipToView(stretch, origin, direction, visibleBox(to)))
         return {};
-    }
     constexpr int kSegments = 64;
     return cutAtBorder(sample(to, stretch, origin, direction, kSegments), to.size);
 }
@@ -149,9 +144,8 @@ std::optional<Eigen::Vector2d> nearestOnPolyline(const Polyline& polyline, const
         const double length2 = way.squaredNorm();
         const double t = length2 > 0 ? std::clamp(way.dot(px - polyline[i - 1]) / length2, 0.0, 1.0) : 0.0;
         const Eigen::Vector2d candidate = polyline[i - 1] + t * way;
-        if (!nearest || (candidate - px).squaredNorm() < (*nearest - px).squaredNorm()) {
+        if (!nearest || (candidate - px).squaredNorm() < (*nearest - px).squaredNorm())
             nearest = candidate;
-        }
     }
     return nearest;
 }

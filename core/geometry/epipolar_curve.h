@@ -19,10 +19,10 @@ struct RayRange {
     double farMm = 1e7;
 };
 
-/// The viewing ray of `px` in camera `from` as camera `to` records it: bent by the lens of `to`, any direction (vertical
-/// too), cut at the border of its image (half a pixel outside the outermost centres). Points run from near to far and lie
-/// at most 1/48 of the visible part apart. Empty if `to` does not see the ray, if the lens cannot be inverted at `px`, or
-/// if both cameras have the same centre.
+/// The viewing ray of `px` in camera `from` as camera `to` records it: bent by the lens of `to`, any direction
+/// (vertical too), cut at the border of its image (half a pixel outside the outermost centres). Points run from near to
+/// far and lie at most 1/48 of the visible part apart. Empty if `to` does not see the ray, if the lens cannot be
+/// inverted at `px`, or if both cameras have the same centre.
 Polyline epipolarCurve(const Camera& from, const Eigen::Vector2d& px, const Camera& to, const RayRange& range = {});
 
 /// The point of the polyline that is nearest to `px`; nothing if it has fewer than two points.

@@ -30,9 +30,8 @@ struct RotationCoefficients {
 };
 
 RotationCoefficients rotationCoefficients(double angleSquared) {
-    if (angleSquared < 1e-8) {
+    if (angleSquared < 1e-8)
         return {1.0 - angleSquared / 6.0, 0.5 - angleSquared / 24.0, 1.0 / 6.0 - angleSquared / 120.0};
-    }
     const double angle = std::sqrt(angleSquared);
     const double half = std::sin(0.5 * angle);
     return {std::sin(angle) / angle, 2.0 * half * half / angleSquared,
@@ -51,13 +50,11 @@ Eigen::Vector3d rotationLog(const Eigen::Matrix3d& rotation) {
     // The quaternion's vector part is well conditioned everywhere, its scalar part decides the angle.
     Eigen::Quaterniond q(rotation);
     q.normalize();
-    if (q.w() < 0) {
+    if (q.w() < 0)
         q.coeffs() = -q.coeffs();
-    }
     const double sine = q.vec().norm();
-    if (sine < 1e-12) {
+    if (sine < 1e-12)
         return 2.0 * q.vec();
-    }
     return q.vec() * (2.0 * std::atan2(sine, q.w()) / sine);
 }
 
@@ -83,9 +80,8 @@ bool isRotation(const Eigen::Matrix3d& rotation, double tolerance) {
 }
 
 std::optional<Eigen::Matrix3d> nearestRotation(const Eigen::Matrix3d& matrix, double tolerance) {
-    if (!isRotation(matrix, tolerance)) {
+    if (!isRotation(matrix, tolerance))
         return std::nullopt;
-    }
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
     return svd.matrixU() * svd.matrixV().transpose();
 }

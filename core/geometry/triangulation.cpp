@@ -58,9 +58,8 @@ double truncatedCost(const std::vector<View>& views, const Eigen::Vector3d& poin
     double cost = 0;
     for (const View& view : views) {
         cost += view.weight * std::min(squaredResidual(view, point), view.gatePx2);
-        if (cost > enough) {
+        if (cost > enough)
             break;
-        }
     }
     return cost;
 }
@@ -76,9 +75,8 @@ template <typename Chosen>
 Normal normalEquations(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vector3d& point) {
     Normal normal;
     for (std::size_t i = 0; i < views.size(); ++i) {
-        if (!chosen(i)) {
+        if (!chosen(i))
             continue;
-        }
         const View& view = views[i];
         const auto projection = projectWithJacobian(*view.camera, point);
         if (!projection) {
@@ -97,43 +95,37 @@ Normal normalEquations(const std::vector<View>& views, Chosen&& chosen, const Ei
 template <typename Chosen>
 double costOf(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vector3d& point) {
     double cost = 0;
-    for (std::size_t i = 0; i < views.size(); ++i) {
-        if (chosen(i)) {
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (chosen(i))
             cost += views[i].weight * squaredResidual(views[i], point);
-        }
-    }
     return cost;
 }
 
-/// Gauss-Newton with halved steps over the chosen views; nothing if `start` is not in front of all of them or the views leave
-/// a direction open. Ends when a step is below 1e-6 mm or no longer lowers the cost.
+/// Gauss-Newton with halved steps over the chosen views; nothing if `start` is not in front of all of them or the views
+/// leave a direction open. Ends when a step is below 1e-6 mm or no longer lowers the cost.
 template <typename Chosen>
 std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vector3d& start,
                                       int maxIterations) {
     Eigen::Vector3d point = start;
     for (int iteration = 0; iteration < maxIterations; ++iteration) {
         const Normal normal = normalEquations(views, chosen, point);
-        if (!std::isfinite(normal.cost)) {
+        if (!std::isfinite(normal.cost))
             return std::nullopt;
-        }
         const Eigen::LDLT<Eigen::Matrix3d> solver(normal.hessian);
         Eigen::Vector3d step = -solver.solve(normal.gradient);
-        if (solver.info() != Eigen::Success || !step.allFinite()) {
+        if (solver.info() != Eigen::Success || !step.allFinite())
             return std::nullopt;
-        }
         constexpr double kSmallestStepMm = 1e-6; // the error left is smaller still: the steps shrink fast
-        if (step.norm() < kSmallestStepMm) {
+        if (step.norm() < kSmallestStepMm)
             return point + step;
-        }
         constexpr int kMaxHalvings = 12;
         int halvings = 0;
         while (costOf(views, chosen, point + step) > normal.cost && halvings < kMaxHalvings) {
             step *= 0.5;
             ++halvings;
         }
-        if (halvings == kMaxHalvings) {
+        if (halvings == kMaxHalvings)
             return point; // no step lowers the cost: this is the minimum to rounding
-        }
         point += step;
     }
     return point;
@@ -144,19 +136,19 @@ std::optional<Eigen::Vector3d> midpoint(const View& a, const View& b) {
     const Eigen::Vector3d between = b.centre - a.centre;
     const double cosine = a.direction.dot(b.direction);
     const double sine2 = 1 - cosine * cosine;
-    if (!(sine2 > 1e-14)) {
+    if (!(sine2 > 1e-14))
         return std::nullopt;
-    }
     const double alongA = between.dot(a.direction), alongB = between.dot(b.direction);
     const double depthA = (alongA - cosine * alongB) / sine2;
     const double depthB = (cosine * alongA - alongB) / sine2;
-    if (!(depthA > 0) || !(depthB > 0)) {
+    if (!(depthA > 0) || !(depthB > 0))
         return std::nullopt;
-    }
     return 0.5 * (a.centre + depthA * a.direction + b.centre + depthB * b.direction);
 }
 
-double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 /// What the pairs of views proposed: the best point, or why there is none.
 struct Proposal {
@@ -173,16 +165,14 @@ Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& op
     double bestCost = kUnseen;
     const auto atLeast = [&best](std::string_view reason) {
         // The further a pair came, the better it explains why there is no answer.
-        if (!best.point && best.reason != kBehindCamera) {
+        if (!best.point && best.reason != kBehindCamera)
             best.reason = reason;
-        }
     };
     for (std::size_t i = 0; i < views.size(); ++i) {
         for (std::size_t j = i + 1; j < views.size(); ++j) {
             const View &a = views[i], &b = views[j];
-            if (a.cameraIndex == b.cameraIndex) {
+            if (a.cameraIndex == b.cameraIndex)
                 continue;
-            }
             if (!a.hasRay || !b.hasRay) {
                 atLeast(kOutsideLensModel);
                 continue;
@@ -213,9 +203,8 @@ Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& op
 
 std::vector<bool> inliersOf(const std::vector<View>& views, const Eigen::Vector3d& point) {
     std::vector<bool> inlier(views.size());
-    for (std::size_t i = 0; i < views.size(); ++i) {
+    for (std::size_t i = 0; i < views.size(); ++i)
         inlier[i] = squaredResidual(views[i], point) <= views[i].gatePx2;
-    }
     return inlier;
 }
 
@@ -241,13 +230,12 @@ std::optional<Eigen::Vector3d> settle(const std::vector<View>& views, Eigen::Vec
     double bestCost = truncatedCost(views, point);
     constexpr int kMaxRounds = 10;
     for (int round = 0; round < kMaxRounds; ++round) {
-        if (std::count(inlier.begin(), inlier.end(), true) < 2) {
+        if (std::count(inlier.begin(), inlier.end(), true) < 2)
             return std::nullopt;
-        }
-        const auto refined = refine(views, [&](std::size_t k) { return inlier[k]; }, point, options.maxIterations);
-        if (!refined) {
+        const auto refined = refine(
+            views, [&](std::size_t k) { return inlier[k]; }, point, options.maxIterations);
+        if (!refined)
             break;
-        }
         point = *refined;
         const double cost = truncatedCost(views, point);
         if (cost <= bestCost) {
@@ -255,15 +243,15 @@ std::optional<Eigen::Vector3d> settle(const std::vector<View>& views, Eigen::Vec
             best = point;
         }
         std::vector<bool> next = inliersOf(views, point);
-        if (next == inlier) {
+        if (next == inlier)
             return point;
-        }
         inlier = std::move(next);
     }
     return best;
 }
 
-TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>& inlier, const Eigen::Vector3d& point) {
+TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>& inlier,
+                         const Eigen::Vector3d& point) {
     TriangulatedPoint result;
     result.pointInWorld = point;
     result.inlier = inlier;
@@ -278,7 +266,9 @@ TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>
         }
     }
     result.rmsPx = std::sqrt(sum / used);
-    result.covariance = normalEquations(views, [&](std::size_t k) { return inlier[k]; }, point).hessian.inverse();
+    result.covariance = normalEquations(
+                            views, [&](std::size_t k) { return inlier[k]; }, point)
+                            .hessian.inverse();
     return result;
 }
 
@@ -288,13 +278,11 @@ TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::v
                                 const TriangulationOptions& options) {
     const std::vector<View> views = prepare(cameras, observations, options);
     const Proposal proposal = bestPair(views, options);
-    if (!proposal.point) {
+    if (!proposal.point)
         return {std::nullopt, std::string(proposal.reason)};
-    }
     const auto point = settle(views, *proposal.point, options);
-    if (!point) {
+    if (!point)
         return {std::nullopt, std::string(kViewsDisagree)};
-    }
     const std::vector<bool> inlier = inliersOf(views, *point);
     if (!(widestAngle(views, inlier, *point) >= options.minAngleRad)) {
         // Too few inliers, or all of one camera, or all from one direction.
@@ -304,7 +292,8 @@ TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::v
     return {report(views, inlier, *point), {}};
 }
 
-Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
+Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras,
+                                         const std::vector<Observation>& observations,
                                          const Eigen::Vector3d& pointInWorld, double sigmaPx) {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     for (const Observation& observation : observations) {
@@ -318,10 +307,12 @@ Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras, con
     return information;
 }
 
-std::optional<Eigen::Vector3d> refinePoint(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
-                                           const Eigen::Vector3d& start, const TriangulationOptions& options) {
+std::optional<Eigen::Vector3d> refinePoint(const std::vector<Camera>& cameras,
+                                           const std::vector<Observation>& observations, const Eigen::Vector3d& start,
+                                           const TriangulationOptions& options) {
     const std::vector<View> views = prepare(cameras, observations, options);
-    return refine(views, [](std::size_t) { return true; }, start, options.maxIterations);
+    return refine(
+        views, [](std::size_t) { return true; }, start, options.maxIterations);
 }
 
 } // namespace core

@@ -12,7 +12,8 @@
 
 namespace core {
 
-/// A click: which camera (index into the camera list) and the recorded pixel. A camera may occur more than once (raters).
+/// A click: which camera (index into the camera list) and the recorded pixel. A camera may occur more than once
+/// (raters).
 struct Observation {
     int camera = 0;
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
@@ -20,19 +21,19 @@ struct Observation {
 };
 
 struct TriangulationOptions {
-    double sigmaPx = 1.0;           ///< standard deviation of a click per axis, px
-    double outlierFactor = 4.0;     ///< an observation is an outlier if its residual > outlierFactor * its sigmaPx
-    double minAngleRad = 0.0175;    ///< widest angle between two rays below which there is no answer (1 degree)
+    double sigmaPx = 1.0;        ///< standard deviation of a click per axis, px
+    double outlierFactor = 4.0;  ///< an observation is an outlier if its residual > outlierFactor * its sigmaPx
+    double minAngleRad = 0.0175; ///< widest angle between two rays below which there is no answer (1 degree)
     int maxIterations = 20;
 };
 
 /// A point from clicks in N views. rmsPx and covariance are over the inliers only.
 struct TriangulatedPoint {
-    Eigen::Vector3d pointInWorld = Eigen::Vector3d::Zero();  ///< mm
+    Eigen::Vector3d pointInWorld = Eigen::Vector3d::Zero();   ///< mm
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity(); ///< (sum J^T J / sigma^2)^-1, mm^2
-    double rmsPx = 0;               ///< root mean square pixel distance over the views used
-    std::vector<double> residualPx; ///< distance per observation, px, outliers too
-    std::vector<bool> inlier;       ///< per observation
+    double rmsPx = 0;                                         ///< root mean square pixel distance over the views used
+    std::vector<double> residualPx;                           ///< distance per observation, px, outliers too
+    std::vector<bool> inlier;                                 ///< per observation
 };
 
 /// Why there is no point: the whole set of phrases that TriangulationResult.reason can hold.
@@ -42,26 +43,29 @@ inline constexpr std::string_view kRaysNearlyParallel = "rays are nearly paralle
 inline constexpr std::string_view kBehindCamera = "the rays meet behind a camera";
 inline constexpr std::string_view kViewsDisagree = "views disagree";
 
-/// Either a point, or why there is none (one of the English phrases above, translated by the window; empty with a point).
+/// Either a point, or why there is none (one of the English phrases above, translated by the window; empty with a
+/// point).
 struct TriangulationResult {
     std::optional<TriangulatedPoint> point;
     std::string reason;
 };
 
-/// Robust N-view triangulation: every pair of views proposes a point, MSAC in recorded pixels chooses, Gauss-Newton over
-/// the inliers refines what is reported (distorted pixels). Deterministic: all pairs, no sampling. Clicks that the lens model
-/// cannot invert propose nothing but are judged like the others. No answer if fewer than two views agree.
+/// Robust N-view triangulation: every pair of views proposes a point, MSAC in recorded pixels chooses, Gauss-Newton
+/// over the inliers refines what is reported (distorted pixels). Deterministic: all pairs, no sampling. Clicks that the
+/// lens model cannot invert propose nothing but are judged like the others. No answer if fewer than two views agree.
 TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
                                 const TriangulationOptions& options = {});
 
-/// Sum of J^T J / sigma^2 over the cameras that `observations` name, at a point (1/mm^2): the inverse of its covariance.
-/// Cameras behind whose plane the point lies add nothing. The pixels are not used.
-Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
+/// Sum of J^T J / sigma^2 over the cameras that `observations` name, at a point (1/mm^2): the inverse of its
+/// covariance. Cameras behind whose plane the point lies add nothing. The pixels are not used.
+Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras,
+                                         const std::vector<Observation>& observations,
                                          const Eigen::Vector3d& pointInWorld, double sigmaPx);
 
-/// The point that minimises the summed squared residuals (over sigma) of all given observations, from `start`: no outliers are
-/// sought. Empty if it leaves the front of a camera or the observations do not fix it.
-std::optional<Eigen::Vector3d> refinePoint(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
-                                           const Eigen::Vector3d& start, const TriangulationOptions& options = {});
+/// The point that minimises the summed squared residuals (over sigma) of all given observations, from `start`: no
+/// outliers are sought. Empty if it leaves the front of a camera or the observations do not fix it.
+std::optional<Eigen::Vector3d> refinePoint(const std::vector<Camera>& cameras,
+                                           const std::vector<Observation>& observations, const Eigen::Vector3d& start,
+                                           const TriangulationOptions& options = {});
 
 } // namespace core

@@ -12,9 +12,8 @@ namespace {
 /// worldFromBone(pose) * boneFromWorld(rest) of every bone.
 std::vector<RigidMotion> skinningTransforms(const Skeleton& skeleton, const Pose& pose) {
     std::vector<RigidMotion> transforms = boneTransforms(skeleton, pose);
-    for (std::size_t b = 0; b < transforms.size(); ++b) {
+    for (std::size_t b = 0; b < transforms.size(); ++b)
         transforms[b] = transforms[b] * inverse(skeleton.bones[b].worldFromBoneAtRest);
-    }
     return transforms;
 }
 
@@ -67,16 +66,13 @@ SkinWeights compressedWeights(const SkinWeights& weights, int maxPerVertex, doub
                                      weights.entries.begin() + weights.firstEntry[v + 1]);
         std::stable_sort(kept.begin(), kept.end(),
                          [](const SkinWeight& a, const SkinWeight& b) { return a.weight > b.weight; });
-        while (kept.size() > 1 && (static_cast<int>(kept.size()) > maxPerVertex || kept.back().weight < threshold)) {
+        while (kept.size() > 1 && (static_cast<int>(kept.size()) > maxPerVertex || kept.back().weight < threshold))
             kept.pop_back();
-        }
         double sum = 0;
-        for (const SkinWeight& w : kept) {
+        for (const SkinWeight& w : kept)
             sum += w.weight;
-        }
-        for (const SkinWeight& w : kept) {
+        for (const SkinWeight& w : kept)
             result.entries.push_back({w.bone, w.weight / sum});
-        }
         result.firstEntry.push_back(static_cast<int>(result.entries.size()));
     }
     return result;
@@ -88,9 +84,8 @@ double meanJointDistanceMm(const std::vector<HandModel>& hands, const HandPoses&
     for (std::size_t h = 0; h < hands.size(); ++h) {
         const auto jointsA = jointPositions(hands[h].skeleton, a[h]);
         const auto jointsB = jointPositions(hands[h].skeleton, b[h]);
-        for (std::size_t j = 0; j < jointsA.size(); ++j) {
+        for (std::size_t j = 0; j < jointsA.size(); ++j)
             sum += (jointsA[j] - jointsB[j]).norm();
-        }
         count += jointsA.size();
     }
     return count ? sum / static_cast<double>(count) : 0;

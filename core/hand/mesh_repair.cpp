@@ -18,9 +18,8 @@ Row rowOf(const SkinWeights& weights, int vertex) {
 }
 
 void appendRow(SkinWeights& weights, const Row& row) {
-    if (weights.firstEntry.empty()) {
+    if (weights.firstEntry.empty())
         weights.firstEntry.push_back(0);
-    }
     weights.entries.insert(weights.entries.end(), row.begin(), row.end());
     weights.firstEntry.push_back(static_cast<int>(weights.entries.size()));
 }
@@ -28,16 +27,13 @@ void appendRow(SkinWeights& weights, const Row& row) {
 /// Largest difference of a bone's weight between two rows.
 double rowDifference(const Row& a, const Row& b) {
     std::map<int, double> difference;
-    for (const SkinWeight& w : a) {
+    for (const SkinWeight& w : a)
         difference[w.bone] += w.weight;
-    }
-    for (const SkinWeight& w : b) {
+    for (const SkinWeight& w : b)
         difference[w.bone] -= w.weight;
-    }
     double largest = 0;
-    for (const auto& [bone, value] : difference) {
+    for (const auto& [bone, value] : difference)
         largest = std::max(largest, std::abs(value));
-    }
     return largest;
 }
 
@@ -81,17 +77,13 @@ std::vector<int> twins(const WeightedSurface& surface, double toleranceMm) {
 /// Borders of holes, each in the order in which its edges run; only loops that pass every vertex once.
 std::vector<std::vector<int>> borderLoops(const std::vector<std::array<int, 3>>& triangles) {
     std::set<std::pair<int, int>> directed;
-    for (const auto& t : triangles) {
-        for (int k = 0; k < 3; ++k) {
+    for (const auto& t : triangles)
+        for (int k = 0; k < 3; ++k)
             directed.insert({t[k], t[(k + 1) % 3]});
-        }
-    }
     std::multimap<int, int> next;
-    for (const auto& [a, b] : directed) {
-        if (!directed.count({b, a})) {
+    for (const auto& [a, b] : directed)
+        if (!directed.count({b, a}))
             next.insert({a, b});
-        }
-    }
     std::vector<std::vector<int>> loops;
     std::set<int> seen;
     for (const auto& [start, ignored] : next) {
@@ -101,9 +93,8 @@ std::vector<std::vector<int>> borderLoops(const std::vector<std::array<int, 3>>&
             loop.push_back(at);
             at = next.find(at)->second;
         }
-        if (loop.size() >= 3 && at == start) {
+        if (loop.size() >= 3 && at == start)
             loops.push_back(std::move(loop));
-        }
     }
     return loops;
 }
@@ -117,13 +108,11 @@ WeightedSurface welded(const WeightedSurface& surface, double toleranceMm) {
     WeightedSurface result{{}, {{0}, {}}};
     for (const auto& t : surface.mesh.triangles) {
         std::array<int, 3> triangle{twin[t[0]], twin[t[1]], twin[t[2]]};
-        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) {
+        if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
             continue;
-        }
         std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-        if (!known.insert(triangle).second) {
+        if (!known.insert(triangle).second)
             continue;
-        }
         for (int& v : triangle) {
             if (newIndex[v] < 0) {
                 newIndex[v] = static_cast<int>(result.mesh.vertices.size());
@@ -145,20 +134,17 @@ WeightedSurface withHolesClosed(const WeightedSurface& surface) {
         std::map<int, double> weights;
         for (const int v : loop) {
             middle += share * surface.mesh.vertices[v];
-            for (const SkinWeight& w : rowOf(surface.weights, v)) {
+            for (const SkinWeight& w : rowOf(surface.weights, v))
                 weights[w.bone] += share * w.weight;
-            }
         }
         const int centre = static_cast<int>(result.mesh.vertices.size());
         result.mesh.vertices.push_back(middle);
         Row row;
-        for (const auto& [bone, weight] : weights) {
+        for (const auto& [bone, weight] : weights)
             row.push_back({bone, weight});
-        }
         appendRow(result.weights, row);
-        for (std::size_t i = 0; i < loop.size(); ++i) { // against the border's direction, as a neighbour's edge runs
+        for (std::size_t i = 0; i < loop.size(); ++i) // against the border's direction, as a neighbour's edge runs
             result.mesh.triangles.push_back({loop[(i + 1) % loop.size()], loop[i], centre});
-        }
     }
     return result;
 }

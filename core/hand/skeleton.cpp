@@ -5,24 +5,22 @@
 
 namespace core {
 
-std::string_view sideName(Side side) { return side == Side::Left ? "left" : "right"; }
+std::string_view sideName(Side side) {
+    return side == Side::Left ? "left" : "right";
+}
 
 std::optional<Side> sideFromName(std::string_view name) {
-    if (name == "left") {
+    if (name == "left")
         return Side::Left;
-    }
-    if (name == "right") {
+    if (name == "right")
         return Side::Right;
-    }
     return std::nullopt;
 }
 
 int Skeleton::boneIndex(std::string_view name) const {
-    for (std::size_t i = 0; i < bones.size(); ++i) {
-        if (bones[i].name == name) {
+    for (std::size_t i = 0; i < bones.size(); ++i)
+        if (bones[i].name == name)
             return static_cast<int>(i);
-        }
-    }
     return -1;
 }
 
@@ -62,22 +60,21 @@ std::vector<RigidMotion> walk(const Skeleton& skeleton, const Pose& pose, VisitD
 } // namespace
 
 std::vector<RigidMotion> boneTransforms(const Skeleton& skeleton, const Pose& pose) {
-    return walk(skeleton, pose, [](std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&) {});
+    return walk(
+        skeleton, pose, [](std::size_t, const Eigen::Vector3d&, const Eigen::Vector3d&) {});
 }
 
 std::vector<Eigen::Vector3d> jointPositions(const Skeleton& skeleton, const Pose& pose) {
     std::vector<Eigen::Vector3d> joints;
     joints.reserve(skeleton.bones.size());
-    for (const RigidMotion& worldFromBone : boneTransforms(skeleton, pose)) {
+    for (const RigidMotion& worldFromBone : boneTransforms(skeleton, pose))
         joints.push_back(worldFromBone.translation);
-    }
     return joints;
 }
 
 Pose retract(const Pose& pose, const Eigen::VectorXd& step) {
     Pose result = pose + step;
-    result.segment<3>(3) =
-        rotationLog(rotationExp(step.segment<3>(3)) * rotationExp(pose.segment<3>(3)));
+    result.segment<3>(3) = rotationLog(rotationExp(step.segment<3>(3)) * rotationExp(pose.segment<3>(3)));
     return result;
 }
 

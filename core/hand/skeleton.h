@@ -14,22 +14,22 @@ namespace core {
 
 /// Left or right hand.
 enum class Side { Left, Right };
-std::string_view sideName(Side side);                     ///< "left", "right"
+std::string_view sideName(Side side); ///< "left", "right"
 std::optional<Side> sideFromName(std::string_view name);
 
 /// A rigid part of the hand. Its origin is the joint `name` (wrist, index_mcp, ..., see design).
 struct Bone {
     std::string name;
-    int parent = -1;                ///< index of the parent, smaller than the own index; -1 for the root (index 0)
+    int parent = -1;                 ///< index of the parent, smaller than the own index; -1 for the root (index 0)
     RigidMotion worldFromBoneAtRest; ///< pose in the rigging pose, in the mesh's frame, mm
     double lengthMm = 0;
 };
 
 /// A rotation of one bone about an axis fixed in that bone.
 struct DegreeOfFreedom {
-    std::string name;             ///< for people and rig files, such as "index_mcp.flexion"
-    int bone = 0;                 ///< index of the bone that it turns (never the root)
-    Eigen::Vector3d axisInBone;   ///< unit vector in the bone's own frame
+    std::string name;           ///< for people and rig files, such as "index_mcp.flexion"
+    int bone = 0;               ///< index of the bone that it turns (never the root)
+    Eigen::Vector3d axisInBone; ///< unit vector in the bone's own frame
     double minRad = 0;
     double maxRad = 0;
 };
@@ -44,7 +44,7 @@ inline constexpr int kRigidDofs = 6;
 /// The root: worldFromRoot(pose) = Translate(centre + pose[0..2]) * exp(pose[3..5]) * Translate(-centre) * rest.
 struct Skeleton {
     std::vector<Bone> bones;
-    std::vector<DegreeOfFreedom> dofs; ///< grouped by bone, bones in ascending order
+    std::vector<DegreeOfFreedom> dofs;                      ///< grouped by bone, bones in ascending order
     Eigen::Vector3d centreAtRest = Eigen::Vector3d::Zero(); ///< about which the whole hand turns
 
     int poseSize() const { return kRigidDofs + static_cast<int>(dofs.size()); }
@@ -61,8 +61,8 @@ std::vector<Eigen::Vector3d> jointPositions(const Skeleton& skeleton, const Pose
 /// pose moved by a tangent step: translation adds, exp(step[3..5]) multiplies the rotation from the left, angles add.
 Pose retract(const Pose& pose, const Eigen::VectorXd& step);
 
-/// Axis (unit) and a point on it, in the world, of every tangent direction; for the first three the axis is the direction
-/// of translation and the point is unused.
+/// Axis (unit) and a point on it, in the world, of every tangent direction; for the first three the axis is the
+/// direction of translation and the point is unused.
 struct DofAxes {
     std::vector<Eigen::Vector3d> axisInWorld;
     std::vector<Eigen::Vector3d> pointInWorld;

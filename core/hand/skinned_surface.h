@@ -11,14 +11,14 @@
 namespace core {
 
 /// A hand's surface prepared for many poses: a subset of the mesh's vertices with unit normals, in single precision and
-/// row-compressed weights. A coarser level keeps the surface's shape with fewer vertices (edge collapse onto vertices that
-/// exist, so weights and normals are those of the full mesh).
+/// row-compressed weights. A coarser level keeps the surface's shape with fewer vertices (edge collapse onto vertices
+/// that exist, so weights and normals are those of the full mesh).
 struct SkinnedSurface {
     std::vector<Eigen::Vector3f> restPositions; ///< mm
     std::vector<Eigen::Vector3f> restNormals;   ///< unit, outward
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<int, 2>> edges;
-    std::vector<int> firstWeight;               ///< as SkinWeights::firstEntry
+    std::vector<int> firstWeight; ///< as SkinWeights::firstEntry
     std::vector<int> weightBone;
     std::vector<float> weightValue;
 

@@ -16,9 +16,8 @@ std::vector<Eigen::Vector3d> vertexNormals(const std::vector<Eigen::Vector3d>& v
         normals[b] += areaNormal;
         normals[c] += areaNormal;
     }
-    for (Eigen::Vector3d& normal : normals) {
+    for (Eigen::Vector3d& normal : normals)
         normal.normalize();
-    }
     return normals;
 }
 
@@ -45,20 +44,18 @@ std::vector<MeshEdge> meshEdges(const std::vector<std::array<int, 3>>& triangles
     edges.reserve(halves.size() / 2);
     for (const HalfEdge& half : halves) {
         MeshEdge* last = edges.empty() ? nullptr : &edges.back();
-        if (last && last->vertexA == half.low && last->vertexB == half.high && last->triangleB < 0) {
+        if (last && last->vertexA == half.low && last->vertexB == half.high && last->triangleB < 0)
             last->triangleB = half.triangle;
-        } else {
+        else
             edges.push_back({half.low, half.high, half.triangle, -1});
-        }
     }
     return edges;
 }
 
 double signedVolume(const TriangleMesh& mesh) {
     double sixfold = 0;
-    for (const auto& [a, b, c] : mesh.triangles) {
+    for (const auto& [a, b, c] : mesh.triangles)
         sixfold += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
-    }
     return sixfold / 6;
 }
 

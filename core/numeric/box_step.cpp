@@ -55,9 +55,8 @@ public:
                 strongest = k;
             }
         }
-        if (strongest >= 0) {
+        if (strongest >= 0)
             m_bounds[static_cast<std::size_t>(strongest)] = Bound::Free;
-        }
         return strongest >= 0;
     }
 
@@ -75,9 +74,8 @@ public:
             }
         }
         m_step += fraction * way;
-        if (first >= 0) {
+        if (first >= 0)
             hold(first, way[first] < 0 ? Bound::Lower : Bound::Upper);
-        }
         return first < 0;
     }
 
@@ -127,9 +125,8 @@ Eigen::VectorXd boxConstrainedStep(const Eigen::MatrixXd& hessian, const Eigen::
     const Eigen::Index mostRounds = 20 * gradient.size() + 100;
     bool atMinimum = true;
     for (Eigen::Index round = 0; round < mostRounds; ++round) {
-        if (atMinimum && !set.releaseOne()) {
+        if (atMinimum && !set.releaseOne())
             break;
-        }
         atMinimum = set.advance();
     }
     return set.step().cwiseMax(lower).cwiseMin(upper);

@@ -13,10 +13,11 @@
 
 namespace core {
 
-/// A nonlinear least-squares problem: cost(x) = 1/2 |r(x)|^2. x may live on a manifold: a step is a tangent vector at x.
-/// linearise() gives H = J^T J and g = J^T r, J the derivative of r(retract(x, step)) by the step at 0.
+/// A nonlinear least-squares problem: cost(x) = 1/2 |r(x)|^2. x may live on a manifold: a step is a tangent vector at
+/// x. linearise() gives H = J^T J and g = J^T r, J the derivative of r(retract(x, step)) by the step at 0.
 template <typename P>
-concept LeastSquaresProblem = requires(const P& problem, const Eigen::VectorXd& x, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) {
+concept LeastSquaresProblem = requires(const P& problem, const Eigen::VectorXd& x, Eigen::MatrixXd& hessian,
+                                       Eigen::VectorXd& gradient) {
     { problem.cost(x) } -> std::convertible_to<double>;
     problem.linearise(x, hessian, gradient);
     { problem.retract(x, x) } -> std::convertible_to<Eigen::VectorXd>;
@@ -68,7 +69,8 @@ struct SolverSummary {
 
 /// The step that minimises the damped linearised problem, within its box if it has one.
 template <LeastSquaresProblem P>
-Eigen::VectorXd dampedStep(const P& problem, const Eigen::VectorXd& x, const Eigen::MatrixXd& damped, const Eigen::VectorXd& gradient) {
+Eigen::VectorXd dampedStep(const P& problem, const Eigen::VectorXd& x, const Eigen::MatrixXd& damped,
+                           const Eigen::VectorXd& gradient) {
     if constexpr (BoxedProblem<P>) {
         const StepBox box = problem.stepBox(x);
         return boxConstrainedStep(damped, gradient, box.lower, box.upper);
@@ -77,8 +79,8 @@ Eigen::VectorXd dampedStep(const P& problem, const Eigen::VectorXd& x, const Eig
     }
 }
 
-/// Minimises the problem's cost from x on (Levenberg 1944, Marquardt 1963, with Marquardt's scaling of the damping by diag(H)).
-/// A step is taken only if the cost does not rise, so x never gets worse.
+/// Minimises the problem's cost from x on (Levenberg 1944, Marquardt 1963, with Marquardt's scaling of the damping by
+/// diag(H)). A step is taken only if the cost does not rise, so x never gets worse.
 template <LeastSquaresProblem P>
 SolverSummary levenbergMarquardt(const P& problem, const SolverOptions& options, Eigen::VectorXd& x) {
     SolverSummary summary;

@@ -11,9 +11,8 @@ namespace {
 
 /// Slope at an inner sample: the weighted harmonic mean of both sides' secants, 0 at a local extremum.
 double innerSlope(double widthBefore, double widthAfter, double secantBefore, double secantAfter) {
-    if (secantBefore * secantAfter <= 0) {
+    if (secantBefore * secantAfter <= 0)
         return 0;
-    }
     const double weightBefore = 2 * widthAfter + widthBefore;
     const double weightAfter = widthAfter + 2 * widthBefore;
     return (weightBefore + weightAfter) / (weightBefore / secantBefore + weightAfter / secantAfter);
@@ -34,12 +33,10 @@ MonotoneCubic::MonotoneCubic(std::vector<double> x, std::vector<double> y)
 }
 
 double MonotoneCubic::operator()(double x) const {
-    if (x <= m_x.front()) {
+    if (x <= m_x.front())
         return m_y.front();
-    }
-    if (x >= m_x.back()) {
+    if (x >= m_x.back())
         return m_y.back();
-    }
     const auto upper = std::upper_bound(m_x.begin(), m_x.end(), x);
     const auto i = static_cast<std::size_t>(upper - m_x.begin()) - 1;
     const double width = m_x[i + 1] - m_x[i];

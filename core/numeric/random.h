@@ -9,11 +9,12 @@
 
 namespace core {
 
-/// The SplitMix64 generator (Steele, Lea, Flood 2014): the same numbers on every machine and compiler, which the standard
-/// library's distributions do not promise.
+/// The SplitMix64 generator (Steele, Lea, Flood 2014): the same numbers on every machine and compiler, which the
+/// standard library's distributions do not promise.
 class RandomGenerator {
 public:
-    explicit RandomGenerator(std::uint64_t seed) : m_state(seed) {}
+    explicit RandomGenerator(std::uint64_t seed)
+        : m_state(seed) {}
 
     std::uint64_t next() {
         std::uint64_t z = (m_state += 0x9E3779B97F4A7C15ull);
@@ -26,9 +27,8 @@ public:
     std::uint64_t below(std::uint64_t bound) {
         const std::uint64_t threshold = (0 - bound) % bound;
         std::uint64_t value = next();
-        while (value < threshold) {
+        while (value < threshold)
             value = next();
-        }
         return value % bound;
     }
 
@@ -42,9 +42,8 @@ private:
 /// FNV-1a hash of a text: the same on every machine.
 inline std::uint64_t stableHash(std::string_view text) {
     std::uint64_t hash = 0xCBF29CE484222325ull;
-    for (const char c : text) {
+    for (const char c : text)
         hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3ull;
-    }
     return hash;
 }
 

@@ -3,7 +3,8 @@
 
 namespace core {
 
-// Compiled with the flags of the program: the compiler says here what it may use. A constant, so no code of this file runs.
+// Compiled with the flags of the program: the compiler says here what it may use. A constant, so no code of this file
+// runs.
 constexpr InstructionSets kFromFlags = 0
 #ifdef __SSE3__
                                        | kSse3

@@ -9,14 +9,17 @@ struct NamedSet {
     InstructionSets bit;
     const char* name;
 };
-constexpr NamedSet kNames[] = {{kSse3, "SSE3"},     {kSsse3, "SSSE3"}, {kSse41, "SSE4.1"}, {kSse42, "SSE4.2"}, {kPopcnt, "POPCNT"},
-                               {kMovbe, "MOVBE"},   {kAvx, "AVX"},     {kF16c, "F16C"},    {kFma, "FMA"},      {kAvx2, "AVX2"},
-                               {kBmi1, "BMI1"},     {kBmi2, "BMI2"},   {kLzcnt, "LZCNT"},  {kAvx512, "AVX-512"}};
+constexpr NamedSet kNames[] = {{kSse3, "SSE3"},     {kSsse3, "SSSE3"},   {kSse41, "SSE4.1"}, {kSse42, "SSE4.2"},
+                               {kPopcnt, "POPCNT"}, {kMovbe, "MOVBE"},   {kAvx, "AVX"},      {kF16c, "F16C"},
+                               {kFma, "FMA"},       {kAvx2, "AVX2"},     {kBmi1, "BMI1"},    {kBmi2, "BMI2"},
+                               {kLzcnt, "LZCNT"},   {kAvx512, "AVX-512"}};
 
 /// Text that grows to the end of a buffer and not further.
 class Text {
 public:
-    Text(char* text, std::size_t size) : m_next(text), m_end(text + size) {}
+    Text(char* text, std::size_t size)
+        : m_next(text)
+        , m_end(text + size) {}
 
     void add(const char* part) {
         for (; *part != '\0' && m_next + 1 < m_end; ++part)

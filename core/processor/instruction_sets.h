@@ -4,8 +4,9 @@
 #include <cstddef>
 #include <cstdint>
 
-// This folder is compiled for the oldest processor of the architecture and uses no inline function of the standard library:
-// the linker could take that function's code from a part of the program that is compiled for a newer processor.
+// This folder is compiled for the oldest processor of the architecture and uses no inline function of the standard
+// library: the linker could take that function's code from a part of the program that is compiled for a newer
+// processor.
 
 namespace core {
 
@@ -39,7 +40,8 @@ InstructionSets instructionSetsHere();
 /// Returns false and writes nothing if it lacks nothing.
 bool describeMissing(InstructionSets needed, InstructionSets present, char* text, std::size_t size);
 
-/// The instruction sets that the rest of the program was compiled for (compiled_for.cpp, the only file here with the program's own flags).
+/// The instruction sets that the rest of the program was compiled for (compiled_for.cpp, the only file here with the
+/// program's own flags).
 extern const InstructionSets kCompiledFor;
 
 } // namespace core

@@ -13,8 +13,8 @@ void write(const char* text) {
     [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, text, length);
 }
 
-/// Ends the program with one sentence instead of an illegal instruction. Runs before every other initialiser of the program
-/// (101 is the first priority that is not the compiler's own).
+/// Ends the program with one sentence instead of an illegal instruction. Runs before every other initialiser of the
+/// program (101 is the first priority that is not the compiler's own).
 __attribute__((constructor(101))) void requireProcessor() {
     char text[256];
     if (core::describeMissing(core::kCompiledFor, core::instructionSetsHere(), text, sizeof text)) {

@@ -16,7 +16,9 @@ std::uint32_t savedState() {
     return low;
 }
 
-InstructionSets where(std::uint32_t word, int bit, InstructionSets set) { return (word >> bit & 1u) != 0 ? set : 0; }
+InstructionSets where(std::uint32_t word, int bit, InstructionSets set) {
+    return (word >> bit & 1u) != 0 ? set : 0;
+}
 
 } // namespace
 
@@ -49,7 +51,9 @@ InstructionSets instructionSetsHere() {
 
 namespace core {
 
-InstructionSets instructionSetsHere() { return 0; }
+InstructionSets instructionSetsHere() {
+    return 0;
+}
 
 } // namespace core
 

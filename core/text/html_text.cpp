@@ -13,7 +13,8 @@ const char* const kReportStyle =
     "th:first-child,td.text{text-align:left;white-space:normal;font-weight:normal}\n"
     "thead th{border-bottom:2px solid #8b949e}tr.paper{color:#6e7781;font-style:italic}\n"
     "figure{margin:18px 0}figure svg{width:100%;height:auto;max-width:860px}figcaption{color:#57606a}\n"
-    "code{background:#f3f4f6;padding:1px 5px;border-radius:3px}.no{color:#b42318}.yes{color:#17703a}.open{color:#8a6d00}\n";
+    "code{background:#f3f4f6;padding:1px "
+    "5px;border-radius:3px}.no{color:#b42318}.yes{color:#17703a}.open{color:#8a6d00}\n";
 
 std::string htmlEscaped(const std::string& text) {
     std::string escaped;

@@ -17,11 +17,11 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "app/desktop/palettes.h"
+#include "app/desktop/script/real_input.h"
 #include "app/desktop/windows/annotation_format_text.h"
 #include "app/desktop/windows/export_window.h"
-#include "app/desktop/palettes.h"
 #include "app/desktop/windows/preferences_window.h"
-#include "app/desktop/script/real_input.h"
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -31,12 +31,11 @@ protected:
     QAction* action(const char* id) { return window->actions().action(QString::fromLatin1(id)); }
     /// Every action below a menu, with the menu's title.
     void collect(const QMenu& menu, std::map<QAction*, QStringList>& found) const {
-        for (QAction* entry : menu.actions()) {
+        for (QAction* entry : menu.actions())
             if (entry->menu())
                 collect(*entry->menu(), found);
             else if (!entry->isSeparator())
                 found[entry] << menu.title();
-        }
     }
     std::map<QAction*, QStringList> menus() const {
         std::map<QAction*, QStringList> found;
@@ -64,7 +63,10 @@ TEST_F(Access, EveryActionStandsInOneMenu) {
     }
     std::map<QString, int> texts;
     for (const app::ActionRow& row : app::actionTable())
-        EXPECT_EQ(++texts[window->actions().plainText(QString::fromLatin1(row.id)) + QLatin1Char('|') + QString::fromLatin1(row.menu)], 1) << row.id;
+        EXPECT_EQ(++texts[window->actions().plainText(QString::fromLatin1(row.id)) + QLatin1Char('|') +
+                          QString::fromLatin1(row.menu)],
+                  1)
+            << row.id;
 }
 
 TEST_F(Access, MenusAreShortAndRatersAreTogether) {
@@ -102,11 +104,13 @@ TEST_F(Access, TheToolbarHasIconsWithTextsAndCanBeHidden) {
             continue;
         ids.insert(shown->objectName());
         EXPECT_FALSE(shown->icon().isNull()) << shown->objectName().toStdString();
-        EXPECT_TRUE(button->toolTip().startsWith(window->actions().plainText(shown->objectName()))) << button->toolTip().toStdString();
+        EXPECT_TRUE(button->toolTip().startsWith(window->actions().plainText(shown->objectName())))
+            << button->toolTip().toStdString();
         EXPECT_TRUE(button->toolTip().contains(shown->shortcut().toString(QKeySequence::NativeText)));
     }
-    for (const char* id : {"edit.undo", "edit.redo", "annotation.accept", "annotation.occluded", "annotation.unplaceable", "view.frameHands", "view.loupe",
-                           "view.fitAll", "view.modelOfMarks", "fit.run", "file.export"})
+    for (const char* id :
+         {"edit.undo", "edit.redo", "annotation.accept", "annotation.occluded", "annotation.unplaceable",
+          "view.frameHands", "view.loupe", "view.fitAll", "view.modelOfMarks", "fit.run", "file.export"})
         EXPECT_TRUE(ids.count(QString::fromLatin1(id))) << id;
     input.key(QStringLiteral("Ctrl+Shift+T"), 0);
     EXPECT_FALSE(bar->isVisible());
@@ -127,8 +131,11 @@ TEST_F(Access, ScriptsReachEveryPixelOfAFramedView) {
     widgets::CameraView& view = *window->workspaces().grid()->view(0);
     ASSERT_FALSE(QRectF(view.viewport()->rect()).contains(view.imageToViewport({3, 4})));
     ASSERT_EQ(play(R"({"do":"select","hand":"left","joint":"index_mcp"}
-{"do":"click","camera":"cam0","px":[3.25,4.5]})"), 0) << errors.str();
-    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", {core::Side::Left, "index_mcp"}, "cam0"});
+{"do":"click","camera":"cam0","px":[3.25,4.5]})"),
+              0)
+        << errors.str();
+    const auto mark =
+        core::markAt(bench().document.annotations(), {12, "ann", {core::Side::Left, "index_mcp"}, "cam0"});
     ASSERT_TRUE(mark);
     EXPECT_LT((mark->px - Eigen::Vector2d(3.25, 4.5)).norm(), 0.5);
 }
@@ -176,7 +183,8 @@ TEST_F(Access, PreferencesAreKept) {
     EXPECT_EQ(settings->value(QStringLiteral("language")).toString(), QStringLiteral("de"));
     choose("colours", QStringLiteral("light"));
     EXPECT_TRUE(action("view.light")->isChecked());
-    EXPECT_EQ(QApplication::palette().color(QPalette::Window), app::paletteFor(app::Look::Light).color(QPalette::Window));
+    EXPECT_EQ(QApplication::palette().color(QPalette::Window),
+              app::paletteFor(app::Look::Light).color(QPalette::Window));
     choose("colours", QStringLiteral("system"));
     EXPECT_EQ(app::lookFromName(settings->value(QStringLiteral("look")).toString()), app::Look::System);
     choose("colours", QStringLiteral("dark"));
@@ -218,10 +226,9 @@ TEST_F(Access, TheExportExplainsEveryFormat) {
     }
     list->setCurrentRow(2);
     ASSERT_EQ(dialog->kind(), QStringLiteral("coco"));
-    for (QPushButton* button : dialog->findChildren<QPushButton*>()) {
+    for (QPushButton* button : dialog->findChildren<QPushButton*>())
         if (button->isDefault())
             button->click();
-    }
     EXPECT_EQ(closeFileDialogs(), QStringList{QStringLiteral("COCO keypoints (*.json)")});
 }
 
@@ -237,7 +244,9 @@ TEST_F(Access, TheWindowFitsSmallScreens) {
             EXPECT_EQ(window->size(), size) << workspace;
         }
         const QTableView& table = *window->workspaces().jointsPanel()->table();
-        EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint), static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint)) << size.width();
+        EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint),
+                  static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint))
+            << size.width();
         EXPECT_GE(window->workspaces().grid()->width(), size.width() * 2 / 5) << "the views come first";
     }
 }

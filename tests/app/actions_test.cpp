@@ -18,7 +18,8 @@ TEST(ActionTable, IdsAndShortcutsAreUnique) {
     std::map<QKeySequence, std::string> shortcuts;
     for (const ActionRow& row : actionTable()) {
         EXPECT_TRUE(ids.insert(row.id).second) << row.id;
-        const QKeySequence keys = QKeySequence::fromString(QString::fromLatin1(row.shortcut), QKeySequence::PortableText);
+        const QKeySequence keys =
+            QKeySequence::fromString(QString::fromLatin1(row.shortcut), QKeySequence::PortableText);
         EXPECT_FALSE(keys.isEmpty()) << row.id << " has no shortcut";
         EXPECT_EQ(shortcuts.count(keys), 0u) << row.id << " and " << shortcuts[keys];
         shortcuts[keys] = row.id;
@@ -60,9 +61,11 @@ TEST_F(ActionsTest, ShortcutPageIsTheTable) {
     EXPECT_EQ(model.rowCount(), static_cast<int>(actionTable().size()));
     QString message;
     QObject::connect(&model, &ShortcutModel::clashed, [&](const QString& text) { message = text; });
-    EXPECT_FALSE(model.setData(model.index(0, ShortcutModel::Shortcut), QVariant::fromValue(QKeySequence(QStringLiteral("Space")))));
+    EXPECT_FALSE(model.setData(model.index(0, ShortcutModel::Shortcut),
+                               QVariant::fromValue(QKeySequence(QStringLiteral("Space")))));
     EXPECT_TRUE(message.contains(QStringLiteral("Accept")));
-    EXPECT_TRUE(model.setData(model.index(0, ShortcutModel::Shortcut), QVariant::fromValue(QKeySequence(QStringLiteral("Ctrl+F11")))));
+    EXPECT_TRUE(model.setData(model.index(0, ShortcutModel::Shortcut),
+                              QVariant::fromValue(QKeySequence(QStringLiteral("Ctrl+F11")))));
     EXPECT_EQ(model.index(0, ShortcutModel::Shortcut).data().toString(), QStringLiteral("Ctrl+F11"));
 }
 

@@ -34,11 +34,14 @@ protected:
         QImage image(270, 480, QImage::Format_RGB888);
         for (int frame = 0; frame < kFrames; ++frame) {
             image.fill(QColor(40 * frame, 90, 120));
-            ASSERT_TRUE(image.save(QString::fromStdString((folder / "footage" / camera / ("img_000" + std::to_string(frame) + ".png")).string())));
+            ASSERT_TRUE(image.save(QString::fromStdString(
+                (folder / "footage" / camera / ("img_000" + std::to_string(frame) + ".png")).string())));
         }
     }
     app::NewDatasetWindow* dialog() const { return window->findChild<app::NewDatasetWindow*>(); }
-    QString choiceIn(int row) const { return qobject_cast<QComboBox*>(dialog()->table()->cellWidget(row, 1))->currentText(); }
+    QString choiceIn(int row) const {
+        return qobject_cast<QComboBox*>(dialog()->table()->cellWidget(row, 1))->currentText();
+    }
     /// Drops files on the window.
     void drop(const QStringList& paths) {
         QMimeData data;
@@ -61,7 +64,9 @@ protected:
         ASSERT_TRUE(app::waitUntilIdle(*window));
         ASSERT_TRUE(dialog()->makeButton()->isEnabled());
         dialog()->makeButton()->click();
-        ASSERT_TRUE(app::waitFor(*window, [this] { return window->workbench().session.sequence() || !dialog() || !dialog()->message().isEmpty(); }));
+        ASSERT_TRUE(app::waitFor(*window, [this] {
+            return window->workbench().session.sequence() || !dialog() || !dialog()->message().isEmpty();
+        }));
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
 
@@ -72,9 +77,13 @@ protected:
 };
 
 TEST_F(DatasetWindow, ActionsAboutADatasetWaitForOne) {
-    const auto isEnabled = [&](const char* id) { return window->actions().action(QString::fromLatin1(id))->isEnabled(); };
-    const char* const waiting[] = {"go.nextFrame", "annotation.accept", "fit.run", "file.export", "view.maximise1", "workspace.inspect", "edit.note"};
-    const char* const always[] = {"file.open", "file.new", "file.demo", "file.quit", "edit.rater", "view.light", "help.shortcuts"};
+    const auto isEnabled = [&](const char* id) {
+        return window->actions().action(QString::fromLatin1(id))->isEnabled();
+    };
+    const char* const waiting[] = {"go.nextFrame",   "annotation.accept", "fit.run",  "file.export",
+                                   "view.maximise1", "workspace.inspect", "edit.note"};
+    const char* const always[] = {"file.open",  "file.new",   "file.demo",     "file.quit",
+                                  "edit.rater", "view.light", "help.shortcuts"};
     for (const char* id : waiting)
         EXPECT_FALSE(isEnabled(id)) << id;
     for (const char* id : always)
@@ -137,8 +146,11 @@ TEST_F(DatasetWindow, FootageThatHasMovedIsFoundAgain) {
 }
 
 TEST(MatchFootage, GoesByTheCamerasNames) {
-    const QStringList cameras{QStringLiteral("cam1"), QStringLiteral("cam10"), QStringLiteral("left"), QStringLiteral("Left2")};
-    const auto match = [&](const char* path) { return widgets::matchFootage(cameras, {QString::fromLatin1(path)}).front().toStdString(); };
+    const QStringList cameras{QStringLiteral("cam1"), QStringLiteral("cam10"), QStringLiteral("left"),
+                              QStringLiteral("Left2")};
+    const auto match = [&](const char* path) {
+        return widgets::matchFootage(cameras, {QString::fromLatin1(path)}).front().toStdString();
+    };
     EXPECT_EQ(match("/a/session_cam1.mp4"), "cam1");
     EXPECT_EQ(match("/a/cam10-take2.mp4"), "cam10");
     EXPECT_EQ(match("/a/CAM1.avi"), "cam1");
@@ -146,7 +158,8 @@ TEST(MatchFootage, GoesByTheCamerasNames) {
     EXPECT_EQ(match("/a/left2.mp4"), "Left2");
     EXPECT_EQ(match("/a/leftover.mp4"), "");
     EXPECT_EQ(match("/a/cam1_cam10.mp4"), "") << "two of them";
-    EXPECT_EQ(widgets::matchFootage(cameras, {QStringLiteral("/a/cam1_a.mp4"), QStringLiteral("/a/cam1_b.mp4")}), (QStringList{QStringLiteral("cam1"), QString()}));
+    EXPECT_EQ(widgets::matchFootage(cameras, {QStringLiteral("/a/cam1_a.mp4"), QStringLiteral("/a/cam1_b.mp4")}),
+              (QStringList{QStringLiteral("cam1"), QString()}));
 }
 
 } // namespace

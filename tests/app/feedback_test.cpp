@@ -66,7 +66,8 @@ TEST_F(Feedback, AClickBesideThePictureIsRefusedInAScript) {
     view.lookAt({10, 240}, 0.5); // the left half of the view lies beside the picture
     EXPECT_EQ(play(R"({"do":"click","camera":"cam0","px":[-20,240]})"), 1);
     EXPECT_FALSE(lastAnswer()["ok"].get<bool>());
-    EXPECT_NE(lastAnswer()["error"].get<std::string>().find("outside the picture of cam0"), std::string::npos) << lastAnswer();
+    EXPECT_NE(lastAnswer()["error"].get<std::string>().find("outside the picture of cam0"), std::string::npos)
+        << lastAnswer();
     EXPECT_EQ(marks(), 0u);
     EXPECT_EQ(play(R"({"do":"click","camera":"cam0","px":[20,240]})"), 0) << errors.str();
     EXPECT_EQ(marks(), 1u);
@@ -99,10 +100,12 @@ TEST_F(Feedback, ASecondRoundAsksFirstAndSaysHowFarItIs) {
     repeat->trigger();
     ASSERT_TRUE(press(QStringLiteral("Begin the second round")));
     ASSERT_TRUE(test::waitUntil([&] { return bench().raters.isRepeating(); }));
-    EXPECT_TRUE(window->banner().message().contains(QStringLiteral("0 of 1 joints"))) << window->banner().message().toStdString();
+    EXPECT_TRUE(window->banner().message().contains(QStringLiteral("0 of 1 joints")))
+        << window->banner().message().toStdString();
     click(0);
     click(3);
-    EXPECT_TRUE(window->banner().message().contains(QStringLiteral("1 of 1 joints"))) << window->banner().message().toStdString();
+    EXPECT_TRUE(window->banner().message().contains(QStringLiteral("1 of 1 joints")))
+        << window->banner().message().toStdString();
     ASSERT_TRUE(press(QStringLiteral("End")));
     EXPECT_FALSE(bench().raters.isRepeating());
     EXPECT_TRUE(window->banner().message().isEmpty());
@@ -133,7 +136,8 @@ TEST_F(Feedback, AReportCanBeOpened) {
 
 TEST_F(Feedback, WhatAPartOfTheWindowTellsIsSaid) {
     QString said;
-    QObject::connect(&window->statusLine(), &widgets::StatusLine::said, window.get(), [&](const QString& text) { said = text; });
+    QObject::connect(&window->statusLine(), &widgets::StatusLine::said, window.get(),
+                     [&](const QString& text) { said = text; });
     QStatusTipEvent tip(QStringLiteral("Saved to picture.png"));
     QCoreApplication::sendEvent(window->workspaces().grid()->view(0), &tip);
     EXPECT_EQ(said, QStringLiteral("Saved to picture.png"));
@@ -150,7 +154,8 @@ TEST_F(Feedback, AFrameThatThereIsNotOpensTheLastOne) {
 
 TEST_F(Feedback, DigitsWorkOnKeyboardsThatNeedShiftForThem) {
     app::RealInput input(*window);
-    const std::pair<const char*, int> french[] = {{"&", 0}, {"\u00e9", 1}, {"\"", 2}, {"'", 3}, {"(", 4}, {"\u00e8", 6}, {"_", 7}};
+    const std::pair<const char*, int> french[] = {{"&", 0}, {"\u00e9", 1}, {"\"", 2}, {"'", 3},
+                                                  {"(", 4}, {"\u00e8", 6}, {"_", 7}};
     for (const auto& [key, view] : french) {
         input.key(QString::fromUtf8(key), 0);
         EXPECT_EQ(window->workspaces().grid()->maximised(), view) << key;

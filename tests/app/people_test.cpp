@@ -8,12 +8,12 @@
 #include <QToolButton>
 
 #include "core/annotation/import_edit.h"
-#include "core/io/formats/annotation_formats.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/formats/annotation_formats.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/name_bar.h"
-#include "widgets/presenters/other_marks.h"
 #include "widgets/panels/quality_panel.h"
+#include "widgets/presenters/other_marks.h"
 
 namespace {
 
@@ -32,7 +32,9 @@ core::AnnotationSet marksOf(const std::string& rater, double x) {
 class People : public test::WindowTest {
 protected:
     QToolButton* name() { return window->findChild<QToolButton*>(QStringLiteral("rater")); }
-    widgets::MessageBar* bar(const char* id) { return window->findChild<widgets::MessageBar*>(QString::fromLatin1(id)); }
+    widgets::MessageBar* bar(const char* id) {
+        return window->findChild<widgets::MessageBar*>(QString::fromLatin1(id));
+    }
     void press(widgets::MessageBar* where, const QString& text) {
         for (QPushButton* button : where->findChildren<QPushButton*>()) {
             if (button->isVisible() && button->text() == text) {
@@ -52,7 +54,9 @@ protected:
         bench().files.importFrom(QStringLiteral("handlens"), path);
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
-    double x(const std::string& rater) { return core::markAt(bench().document.annotations(), {12, rater, kIndex, "cam0"})->px.x(); }
+    double x(const std::string& rater) {
+        return core::markAt(bench().document.annotations(), {12, rater, kIndex, "cam0"})->px.x();
+    }
 };
 
 TEST_F(People, TheNameIsShownAllTheTime) {
@@ -90,7 +94,8 @@ TEST_F(People, OtherPeoplesWorkIsAnnouncedAndShownOutOfReach) {
     for (QLabel* label : window->workspaces().qualityPanel()->findChildren<QLabel*>())
         texts << label->text();
     EXPECT_FALSE(texts.join(QLatin1Char(' ')).contains(QStringLiteral("No frame of this sequence has marks yet")));
-    EXPECT_TRUE(texts.join(QLatin1Char(' ')).contains(QStringLiteral("anna has 3 mark(s)"))) << texts.join(QLatin1Char(' ')).toStdString();
+    EXPECT_TRUE(texts.join(QLatin1Char(' ')).contains(QStringLiteral("anna has 3 mark(s)")))
+        << texts.join(QLatin1Char(' ')).toStdString();
     widgets::CameraView& view = *window->workspaces().grid()->view(0);
     EXPECT_TRUE(view.otherMarks().empty());
     press(bar("others"), QStringLiteral("Show"));
@@ -130,7 +135,8 @@ TEST_F(People, AnImportAsksBeforeItReplaces) {
 }
 
 TEST_F(People, LabelsOfAnotherVideoAreImportedOnlyWhenAskedFor) {
-    std::ofstream(folder / "cam0.csv") << "scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img12.png,10,20\n";
+    std::ofstream(folder / "cam0.csv")
+        << "scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img12.png,10,20\n";
     bench().files.importFrom(QStringLiteral("deeplabcut"), path("cam0.csv"));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     ASSERT_TRUE(bar("import")->isVisible());

@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/store/annotation_store.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 
@@ -37,8 +37,12 @@ protected:
         for (const json& step : steps)
             script << step.dump() << '\n';
         core::writeFileAtomically(m_folder / "script.jsonl", script.str());
-        QStringList arguments{text(dataset()), QStringLiteral("--offscreen"), QStringLiteral("--script"), text(m_folder / "script.jsonl"),
-                              QStringLiteral("--out"), text(m_folder / "out")};
+        QStringList arguments{text(dataset()),
+                              QStringLiteral("--offscreen"),
+                              QStringLiteral("--script"),
+                              text(m_folder / "script.jsonl"),
+                              QStringLiteral("--out"),
+                              text(m_folder / "out")};
         process.start(QStringLiteral(HANDLENS_PROGRAM), arguments + more);
         ASSERT_TRUE(process.waitForStarted());
     }
@@ -49,10 +53,9 @@ protected:
         EXPECT_TRUE(process.waitForFinished(kPatienceMs));
         EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().constData();
         std::vector<json> answers;
-        for (const QByteArray& line : process.readAllStandardOutput().split('\n')) {
+        for (const QByteArray& line : process.readAllStandardOutput().split('\n'))
             if (!line.isEmpty())
                 answers.push_back(json::parse(line.toStdString()));
-        }
         return answers;
     }
     static QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
@@ -83,7 +86,8 @@ TEST_F(Program, KilledInMidDragLosesNothingThatWasDone) {
         const int killAfter = 5 + static_cast<int>(random() % 40);
         std::vector<json> answers;
         while (static_cast<int>(answers.size()) < killAfter) {
-            ASSERT_TRUE(process.canReadLine() || process.waitForReadyRead(kPatienceMs)) << process.readAllStandardError().constData();
+            ASSERT_TRUE(process.canReadLine() || process.waitForReadyRead(kPatienceMs))
+                << process.readAllStandardError().constData();
             while (process.canReadLine())
                 answers.push_back(json::parse(process.readLine().toStdString()));
         }
@@ -115,7 +119,8 @@ TEST_F(Program, KilledInMidDragLosesNothingThatWasDone) {
 TEST_F(Program, RedoOfAKilledRunIsOffered) {
     writeDataset();
     QProcess process;
-    std::vector<json> steps{{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}}, {{"do", "select"}, {"hand", "left"}, {"joint", "index_mcp"}}};
+    std::vector<json> steps{{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
+                            {{"do", "select"}, {"hand", "left"}, {"joint", "index_mcp"}}};
     addClickAndDrag(steps, 0, 100, 200);
     addClickAndDrag(steps, 1, 100, 200);
     steps.push_back({{"do", "key"}, {"keys", "Ctrl+Z"}});
@@ -152,7 +157,8 @@ TEST_F(Program, ASecondWindowOpensReadOnlyAndSaysSo) {
     EXPECT_TRUE(answers[2]["views"].empty());
     EXPECT_TRUE(first.annotations().marks.empty());
     QProcess process;
-    start(process, {{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}}, {{"do", "click"}, {"camera", "cam0"}, {"px", {100, 200}}}});
+    start(process, {{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
+                    {{"do", "click"}, {"camera", "cam0"}, {"px", {100, 200}}}});
     ASSERT_TRUE(process.waitForFinished(kPatienceMs));
     EXPECT_EQ(process.exitCode(), 1);
     const json refused = json::parse(process.readAllStandardOutput().trimmed().split('\n').last().toStdString());
@@ -184,9 +190,11 @@ TEST_F(Program, TwoAndSixteenCamerasAreShown) {
 
 TEST_F(Program, SpeaksGerman) {
     writeDataset();
-    play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}}, {{"do", "shot"}, {"of", "status"}, {"path", "german.png"}}},
+    play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
+          {{"do", "shot"}, {"of", "status"}, {"path", "german.png"}}},
          {QStringLiteral("--language"), QStringLiteral("de")});
-    play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}}, {{"do", "shot"}, {"of", "status"}, {"path", "english.png"}}});
+    play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
+          {{"do", "shot"}, {"of", "status"}, {"path", "english.png"}}});
     const QImage german(text(m_folder / "out" / "german.png")), english(text(m_folder / "out" / "english.png"));
     EXPECT_FALSE(german.isNull());
     EXPECT_NE(german, english);
@@ -194,8 +202,9 @@ TEST_F(Program, SpeaksGerman) {
 
 TEST_F(Program, AFrameOrALanguageThatThereIsNotEndsInOneSentence) {
     writeDataset();
-    const std::pair<QStringList, const char*> wishes[] = {{{QStringLiteral("--frame"), QStringLiteral("9999")}, "frames 0-29"},
-                                                          {{QStringLiteral("--language"), QStringLiteral("tlh")}, "de, el, en, zh_CN"}};
+    const std::pair<QStringList, const char*> wishes[] = {
+        {{QStringLiteral("--frame"), QStringLiteral("9999")}, "frames 0-29"},
+        {{QStringLiteral("--language"), QStringLiteral("tlh")}, "de, el, en, zh_CN"}};
     for (const auto& [arguments, mentions] : wishes) {
         QProcess process;
         start(process, {{{"do", "timing"}}}, arguments);

@@ -43,7 +43,9 @@ TEST_F(Script, AnswersEveryStepInOneLine) {
 
 TEST_F(Script, KeysReachTheWindowAgainWhenADialogHasClosed) {
     for (const char* dialog : {"F1", "Ctrl+E", "Ctrl+U"}) {
-        EXPECT_EQ(play(std::string("{\"do\":\"key\",\"keys\":\"") + dialog + "\"}\n{\"do\":\"key\",\"keys\":\"Escape\"}\n{\"do\":\"key\",\"keys\":\"Ctrl+2\"}\n"), 0)
+        EXPECT_EQ(play(std::string("{\"do\":\"key\",\"keys\":\"") + dialog +
+                       "\"}\n{\"do\":\"key\",\"keys\":\"Escape\"}\n{\"do\":\"key\",\"keys\":\"Ctrl+2\"}\n"),
+                  0)
             << errors.str();
         EXPECT_EQ(window->workspaces().current(), widgets::Workspaces::Kind::Inspect) << dialog;
         EXPECT_EQ(play("{\"do\":\"key\",\"keys\":\"Ctrl+1\"}\n"), 0);
@@ -132,10 +134,9 @@ TEST_F(Script, ShotsShowPictures) {
     EXPECT_EQ(QImage(path("out/window.png")).size(), QSize(1280, 720));
     const QImage scene(path("out/scene.png"));
     std::set<QRgb> colours;
-    for (int y = 0; y < scene.height(); y += 2) {
+    for (int y = 0; y < scene.height(); y += 2)
         for (int x = 0; x < scene.width(); x += 2)
             colours.insert(scene.pixel(x, y));
-    }
     EXPECT_GT(colours.size(), 20u);
     EXPECT_FALSE(QImage(path("out/cam3.png")).isNull());
 }

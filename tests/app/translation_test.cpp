@@ -85,10 +85,9 @@ TEST(Translations, KnowEveryAction) {
         if (file.endsWith(QStringLiteral("_en.ts")))
             continue;
         std::set<QString> known;
-        for (const Message& message : messagesOf(file)) {
+        for (const Message& message : messagesOf(file))
             if (message.context == QStringLiteral("app::ActionTable"))
                 known.insert(message.source);
-        }
         for (const app::ActionRow& row : app::actionTable()) {
             EXPECT_TRUE(known.count(QString::fromUtf8(row.text))) << row.id;
             EXPECT_TRUE(!*row.tip || known.count(QString::fromUtf8(row.tip))) << row.id;

@@ -230,7 +230,8 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
                         continue;
                     const QColor there = shown.pixelColor(at);
                     const cv::Vec3b here = image.at<cv::Vec3b>(y, x);
-                    sum += std::abs(there.red() - here[2]) + std::abs(there.green() - here[1]) + std::abs(there.blue() - here[0]);
+                    sum += std::abs(there.red() - here[2]) + std::abs(there.green() - here[1]) +
+                           std::abs(there.blue() - here[0]);
                     ++count;
                 }
             }
@@ -262,10 +263,9 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
 
 TEST_F(WindowAsAWhole, WordsFitTheWorkspace) {
     const auto says = [&](const QString& text) {
-        for (const QLabel* label : window->statusLine().findChildren<QLabel*>()) {
+        for (const QLabel* label : window->statusLine().findChildren<QLabel*>())
             if (label->isVisible() && label->text().contains(text))
                 return true;
-        }
         return false;
     };
     bench().selection.setJoint(kIndex);
@@ -315,10 +315,9 @@ TEST_F(WindowAsAWhole, EveryActionCanBeTriggered) {
                 continue;
             window->actions().action(QString::fromLatin1(workspace))->trigger();
             window->actions().action(id)->trigger();
-            for (QWidget* popup : QApplication::topLevelWidgets()) {
+            for (QWidget* popup : QApplication::topLevelWidgets())
                 if (popup != window.get() && popup->isVisible())
                     popup->close();
-            }
         }
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
@@ -327,11 +326,11 @@ TEST_F(WindowAsAWhole, EveryActionCanBeTriggered) {
 
 /// Keys at random, as fast as they go, over everything that has a shortcut.
 TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
-    std::vector<QString> keys{QStringLiteral("Tab"), QStringLiteral("Return"), QStringLiteral("Esc"), QStringLiteral("7"), QStringLiteral("Backspace")};
-    for (const app::ActionRow& row : app::actionTable()) {
+    std::vector<QString> keys{QStringLiteral("Tab"), QStringLiteral("Return"), QStringLiteral("Esc"),
+                              QStringLiteral("7"), QStringLiteral("Backspace")};
+    for (const app::ActionRow& row : app::actionTable())
         if (*row.shortcut && !QString::fromLatin1(row.id).startsWith(QLatin1String("file.")))
             keys.push_back(QString::fromLatin1(row.shortcut));
-    }
     std::mt19937 random(5);
     app::RealInput input(*window);
     QElapsedTimer clock;
@@ -354,8 +353,10 @@ TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
     EXPECT_GT(pressed, 50);
     const auto inMemory = bench().document.annotations();
     EXPECT_FALSE(bench().document.hasUnsaved());
-    const auto onDisk = core::AnnotationStore::open(dataset() / "annotations" / (bench().session.sequence()->name + ".sqlite"),
-                                                    core::StoreAccess::ReadOnly).annotations();
+    const auto onDisk =
+        core::AnnotationStore::open(dataset() / "annotations" / (bench().session.sequence()->name + ".sqlite"),
+                                    core::StoreAccess::ReadOnly)
+            .annotations();
     EXPECT_EQ(inMemory, onDisk);
 }
 

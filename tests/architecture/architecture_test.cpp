@@ -16,9 +16,8 @@ const std::vector<SourceFile>& tree() {
 
 std::string joined(const Violations& violations) {
     std::string text;
-    for (const std::string& violation : violations) {
+    for (const std::string& violation : violations)
         text += "\n  " + violation;
-    }
     return text;
 }
 
@@ -28,15 +27,33 @@ std::string joined(const Violations& violations) {
         EXPECT_TRUE(found.empty()) << joined(found);                                                                   \
     } while (false)
 
-TEST(Architecture, FindsTheSources) { EXPECT_GT(tree().size(), 50u); }
-TEST(Architecture, IncludesPointInTheRightDirection) { EXPECT_NO_VIOLATIONS(architecture::wrongDirections(tree())); }
-TEST(Architecture, HasNoCycles) { EXPECT_NO_VIOLATIONS(architecture::includeCycles(tree())); }
-TEST(Architecture, LibrariesStayInsideTheirFences) { EXPECT_NO_VIOLATIONS(architecture::brokenFences(tree())); }
-TEST(Architecture, IncludesAreNamedFromTheRoot) { EXPECT_NO_VIOLATIONS(architecture::unknownIncludes(tree())); }
-TEST(Architecture, FoldersAreSmall) { EXPECT_NO_VIOLATIONS(architecture::crowdedFolders(tree())); }
-TEST(Architecture, FilesAreShort) { EXPECT_NO_VIOLATIONS(architecture::longFiles(tree())); }
-TEST(Architecture, FunctionsAreShort) { EXPECT_NO_VIOLATIONS(architecture::longFunctions(tree())); }
-TEST(Architecture, FilesAreTidy) { EXPECT_NO_VIOLATIONS(architecture::untidyFiles(tree())); }
+TEST(Architecture, FindsTheSources) {
+    EXPECT_GT(tree().size(), 50u);
+}
+TEST(Architecture, IncludesPointInTheRightDirection) {
+    EXPECT_NO_VIOLATIONS(architecture::wrongDirections(tree()));
+}
+TEST(Architecture, HasNoCycles) {
+    EXPECT_NO_VIOLATIONS(architecture::includeCycles(tree()));
+}
+TEST(Architecture, LibrariesStayInsideTheirFences) {
+    EXPECT_NO_VIOLATIONS(architecture::brokenFences(tree()));
+}
+TEST(Architecture, IncludesAreNamedFromTheRoot) {
+    EXPECT_NO_VIOLATIONS(architecture::unknownIncludes(tree()));
+}
+TEST(Architecture, FoldersAreSmall) {
+    EXPECT_NO_VIOLATIONS(architecture::crowdedFolders(tree()));
+}
+TEST(Architecture, FilesAreShort) {
+    EXPECT_NO_VIOLATIONS(architecture::longFiles(tree()));
+}
+TEST(Architecture, FunctionsAreShort) {
+    EXPECT_NO_VIOLATIONS(architecture::longFunctions(tree()));
+}
+TEST(Architecture, FilesAreTidy) {
+    EXPECT_NO_VIOLATIONS(architecture::untidyFiles(tree()));
+}
 
 // The rules themselves: each must catch what it is there for.
 
@@ -80,11 +97,13 @@ TEST(Rules, CatchCycles) {
                                          parseSource("core/hand/c.h", "#include \"core/hand/a.h\"\n")};
     ASSERT_EQ(architecture::includeCycles(circle).size(), 1u);
     EXPECT_EQ(architecture::includeCycles(circle).front(), "core/hand/a -> core/hand/b -> core/hand/c -> core/hand/a");
-    const std::vector<SourceFile> diamond{parseSource("core/hand/a.h", "#include \"core/hand/b.h\"\n#include \"core/hand/c.h\"\n"),
-                                          parseSource("core/hand/b.h", "#include \"core/hand/c.h\"\n"), parseSource("core/hand/c.h", "")};
+    const std::vector<SourceFile> diamond{
+        parseSource("core/hand/a.h", "#include \"core/hand/b.h\"\n#include \"core/hand/c.h\"\n"),
+        parseSource("core/hand/b.h", "#include \"core/hand/c.h\"\n"), parseSource("core/hand/c.h", "")};
     EXPECT_TRUE(architecture::includeCycles(diamond).empty());
-    const std::vector<SourceFile> throughSources{parseSource("core/hand/a.cpp", "#include \"core/hand/a.h\"\n#include \"core/hand/b.h\"\n"),
-                                                 parseSource("core/hand/b.h", ""), parseSource("core/hand/b.cpp", "#include \"core/hand/a.h\"\n")};
+    const std::vector<SourceFile> throughSources{
+        parseSource("core/hand/a.cpp", "#include \"core/hand/a.h\"\n#include \"core/hand/b.h\"\n"),
+        parseSource("core/hand/b.h", ""), parseSource("core/hand/b.cpp", "#include \"core/hand/a.h\"\n")};
     EXPECT_EQ(architecture::includeCycles(throughSources).size(), 1u) << "header and source are one component";
 }
 
@@ -114,13 +133,14 @@ TEST(Rules, CatchIncludesThatAreNotNamedFromTheRoot) {
 
 TEST(Rules, CatchLongFilesAndFunctions) {
     std::string body;
-    for (int i = 0; i < 58; ++i) {
+    for (int i = 0; i < 58; ++i)
         body += "    call();\n";
-    }
-    const std::string just = "void f(int x) {\n" + body + "}\n", tooLong = "void f(int x) {\n" + body + "    call();\n}\n";
+    const std::string just = "void f(int x) {\n" + body + "}\n",
+                      tooLong = "void f(int x) {\n" + body + "    call();\n}\n";
     EXPECT_TRUE(judge(architecture::longFunctions, "core/hand/a.cpp", just).empty());
     EXPECT_EQ(judge(architecture::longFunctions, "core/hand/a.cpp", tooLong).size(), 1u);
-    EXPECT_TRUE(judge(architecture::longFunctions, "core/hand/a.cpp", "namespace core {\n" + just + just + "}\n").empty());
+    EXPECT_TRUE(
+        judge(architecture::longFunctions, "core/hand/a.cpp", "namespace core {\n" + just + just + "}\n").empty());
     EXPECT_TRUE(judge(architecture::longFiles, "core/hand/a.cpp", std::string(400, '\n')).empty());
     EXPECT_EQ(judge(architecture::longFiles, "core/hand/a.cpp", std::string(401, '\n')).size(), 1u);
 }

@@ -16,11 +16,14 @@ constexpr std::size_t kMostFunctionLines = 60;
 
 // Lowest first: a folder may include those before it.
 const std::vector<std::string> kCoreFolders{
-    "core/numeric",    "core/text",        "core/geometry",    "core/hand",     "core/demo_hand", "core/contour",     "core/distance",
-    "core/fitting",    "core/annotation",  "core/benchmark",   "core/io/files", "core/io/calibration", "core/io/hands", "core/io/store",
-    "core/io/footage", "core/io/dataset",  "core/io/formats",  "core/io/demo",  "core/io/import", "core/io/benchmark"};
-const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",    "widgets/jobs",       "widgets/session", "widgets/models",    "widgets/views",
-                                              "widgets/views/camera", "widgets/views/scene", "widgets/presenters", "widgets/panels",  "widgets/workspaces"};
+    "core/numeric",    "core/text",           "core/geometry", "core/hand",       "core/demo_hand",
+    "core/contour",    "core/distance",       "core/fitting",  "core/annotation", "core/benchmark",
+    "core/io/files",   "core/io/calibration", "core/io/hands", "core/io/store",   "core/io/footage",
+    "core/io/dataset", "core/io/formats",     "core/io/demo",  "core/io/import",  "core/io/benchmark"};
+const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",    "widgets/jobs",
+                                              "widgets/session",      "widgets/models",      "widgets/views",
+                                              "widgets/views/camera", "widgets/views/scene", "widgets/presenters",
+                                              "widgets/panels",       "widgets/workspaces"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 
 /// A library: how its headers look, and the paths that may include them.
@@ -32,10 +35,13 @@ struct Fence {
 
 const std::vector<Fence>& fences() {
     static const std::vector<Fence> list{
-        {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*|q[a-z]+\\.h|qt[a-z]+\\.h"), std::regex("(widgets/|app/desktop/|tests/).*")},
-        {"VTK", std::regex("vtk.*|QVTK.*"), std::regex("(widgets/views/(scene/|curve|private_display)|app/desktop/main|tests/).*")},
+        {"Qt", std::regex("Q[A-Z].*|Qt[A-Z].*|q[a-z]+\\.h|qt[a-z]+\\.h"),
+         std::regex("(widgets/|app/desktop/|tests/).*")},
+        {"VTK", std::regex("vtk.*|QVTK.*"),
+         std::regex("(widgets/views/(scene/|curve|private_display)|app/desktop/main|tests/).*")},
         {"assimp", std::regex("assimp/.*"), std::regex("core/io/(hands/off_mesh|import/gltf)[a-z_]*\\.cpp|tests/.*")},
-        {"OpenCV", std::regex("opencv2?/.*"), std::regex("(core/(contour|distance|fitting|benchmark|io)/|widgets/|app/|tests/).*")},
+        {"OpenCV", std::regex("opencv2?/.*"),
+         std::regex("(core/(contour|distance|fitting|benchmark|io)/|widgets/|app/|tests/).*")},
         {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/store/|tests/).*")},
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
@@ -47,43 +53,45 @@ const std::vector<Fence>& fences() {
     return list;
 }
 
-std::string at(const SourceFile& file, int line, const std::string& what) { return file.path + ":" + std::to_string(line) + ": " + what; }
+std::string at(const SourceFile& file, int line, const std::string& what) {
+    return file.path + ":" + std::to_string(line) + ": " + what;
+}
 
 int rank(const std::vector<std::string>& order, const std::string& folder) {
     const auto found = std::find(order.begin(), order.end(), folder);
     return found == order.end() ? -1 : static_cast<int>(found - order.begin());
 }
 
-std::string parentFolder(const std::string& path) { return path.substr(0, path.rfind('/')); }
+std::string parentFolder(const std::string& path) {
+    return path.substr(0, path.rfind('/'));
+}
 
-std::string folderOf(const std::string& path, int depth) { return SourceFile{path, {}, {}}.folder(depth); }
+std::string folderOf(const std::string& path, int depth) {
+    return SourceFile{path, {}, {}}.folder(depth);
+}
 
 /// Why one include goes the wrong way, or nothing.
 std::string directionProblem(const std::string& from, const std::string& to) {
     const std::string topFrom = folderOf(from, 1), topTo = folderOf(to, 1);
-    if (topFrom == "tests" || rank(kTops, topTo) < 0) {
+    if (topFrom == "tests" || rank(kTops, topTo) < 0)
         return topTo == "tests" && topFrom != "tests" ? "the product includes a test" : "";
-    }
-    if (rank(kTops, topTo) > rank(kTops, topFrom)) {
+    if (rank(kTops, topTo) > rank(kTops, topFrom))
         return topFrom + " includes " + topTo;
-    }
-    if (topFrom == "app" && topTo == "app" && folderOf(from, 2) != folderOf(to, 2)) {
+    if (topFrom == "app" && topTo == "app" && folderOf(from, 2) != folderOf(to, 2))
         return folderOf(from, 2) + " includes " + folderOf(to, 2);
-    }
-    if (folderOf(from, 2) == "app/batch" && topTo == "widgets") {
+    if (folderOf(from, 2) == "app/batch" && topTo == "widgets")
         return "app/batch includes widgets";
-    }
     const std::string folderFrom = parentFolder(from), folderTo = parentFolder(to);
-    for (const auto& order : {kCoreFolders, kWidgetFolders}) {
-        if (rank(order, folderFrom) >= 0 && rank(order, folderTo) > rank(order, folderFrom)) {
+    for (const auto& order : {kCoreFolders, kWidgetFolders})
+        if (rank(order, folderFrom) >= 0 && rank(order, folderTo) > rank(order, folderFrom))
             return folderFrom + " includes " + folderTo;
-        }
-    }
     return "";
 }
 
 /// A header and its source together: the path without its extension.
-std::string componentOf(const std::string& path) { return path.substr(0, path.rfind('.')); }
+std::string componentOf(const std::string& path) {
+    return path.substr(0, path.rfind('.'));
+}
 
 /// Depth-first search for a way back to a component that is still being visited.
 class CycleSearch {
@@ -91,40 +99,34 @@ public:
     explicit CycleSearch(const std::vector<SourceFile>& files) {
         for (const SourceFile& file : files) {
             std::set<std::string>& included = m_components[componentOf(file.path)];
-            for (const Include& include : file.includes) {
-                if (include.isQuoted && componentOf(include.path) != componentOf(file.path)) {
+            for (const Include& include : file.includes)
+                if (include.isQuoted && componentOf(include.path) != componentOf(file.path))
                     included.insert(componentOf(include.path));
-                }
-            }
         }
     }
 
     Violations run() {
-        for (const auto& [component, included] : m_components) {
+        for (const auto& [component, included] : m_components)
             visit(component);
-        }
         return m_violations;
     }
 
 private:
     void visit(const std::string& component) {
         const auto found = m_components.find(component);
-        if (found == m_components.end() || m_done.count(component) > 0) {
+        if (found == m_components.end() || m_done.count(component) > 0)
             return;
-        }
         const auto open = std::find(m_open.begin(), m_open.end(), component);
         if (open != m_open.end()) {
             std::string circle;
-            for (auto i = open; i != m_open.end(); ++i) {
+            for (auto i = open; i != m_open.end(); ++i)
                 circle += *i + " -> ";
-            }
             m_violations.push_back(circle + component);
             return;
         }
         m_open.push_back(component);
-        for (const std::string& included : found->second) {
+        for (const std::string& included : found->second)
             visit(included);
-        }
         m_open.pop_back();
         m_done.insert(component);
     }
@@ -135,11 +137,14 @@ private:
     Violations m_violations;
 };
 
-std::size_t indentation(const std::string& line) { return std::min(line.find_first_not_of(' '), line.size()); }
+std::size_t indentation(const std::string& line) {
+    return std::min(line.find_first_not_of(' '), line.size());
+}
 
 /// Whether a line that ends with `{` opens the body of a function (and not a class, a namespace, a loop or a list).
 bool opensFunction(const std::string& line) {
-    static const std::regex other("\\s*(namespace|class|struct|enum|union|extern|if|else|for|while|do|switch|try|catch|return|case)\\b.*");
+    static const std::regex other(
+        "\\s*(namespace|class|struct|enum|union|extern|if|else|for|while|do|switch|try|catch|return|case)\\b.*");
     static const std::regex list(".*=\\s*\\{|.*\\w\\{");
     return line.ends_with("{") && !std::regex_match(line, other) && !std::regex_match(line, list);
 }
@@ -151,15 +156,16 @@ Violations wrongDirections(const std::vector<SourceFile>& files) {
     for (const SourceFile& file : files) {
         for (const Include& include : file.includes) {
             const std::string problem = include.isQuoted ? directionProblem(file.path, include.path) : "";
-            if (!problem.empty()) {
+            if (!problem.empty())
                 violations.push_back(at(file, include.line, problem + " (" + include.path + ")"));
-            }
         }
     }
     return violations;
 }
 
-Violations includeCycles(const std::vector<SourceFile>& files) { return CycleSearch(files).run(); }
+Violations includeCycles(const std::vector<SourceFile>& files) {
+    return CycleSearch(files).run();
+}
 
 Violations brokenFences(const std::vector<SourceFile>& files) {
     Violations violations;
@@ -168,7 +174,8 @@ Violations brokenFences(const std::vector<SourceFile>& files) {
             for (const Fence& fence : fences()) {
                 const bool isOfLibrary = !include.isQuoted && std::regex_match(include.path, fence.header);
                 if (isOfLibrary && !std::regex_match(file.path, fence.allowed) && !file.path.starts_with("tests/")) {
-                    violations.push_back(at(file, include.line, fence.library + " is not used here (" + include.path + ")"));
+                    violations.push_back(
+                        at(file, include.line, fence.library + " is not used here (" + include.path + ")"));
                 }
             }
         }
@@ -178,15 +185,15 @@ Violations brokenFences(const std::vector<SourceFile>& files) {
 
 Violations unknownIncludes(const std::vector<SourceFile>& files) {
     std::set<std::string> paths;
-    for (const SourceFile& file : files) {
+    for (const SourceFile& file : files)
         paths.insert(file.path);
-    }
     static const std::regex generated(".*\\.moc|moc_.*|ui_.*");
     Violations violations;
     for (const SourceFile& file : files) {
         for (const Include& include : file.includes) {
             if (include.isQuoted && paths.count(include.path) == 0 && !std::regex_match(include.path, generated)) {
-                violations.push_back(at(file, include.line, "\"" + include.path + "\" is not a file of the project, named from its root"));
+                violations.push_back(at(file, include.line,
+                                        "\"" + include.path + "\" is not a file of the project, named from its root"));
             }
         }
     }
@@ -195,15 +202,14 @@ Violations unknownIncludes(const std::vector<SourceFile>& files) {
 
 Violations crowdedFolders(const std::vector<SourceFile>& files) {
     std::map<std::string, std::set<std::string>> folders;
-    for (const SourceFile& file : files) {
-        if (folderOf(file.path, 1) != "tests") {
+    for (const SourceFile& file : files)
+        if (folderOf(file.path, 1) != "tests")
             folders[parentFolder(file.path)].insert(componentOf(file.path));
-        }
-    }
     Violations violations;
     for (const auto& [folder, components] : folders) {
         if (folder != "app/batch" && components.size() > kMostComponents) { // which has one file per command
-            violations.push_back(folder + ": " + std::to_string(components.size()) + " components, at most " + std::to_string(kMostComponents));
+            violations.push_back(folder + ": " + std::to_string(components.size()) + " components, at most " +
+                                 std::to_string(kMostComponents));
         }
     }
     return violations;
@@ -213,7 +219,8 @@ Violations longFiles(const std::vector<SourceFile>& files) {
     Violations violations;
     for (const SourceFile& file : files) {
         if (file.lines.size() > kMostLines) {
-            violations.push_back(at(file, 1, std::to_string(file.lines.size()) + " lines, at most " + std::to_string(kMostLines)));
+            violations.push_back(
+                at(file, 1, std::to_string(file.lines.size()) + " lines, at most " + std::to_string(kMostLines)));
         }
     }
     return violations;
@@ -224,17 +231,18 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
     for (const SourceFile& file : files) {
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
             const std::size_t indent = indentation(file.lines[i]);
-            if (indent > 4 || !opensFunction(file.lines[i])) {
+            if (indent > 4 || !opensFunction(file.lines[i]))
                 continue;
-            }
             const bool continues = indent == 4 && (file.lines[i][indent] == ':' || file.lines[i][indent] == ',');
-            const std::string closing = std::string(continues ? 0 : indent, ' ') + "}"; // a constructor's initialisers stand deeper
+            const std::string closing =
+                std::string(continues ? 0 : indent, ' ') + "}"; // a constructor's initialisers stand deeper
             std::size_t end = i + 1;
-            while (end < file.lines.size() && !file.lines[end].starts_with(closing)) {
+            while (end < file.lines.size() && !file.lines[end].starts_with(closing))
                 ++end;
-            }
             if (end - i + 1 > kMostFunctionLines) {
-                violations.push_back(at(file, static_cast<int>(i) + 1, "a function of " + std::to_string(end - i + 1) + " lines, at most " + std::to_string(kMostFunctionLines)));
+                violations.push_back(at(file, static_cast<int>(i) + 1,
+                                        "a function of " + std::to_string(end - i + 1) + " lines, at most " +
+                                            std::to_string(kMostFunctionLines)));
             }
         }
     }
@@ -245,15 +253,12 @@ Violations untidyFiles(const std::vector<SourceFile>& files) {
     static const std::regex meaningless("(.*/)?(util|utils|common|misc|globals|helpers)(/.*|\\.(h|cpp))");
     Violations violations;
     for (const SourceFile& file : files) {
-        if (file.lines.empty() || file.lines.front() != "// SPDX-License-Identifier: MIT") {
+        if (file.lines.empty() || file.lines.front() != "// SPDX-License-Identifier: MIT")
             violations.push_back(at(file, 1, "the licence line is missing"));
-        }
-        if (file.isHeader() && std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end()) {
+        if (file.isHeader() && std::find(file.lines.begin(), file.lines.end(), "#pragma once") == file.lines.end())
             violations.push_back(at(file, 1, "#pragma once is missing"));
-        }
-        if (std::regex_match(file.path, meaningless)) {
+        if (std::regex_match(file.path, meaningless))
             violations.push_back(at(file, 1, "the name says nothing"));
-        }
     }
     return violations;
 }

@@ -14,9 +14,8 @@ std::string SourceFile::folder(int depth) const {
     std::size_t end = 0;
     for (int i = 0; i < depth; ++i) {
         const std::size_t slash = path.find('/', end == 0 ? 0 : end + 1);
-        if (slash == std::string::npos) {
+        if (slash == std::string::npos)
             break;
-        }
         end = slash;
     }
     return path.substr(0, end);
@@ -30,9 +29,8 @@ SourceFile parseSource(std::string path, const std::string& text) {
     std::smatch match;
     for (std::string line; std::getline(stream, line);) {
         file.lines.push_back(line);
-        if (std::regex_match(line, match, includeLine)) {
+        if (std::regex_match(line, match, includeLine))
             file.includes.push_back({match[2], match[1] == "\"", static_cast<int>(file.lines.size())});
-        }
     }
     return file;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Annotates ten frames of the demo through the real window, with clicks that scatter as a person's do, and compares the exported 3D
-// joints with the true ones. Usage: handlens_annotation_trial [sigma-px] [views]
+// Annotates ten frames of the demo through the real window, with clicks that scatter as a person's do, and compares the
+// exported 3D joints with the true ones. Usage: handlens_annotation_trial [sigma-px] [views]
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/demo/demo_dataset.h"
-#include "core/io/formats/joint_files.h"
 #include "core/io/files/json_file.h"
+#include "core/io/formats/joint_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -55,11 +55,16 @@ int writeScript(Trial& trial, const std::filesystem::path& file) {
         say({{"do", "goto"}, {"sequence", trial.dataset().sequences[0].name}, {"frame", trial.frame(index)}});
         for (std::size_t hand = 0; hand < 2; ++hand) {
             for (std::size_t joint = 0; joint < trial.joints.size(); ++joint) {
-                say({{"do", "select"}, {"hand", core::sideName(trial.dataset().hands[hand].side)}, {"joint", trial.joints[joint]}});
+                say({{"do", "select"},
+                     {"hand", core::sideName(trial.dataset().hands[hand].side)},
+                     {"joint", trial.joints[joint]}});
                 for (const std::size_t view : chosenViews(trial, joint)) {
                     const core::Camera& camera = trial.dataset().cameras[view];
-                    const Eigen::Vector2d px = *core::project(camera, trial.truth(hand, trial.joints[joint], trial.frame(index)));
-                    say({{"do", "click"}, {"camera", camera.name}, {"px", {px.x() + noise(trial.random), px.y() + noise(trial.random)}}});
+                    const Eigen::Vector2d px =
+                        *core::project(camera, trial.truth(hand, trial.joints[joint], trial.frame(index)));
+                    say({{"do", "click"},
+                         {"camera", camera.name},
+                         {"px", {px.x() + noise(trial.random), px.y() + noise(trial.random)}}});
                     ++clicks;
                 }
                 say({{"do", "key"}, {"keys", "Shift+Space"}});
@@ -77,7 +82,8 @@ std::vector<double> errorsMm(const Trial& trial, const json& groundTruth) {
     for (const json& frame : groundTruth["frames"]) {
         const json& hands = frame["raters"][0]["hands"];
         for (std::size_t hand = 0; hand < 2; ++hand) {
-            for (const auto& [name, joint] : hands[std::string(core::sideName(trial.dataset().hands[hand].side))]["joints"].items()) {
+            for (const auto& [name, joint] :
+                 hands[std::string(core::sideName(trial.dataset().hands[hand].side))]["joints"].items()) {
                 const Eigen::Vector3d found(joint["xyz"][0], joint["xyz"][1], joint["xyz"][2]);
                 errors.push_back((found - trial.truth(hand, name, frame["frame"])).norm());
             }
@@ -95,8 +101,9 @@ int main(int argc, char** argv) {
     const test::TemporaryFolder folder;
     core::writeDataset(trial.demo.dataset, trial.demo.motions, folder / "demo");
     const int clicks = writeScript(trial, folder / "script.jsonl");
-    const std::string command = std::string(HANDLENS_PROGRAM) + " '" + (folder / "demo").string() + "' --offscreen --script '" +
-                                (folder / "script.jsonl").string() + "' --out '" + (folder / "out").string() + "' > '" + (folder / "answers").string() + "'";
+    const std::string command = std::string(HANDLENS_PROGRAM) + " '" + (folder / "demo").string() +
+                                "' --offscreen --script '" + (folder / "script.jsonl").string() + "' --out '" +
+                                (folder / "out").string() + "' > '" + (folder / "answers").string() + "'";
     if (std::system(command.c_str()) != 0) {
         std::fprintf(stderr, "the window failed\n");
         return 1;
@@ -118,10 +125,12 @@ int main(int argc, char** argv) {
         largest = std::max(largest, error);
     }
     const double count = static_cast<double>(errors.size());
-    std::printf("%d frames, %zu joints, %d clicks (%.1f per joint), %d keys; clicks scatter by %g px\n", kFrames, errors.size(), clicks, clicks / count,
-                static_cast<int>(errors.size()), trial.sigmaPx);
-    std::printf("3D error: mean %.3f mm, RMS %.3f mm, largest %.3f mm\n", sum / count, std::sqrt(squares / count), largest);
-    std::printf("the window's own time: %.2f s per frame of %d steps; events %.1f ms on average, %.1f ms at most\n", stepsMs / 1000 / kFrames,
-                static_cast<int>(clicks / kFrames + 2 * errors.size() / kFrames), timing["meanMs"].get<double>(), timing["maxMs"].get<double>());
+    std::printf("%d frames, %zu joints, %d clicks (%.1f per joint), %d keys; clicks scatter by %g px\n", kFrames,
+                errors.size(), clicks, clicks / count, static_cast<int>(errors.size()), trial.sigmaPx);
+    std::printf("3D error: mean %.3f mm, RMS %.3f mm, largest %.3f mm\n", sum / count, std::sqrt(squares / count),
+                largest);
+    std::printf("the window's own time: %.2f s per frame of %d steps; events %.1f ms on average, %.1f ms at most\n",
+                stepsMs / 1000 / kFrames, static_cast<int>(clicks / kFrames + 2 * errors.size() / kFrames),
+                timing["meanMs"].get<double>(), timing["maxMs"].get<double>());
     return errors.size() == static_cast<std::size_t>(kFrames) * 28 ? 0 : 1;
 }

@@ -27,9 +27,8 @@ cv::Mat contourPicture() {
 
 void exactTransformWithArgmin(benchmark::State& state) {
     const test::BenchmarkScene& scene = benchmarkScene();
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(core::computeDistanceTransform(scene.contours[0], scene.region));
-    }
     state.SetLabel(std::to_string(scene.region.width) + " x " + std::to_string(scene.region.height) + " px, " +
                    std::to_string(scene.contours[0].size()) + " points");
 }
@@ -43,15 +42,15 @@ void opencvPreciseWithoutLabels(benchmark::State& state) {
         cv::distanceTransform(picture, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
         benchmark::DoNotOptimize(distance.data);
     }
-    const core::DistanceTransform ours = core::computeDistanceTransform(benchmarkScene().contours[0], benchmarkScene().region);
+    const core::DistanceTransform ours =
+        core::computeDistanceTransform(benchmarkScene().contours[0], benchmarkScene().region);
     double worst = 0;
     for (int i = 0; i < distance.rows * distance.cols; ++i) {
         worst = std::max(worst, std::abs(static_cast<double>(distance.at<float>(i / distance.cols, i % distance.cols)) -
                                          static_cast<double>(ours.distancePx[static_cast<std::size_t>(i)])));
     }
-    if (worst > 1e-3) {
+    if (worst > 1e-3)
         state.SkipWithError("the exact transforms differ");
-    }
     state.counters["worst_px"] = worst;
 }
 BENCHMARK(opencvPreciseWithoutLabels)->Unit(benchmark::kMillisecond);
@@ -75,7 +74,8 @@ void opencvWithLabels(benchmark::State& state) {
             }
         }
     }
-    const core::DistanceTransform ours = core::computeDistanceTransform(benchmarkScene().contours[0], benchmarkScene().region);
+    const core::DistanceTransform ours =
+        core::computeDistanceTransform(benchmarkScene().contours[0], benchmarkScene().region);
     int wrong = 0;
     double worst = 0;
     for (int y = 0; y < picture.rows; ++y) {

@@ -33,9 +33,8 @@ const core::OrientedContour& queries() {
 
 void tensorSetUp(benchmark::State& state) {
     const test::BenchmarkScene& scene = benchmarkScene();
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(core::computeDt3Tensor(scene.contours[0], kBins, kLambda, scene.region));
-    }
     state.counters["MB"] = 2e-6 * kBins.count() * scene.region.area();
 }
 BENCHMARK(tensorSetUp)->Unit(benchmark::kMillisecond);
@@ -57,9 +56,8 @@ void tensorLookUp(benchmark::State& state) {
         const auto found = core::nearestFromTensor(tensor, scene.contours[0], px, angle);
         worst = std::max(worst, std::abs(found->distancePx - exact->distancePx));
     }
-    if (worst > 1e-3) {
+    if (worst > 1e-3)
         state.SkipWithError("tensor and direct search differ");
-    }
     state.counters["points"] = static_cast<double>(queries().size());
 }
 BENCHMARK(tensorLookUp)->Unit(benchmark::kMillisecond);
@@ -94,16 +92,14 @@ void directOverACellGrid(benchmark::State& state) {
         const auto found = index.nearestDirectional(queries().x[i], queries().y[i], bin, kLambda, noGate);
         worst = std::max(worst, std::abs(static_cast<double>(found.distance) - exact->distancePx));
     }
-    if (worst > 1e-2) {
+    if (worst > 1e-2)
         state.SkipWithError("cell grid and direct search differ");
-    }
 }
 BENCHMARK(directOverACellGrid)->Unit(benchmark::kMillisecond);
 
 void cellGridSetUp(benchmark::State& state) {
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(core::ContourIndex(benchmarkScene().contours[0], kBins));
-    }
 }
 BENCHMARK(cellGridSetUp)->Unit(benchmark::kMillisecond);
 

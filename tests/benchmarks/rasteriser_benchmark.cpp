@@ -16,9 +16,8 @@ using test::benchmarkScene;
 const std::vector<core::PosedSurface>& posedHands() {
     static const std::vector<std::vector<Eigen::Vector3d>> vertices = [] {
         std::vector<std::vector<Eigen::Vector3d>> posed;
-        for (std::size_t h = 0; h < benchmarkScene().dataset.hands.size(); ++h) {
+        for (std::size_t h = 0; h < benchmarkScene().dataset.hands.size(); ++h)
             posed.push_back(core::posedVertices(benchmarkScene().dataset.hands[h], benchmarkScene().poses[h]));
-        }
         return posed;
     }();
     static const std::vector<core::PosedSurface> surfaces = [] {
@@ -39,7 +38,8 @@ cv::Mat filledByOpenCv(const core::Camera& camera) {
         std::vector<cv::Point> px;
         for (const Eigen::Vector3d& vertex : *surface.verticesInWorld) {
             const Eigen::Vector2d p = core::project(camera, vertex).value_or(Eigen::Vector2d::Zero());
-            px.emplace_back(static_cast<int>(std::lround(p.x() * (1 << kShift))), static_cast<int>(std::lround(p.y() * (1 << kShift))));
+            px.emplace_back(static_cast<int>(std::lround(p.x() * (1 << kShift))),
+                            static_cast<int>(std::lround(p.y() * (1 << kShift))));
         }
         for (const auto& t : *surface.triangles) {
             const cv::Point corners[3] = {px[static_cast<std::size_t>(t[0])], px[static_cast<std::size_t>(t[1])],
@@ -52,9 +52,8 @@ cv::Mat filledByOpenCv(const core::Camera& camera) {
 
 void pixelCentreRasteriser(benchmark::State& state) {
     const core::Camera& camera = benchmarkScene().dataset.cameras[0];
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(core::renderMask(camera, posedHands()).data);
-    }
 }
 BENCHMARK(pixelCentreRasteriser)->Unit(benchmark::kMillisecond);
 
@@ -68,9 +67,8 @@ void opencvFillConvexPoly(benchmark::State& state) {
     }
     const cv::Mat ours = core::renderMask(camera, posedHands());
     const int more = cv::countNonZero(mask) - cv::countNonZero(ours);
-    if (cv::countNonZero((mask == 0) & (ours != 0)) > cv::countNonZero(ours) / 1000) {
+    if (cv::countNonZero((mask == 0) & (ours != 0)) > cv::countNonZero(ours) / 1000)
         state.SkipWithError("the silhouettes differ");
-    }
     state.counters["fatter_px"] = static_cast<double>(more) / static_cast<double>(benchmarkScene().contours[0].size());
 }
 BENCHMARK(opencvFillConvexPoly)->Unit(benchmark::kMillisecond);

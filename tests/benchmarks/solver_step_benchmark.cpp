@@ -16,8 +16,8 @@ using test::benchmarkScene;
 constexpr double kDamping = 1e-3;
 constexpr int kPerCamera = 250; ///< correspondences of the hand, as many as a fit uses
 
-/// One step's worth of work for the left hand: points of its surface in the start pose, and the rays on which they lie five
-/// frames later.
+/// One step's worth of work for the left hand: points of its surface in the start pose, and the rays on which they lie
+/// five frames later.
 struct Step {
     core::SkinnedSurface surface;
     std::vector<core::RayCorrespondence> correspondences;
@@ -72,9 +72,8 @@ public:
         const Eigen::Vector3d& d = correspondence.rayDirection;
         m_offset = (correspondence.point - correspondence.rayPoint).cross(d);
         m_jacobian.resize(3, jacobian.cols());
-        for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
+        for (Eigen::Index k = 0; k < jacobian.cols(); ++k)
             m_jacobian.col(k) = Eigen::Vector3d(jacobian.col(k)).cross(d);
-        }
         set_num_residuals(3);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(jacobian.cols()));
     }
@@ -83,7 +82,8 @@ public:
         Eigen::Map<Eigen::Vector3d> r(residuals);
         r = m_offset + m_jacobian * s;
         if (jacobians != nullptr && jacobians[0] != nullptr) {
-            Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>(jacobians[0], 3, m_jacobian.cols()) = m_jacobian;
+            Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>(jacobians[0], 3, m_jacobian.cols()) =
+                m_jacobian;
         }
         return true;
     }
@@ -96,14 +96,14 @@ private:
 /// sqrt(weight_k) s_k: the damping.
 class DampingResidual : public ceres::CostFunction {
 public:
-    explicit DampingResidual(Eigen::VectorXd weights) : m_roots(weights.cwiseSqrt()) {
+    explicit DampingResidual(Eigen::VectorXd weights)
+        : m_roots(weights.cwiseSqrt()) {
         set_num_residuals(static_cast<int>(m_roots.size()));
         mutable_parameter_block_sizes()->push_back(static_cast<int>(m_roots.size()));
     }
     bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
-        for (Eigen::Index k = 0; k < m_roots.size(); ++k) {
+        for (Eigen::Index k = 0; k < m_roots.size(); ++k)
             residuals[k] = m_roots[k] * parameters[0][k];
-        }
         if (jacobians != nullptr && jacobians[0] != nullptr) {
             Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
                 jacobians[0], m_roots.size(), m_roots.size()) = m_roots.asDiagonal();
@@ -123,13 +123,14 @@ Eigen::VectorXd ceresStep() {
     Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(s.size());
     ceres::Problem problem;
     for (const core::RayCorrespondence& correspondence : step().correspondences) {
-        const Eigen::MatrixXd jacobian = linearisation.pointJacobian(correspondence.vertexA, correspondence.vertexB, correspondence.t);
-        for (Eigen::Index k = 0; k < s.size(); ++k) {
+        const Eigen::MatrixXd jacobian =
+            linearisation.pointJacobian(correspondence.vertexA, correspondence.vertexB, correspondence.t);
+        for (Eigen::Index k = 0; k < s.size(); ++k)
             diagonal[k] += Eigen::Vector3d(jacobian.col(k)).cross(correspondence.rayDirection).squaredNorm();
-        }
         problem.AddResidualBlock(new RayResidual(correspondence, jacobian), nullptr, s.data());
     }
-    problem.AddResidualBlock(new DampingResidual(kDamping * diagonal + Eigen::VectorXd::Constant(s.size(), 1e-9)), nullptr, s.data());
+    problem.AddResidualBlock(new DampingResidual(kDamping * diagonal + Eigen::VectorXd::Constant(s.size(), 1e-9)),
+                             nullptr, s.data());
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
     options.max_num_iterations = 3;
@@ -144,23 +145,20 @@ Eigen::VectorXd ceresStep() {
 }
 
 void ourNormalEquations(benchmark::State& state) {
-    for (auto _ : state) {
+    for (auto _ : state)
         benchmark::DoNotOptimize(ourStep());
-    }
     state.counters["correspondences"] = static_cast<double>(step().correspondences.size());
 }
 BENCHMARK(ourNormalEquations)->Unit(benchmark::kMillisecond);
 
 void ceresOnTheSameResiduals(benchmark::State& state) {
     Eigen::VectorXd theirs;
-    for (auto _ : state) {
+    for (auto _ : state)
         theirs = ceresStep();
-    }
     const Eigen::VectorXd ours = ourStep();
     const double difference = (theirs - ours).norm() / ours.norm();
-    if (!(difference < 1e-8)) {
+    if (!(difference < 1e-8))
         state.SkipWithError(("the steps differ by " + std::to_string(difference)).c_str());
-    }
     state.counters["relative_difference"] = difference;
 }
 BENCHMARK(ceresOnTheSameResiduals)->Unit(benchmark::kMillisecond);

@@ -31,12 +31,14 @@ std::vector<Clicked> clickedPoints(const std::vector<core::Camera>& cameras, int
         point.truth = {160 * random.uniform() - 80, 160 * random.uniform() - 80, 160 * random.uniform() - 80};
         const auto first = static_cast<int>(random.below(cameras.size()));
         for (int c = 0; c < static_cast<int>(cameras.size()); ++c) {
-            const bool off = (c - first + static_cast<int>(cameras.size())) % static_cast<int>(cameras.size()) < outliers;
+            const bool off =
+                (c - first + static_cast<int>(cameras.size())) % static_cast<int>(cameras.size()) < outliers;
             const Eigen::Vector2d noise(gaussian(random), gaussian(random));
             const double angle = 2 * std::numbers::pi * random.uniform();
             const double distance = off ? 25 + 55 * random.uniform() : 0;
             const Eigen::Vector2d shift(distance * std::cos(angle), distance * std::sin(angle));
-            point.observations.push_back({c, *core::project(cameras[static_cast<std::size_t>(c)], point.truth) + noise + shift});
+            point.observations.push_back(
+                {c, *core::project(cameras[static_cast<std::size_t>(c)], point.truth) + noise + shift});
         }
     }
     return points;
@@ -47,7 +49,8 @@ Eigen::Vector3d plainDlt(const std::vector<core::Camera>& cameras, const std::ve
     Eigen::MatrixXd rows(2 * observations.size(), 4);
     for (std::size_t i = 0; i < observations.size(); ++i) {
         const core::Camera& camera = cameras[static_cast<std::size_t>(observations[i].camera)];
-        const Eigen::Vector2d normalised = core::undistort(camera, observations[i].px).value_or(Eigen::Vector2d::Zero());
+        const Eigen::Vector2d normalised =
+            core::undistort(camera, observations[i].px).value_or(Eigen::Vector2d::Zero());
         Eigen::Matrix<double, 3, 4> projection;
         projection << camera.cameraFromWorld.rotation, camera.cameraFromWorld.translation;
         const auto row = static_cast<Eigen::Index>(2 * i);
@@ -65,18 +68,19 @@ void run(benchmark::State& state, const Triangulate& triangulateOne) {
     double squared = 0;
     for (auto _ : state) {
         squared = 0;
-        for (const Clicked& point : points) {
+        for (const Clicked& point : points)
             squared += (triangulateOne(cameras, point.observations) - point.truth).squaredNorm();
-        }
     }
     state.counters["rms_mm"] = std::sqrt(squared / kPoints);
     state.SetItemsProcessed(state.iterations() * kPoints);
 }
 
 void robustTriangulation(benchmark::State& state) {
-    run(state, [](const auto& cameras, const auto& observations) {
-        return core::triangulate(cameras, observations).point.value().pointInWorld;
-    });
+    run(
+        state,
+        [](const auto& cameras, const auto& observations) {
+            return core::triangulate(cameras, observations).point.value().pointInWorld;
+        });
 }
 BENCHMARK(robustTriangulation)->ArgName("outliers")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 

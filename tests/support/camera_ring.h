@@ -22,9 +22,8 @@ inline std::vector<core::Camera> cameraRing(int count, bool withLens = true) {
         camera.name = "cam" + std::to_string(i);
         camera.size = {1080, 1920};
         camera.intrinsics << 1800 + 7 * i, 0, 541.3, 0, 1803 + 7 * i, 955.8, 0, 0, 1;
-        if (withLens) {
+        if (withLens)
             camera.distortion = {-0.12, 0.05, 0.001, -0.0008, 0.0};
-        }
         camera.cameraFromWorld.rotation << x.transpose(), z.cross(x).transpose(), z.transpose();
         camera.cameraFromWorld.translation = -(camera.cameraFromWorld.rotation * centre);
         cameras.push_back(camera);

@@ -17,9 +17,8 @@ inline void clickEverywhere(core::AnnotationSet& set, const std::vector<core::Ca
                             double sigmaPx = 0, std::mt19937_64* random = nullptr) {
     for (const core::Camera& camera : cameras) {
         auto px = core::project(camera, point);
-        if (!px) {
+        if (!px)
             continue;
-        }
         if (random && sigmaPx > 0) {
             std::normal_distribution<double> normal(0, sigmaPx);
             px->x() += normal(*random);
@@ -30,6 +29,8 @@ inline void clickEverywhere(core::AnnotationSet& set, const std::vector<core::Ca
 }
 
 /// Seeded by its name, so that every test draws its own, always the same numbers.
-inline std::mt19937_64 randomFor(const std::string& name) { return std::mt19937_64(std::hash<std::string>{}(name)); }
+inline std::mt19937_64 randomFor(const std::string& name) {
+    return std::mt19937_64(std::hash<std::string>{}(name));
+}
 
 } // namespace test

@@ -22,9 +22,8 @@ struct FittingScene {
     std::vector<cv::Mat> masks;
 
     explicit FittingScene(std::string_view seed, int cameraCount = 6, bool withLens = true) {
-        for (const core::Camera& camera : cameraRing(cameraCount, withLens)) {
+        for (const core::Camera& camera : cameraRing(cameraCount, withLens))
             cameras.push_back(core::cropped(camera, {0, 0}, {540, 960}, 0.5));
-        }
         RandomValues random(seed);
         for (const core::HandModel& hand : hands) {
             truth.push_back(somePose(hand.skeleton, random, 10, 0.2));
@@ -42,9 +41,8 @@ struct FittingScene {
 
     std::vector<cv::Mat> seen(const core::HandPoses& poses) const {
         std::vector<cv::Mat> result;
-        for (const core::Camera& camera : cameras) {
+        for (const core::Camera& camera : cameras)
             result.push_back(core::renderHandsMask(camera, hands, poses));
-        }
         return result;
     }
     double errorMm(const core::HandPoses& poses) const { return core::meanJointDistanceMm(hands, truth, poses); }

@@ -43,7 +43,8 @@ inline std::map<core::JointId, Eigen::Vector3d> fiveFingerJoints(const core::Dat
 
 /// One edit that marks these joints in every camera that sees them.
 inline core::Edit clicksEdit(const core::Dataset& dataset, int frame, const std::string& rater,
-                             const std::map<core::JointId, Eigen::Vector3d>& joints, double sigmaPx = 0, std::mt19937_64* random = nullptr) {
+                             const std::map<core::JointId, Eigen::Vector3d>& joints, double sigmaPx = 0,
+                             std::mt19937_64* random = nullptr) {
     core::AnnotationSet set;
     for (const auto& [joint, point] : joints)
         clickEverywhere(set, dataset.cameras, frame, rater, joint, point, sigmaPx, random);

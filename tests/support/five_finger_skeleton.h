@@ -8,11 +8,13 @@
 namespace test {
 
 /// A hand without skin: wrist at the origin, fingers along x, the back of the hand towards z, 21 joints named as in the
-/// 21-joint list; the thumb towards y in a right hand, towards -y in a left one. Flexion, and abduction at the MCP and CMC.
+/// 21-joint list; the thumb towards y in a right hand, towards -y in a left one. Flexion, and abduction at the MCP and
+/// CMC.
 inline core::Skeleton fiveFingerSkeleton(core::Side side) {
     core::Skeleton skeleton;
     const double mirror = side == core::Side::Right ? 1 : -1;
-    const auto addBone = [&](const std::string& name, int parent, const Eigen::Vector3d& rightOrigin, double yawRad, double lengthMm) {
+    const auto addBone = [&](const std::string& name, int parent, const Eigen::Vector3d& rightOrigin, double yawRad,
+                             double lengthMm) {
         core::Bone bone;
         bone.name = name;
         bone.parent = parent;
@@ -49,9 +51,8 @@ inline core::Skeleton fiveFingerSkeleton(core::Side side) {
             const double length = j < 3 ? finger.lengthsMm[j] : 0;
             parent = addBone(finger.name + "_" + finger.joints[j], parent, at, finger.yawRad, length);
             at += length * Eigen::Vector3d(std::cos(finger.yawRad), std::sin(finger.yawRad), 0);
-            if (j < 3) {
+            if (j < 3)
                 addDofs(parent, j == 0);
-            }
         }
     }
     skeleton.centreAtRest = {80, 0, 0};

@@ -12,17 +12,13 @@ namespace test {
 inline bool isClosedAndOriented(const core::TriangleMesh& mesh) {
     std::map<std::pair<int, int>, int> uses;
     for (const auto& t : mesh.triangles) {
-        for (int k = 0; k < 3; ++k) {
-            if (t[k] == t[(k + 1) % 3] || ++uses[{t[k], t[(k + 1) % 3]}] > 1) {
+        for (int k = 0; k < 3; ++k)
+            if (t[k] == t[(k + 1) % 3] || ++uses[{t[k], t[(k + 1) % 3]}] > 1)
                 return false;
-            }
-        }
     }
-    for (const auto& [edge, count] : uses) {
-        if (!uses.count({edge.second, edge.first})) {
+    for (const auto& [edge, count] : uses)
+        if (!uses.count({edge.second, edge.first}))
             return false;
-        }
-    }
     return true;
 }
 

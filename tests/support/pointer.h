@@ -38,9 +38,8 @@ inline void click(QWidget* widget, QPointF at, Qt::MouseButton button = Qt::Left
 inline void drag(QWidget* widget, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton) {
     press(widget, from, button);
     constexpr int kSteps = 4;
-    for (int i = 1; i <= kSteps; ++i) {
+    for (int i = 1; i <= kSteps; ++i)
         moveTo(widget, from + (to - from) * i / kSteps, button);
-    }
     release(widget, to, button);
 }
 

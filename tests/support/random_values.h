@@ -29,9 +29,8 @@ public:
     /// Every entry in [-half, half).
     Eigen::VectorXd vector(Eigen::Index size, double half) {
         Eigen::VectorXd v(size);
-        for (Eigen::Index k = 0; k < size; ++k) {
+        for (Eigen::Index k = 0; k < size; ++k)
             v[k] = between(-half, half);
-        }
         return v;
     }
     Eigen::Vector3d point(double half) { return vector(3, half); }

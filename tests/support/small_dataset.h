@@ -12,7 +12,8 @@ struct SmallDataset {
     std::vector<core::Motion> motions;
 };
 
-/// Two small hands, three cameras, a sequence "first" of five frames with motion and one "second" of seven without pictures.
+/// Two small hands, three cameras, a sequence "first" of five frames with motion and one "second" of seven without
+/// pictures.
 inline SmallDataset smallDataset() {
     SmallDataset small;
     core::Dataset& dataset = small.dataset;
@@ -20,7 +21,8 @@ inline SmallDataset smallDataset() {
     dataset.cameras = cameraRing(3);
     dataset.hands = {smallHand(core::Side::Left), smallHand(core::Side::Right)};
     dataset.handFiles = {"hands/left.json", "hands/right.json"};
-    core::Sequence first{"first", 5, 25, {}, "", "motion/first.json", "annotations/first.sqlite"}, second{"second", 7, 50, {}, "", "", ""};
+    core::Sequence first{"first", 5, 25, {}, "", "motion/first.json", "annotations/first.sqlite"},
+        second{"second", 7, 50, {}, "", "", ""};
     first.views = {};
     for (const core::Camera& camera : dataset.cameras) {
         first.views.push_back({camera.name, core::ViewKind::Rendered, "", 0});

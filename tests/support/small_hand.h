@@ -5,8 +5,8 @@
 
 namespace test {
 
-/// A hand of three bones in a row (forearm, index_mcp, index_pip; 40 mm each along x) with a closed box of eight vertices as its skin
-/// and three degrees of freedom: index_mcp flexion and abduction, index_pip flexion.
+/// A hand of three bones in a row (forearm, index_mcp, index_pip; 40 mm each along x) with a closed box of eight
+/// vertices as its skin and three degrees of freedom: index_mcp flexion and abduction, index_pip flexion.
 inline core::HandModel smallHand(core::Side side) {
     core::HandModel hand;
     hand.side = side;
@@ -24,9 +24,8 @@ inline core::HandModel smallHand(core::Side side) {
                           {"index_mcp.abduction", 1, Eigen::Vector3d::UnitZ(), -0.3, 0.3},
                           {"index_pip.flexion", 2, Eigen::Vector3d(0.6, 0.8, 0), -1.6, 0.1}};
     hand.skeleton.centreAtRest = {40, 0, 1};
-    for (int v = 0; v < 8; ++v) {
+    for (int v = 0; v < 8; ++v)
         hand.mesh.vertices.emplace_back(v & 1 ? 120.1 : -1 / 3.0, v & 2 ? 8 : -8, v & 4 ? 6 : -6);
-    }
     hand.mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                            {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     hand.weights.firstEntry = {0};

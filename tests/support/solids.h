@@ -50,9 +50,8 @@ inline core::TriangleMesh ellipsoid(const Eigen::Vector3d& centre, const Eigen::
         profile.push_back({-std::cos(angle), std::sin(angle)});
     }
     core::TriangleMesh mesh = surfaceOfRevolution(profile, -1, 1, sectors);
-    for (Eigen::Vector3d& v : mesh.vertices) {
+    for (Eigen::Vector3d& v : mesh.vertices)
         v = centre + radii.cwiseProduct(v);
-    }
     return mesh;
 }
 
@@ -69,9 +68,8 @@ inline core::TriangleMesh capsule(double length, double radius, double ringStep,
         profile.push_back({-radius * std::cos(angle), radius * std::sin(angle)});
     }
     const int middle = static_cast<int>(std::ceil(length / ringStep));
-    for (int i = 0; i <= middle; ++i) {
+    for (int i = 0; i <= middle; ++i)
         profile.push_back({length * i / middle, radius});
-    }
     for (int i = kCapRings - 1; i > 0; --i) {
         const double angle = 0.5 * std::numbers::pi * i / kCapRings;
         profile.push_back({length + radius * std::cos(angle), radius * std::sin(angle)});
@@ -80,18 +78,16 @@ inline core::TriangleMesh capsule(double length, double radius, double ringStep,
 }
 
 inline core::TriangleMesh moved(core::TriangleMesh mesh, const core::RigidMotion& motion) {
-    for (Eigen::Vector3d& v : mesh.vertices) {
+    for (Eigen::Vector3d& v : mesh.vertices)
         v = motion * v;
-    }
     return mesh;
 }
 
 inline void append(core::TriangleMesh& mesh, const core::TriangleMesh& part) {
     const int offset = static_cast<int>(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (const auto& [a, b, c] : part.triangles) {
+    for (const auto& [a, b, c] : part.triangles)
         mesh.triangles.push_back({a + offset, b + offset, c + offset});
-    }
 }
 
 } // namespace test

@@ -54,9 +54,8 @@ Eigen::MatrixXd differencesByStep(const core::Pose& pose, Function&& f) {
     for (Eigen::Index k = 0; k < pose.size(); ++k) {
         const Eigen::VectorXd step = kStep * Eigen::VectorXd::Unit(pose.size(), k);
         const Eigen::VectorXd column = (f(core::retract(pose, step)) - f(core::retract(pose, -step))) / (2 * kStep);
-        if (jacobian.size() == 0) {
+        if (jacobian.size() == 0)
             jacobian.resize(column.size(), pose.size());
-        }
         jacobian.col(k) = column;
     }
     return jacobian;

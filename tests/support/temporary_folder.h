@@ -12,9 +12,8 @@ class TemporaryFolder {
 public:
     TemporaryFolder() {
         std::string name = (std::filesystem::temp_directory_path() / "handlens-test-XXXXXX").string();
-        if (!::mkdtemp(name.data())) {
+        if (!::mkdtemp(name.data()))
             std::abort();
-        }
         m_path = name;
     }
     ~TemporaryFolder() {

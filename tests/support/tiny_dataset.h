@@ -9,7 +9,8 @@
 
 namespace test {
 
-/// A small dataset with rendered views: the tiny hands, cameras of 270 x 480, sequences "a" (30 frames) and "b" (10 frames).
+/// A small dataset with rendered views: the tiny hands, cameras of 270 x 480, sequences "a" (30 frames) and "b" (10
+/// frames).
 inline core::Dataset tinyDataset(int cameras = 8) {
     core::Dataset dataset;
     dataset.name = "tiny";

@@ -31,9 +31,8 @@ inline core::HandModel tinyHand(core::Side side) {
     const core::TriangleMesh finger = box({x - 8, -8, 60}, {x + 8, 8, 100});
     const int offset = static_cast<int>(hand.mesh.vertices.size());
     hand.mesh.vertices.insert(hand.mesh.vertices.end(), finger.vertices.begin(), finger.vertices.end());
-    for (const auto& triangle : finger.triangles) {
+    for (const auto& triangle : finger.triangles)
         hand.mesh.triangles.push_back({triangle[0] + offset, triangle[1] + offset, triangle[2] + offset});
-    }
     core::Bone palm{"forearm", -1, {}, 60};
     palm.worldFromBoneAtRest.translation = {x, 0, 0};
     core::Bone index{"index_mcp", 0, {}, 40};

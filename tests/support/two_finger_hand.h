@@ -18,9 +18,8 @@ inline core::HandModel rigidHand(core::TriangleMesh mesh) {
     core::HandModel hand;
     hand.mesh = std::move(mesh);
     hand.skeleton.bones = {{"wrist", -1, {}, 50}};
-    for (std::size_t v = 0; v <= hand.mesh.vertices.size(); ++v) {
+    for (std::size_t v = 0; v <= hand.mesh.vertices.size(); ++v)
         hand.weights.firstEntry.push_back(static_cast<int>(v));
-    }
     hand.weights.entries.assign(hand.mesh.vertices.size(), {0, 1.0});
     return hand;
 }
@@ -58,11 +57,9 @@ inline void addFinger(core::HandModel& hand, const FingerPlan& plan, const core:
         const double moves = bendWeight(v.x()), bends = bendWeight(v.x() - plan.firstMm);
         const std::array<double, 3> weights{1 - moves, moves * (1 - bends), moves * bends};
         const std::array<int, 3> bones{0, first, first + 1};
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (weights[k] > 0) {
+        for (std::size_t k = 0; k < 3; ++k)
+            if (weights[k] > 0)
                 hand.weights.entries.push_back({bones[k], weights[k]});
-            }
-        }
         hand.weights.firstEntry.push_back(static_cast<int>(hand.weights.entries.size()));
     }
 }
@@ -71,9 +68,8 @@ inline void addFinger(core::HandModel& hand, const FingerPlan& plan, const core:
 inline void restAt(core::HandModel& hand, const core::Pose& pose) {
     const std::vector<core::RigidMotion> worldFromBone = core::boneTransforms(hand.skeleton, pose);
     hand.mesh.vertices = core::posedVertices(hand, pose);
-    for (std::size_t b = 0; b < worldFromBone.size(); ++b) {
+    for (std::size_t b = 0; b < worldFromBone.size(); ++b)
         hand.skeleton.bones[b].worldFromBoneAtRest = worldFromBone[b];
-    }
 }
 
 /// A small skinned hand: a flat palm and two fingers of two bones each, 12 degrees of freedom, about 2900 vertices.

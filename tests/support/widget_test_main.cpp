@@ -9,9 +9,8 @@
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    if (testing::GTEST_FLAG(list_tests)) {
+    if (testing::GTEST_FLAG(list_tests))
         return RUN_ALL_TESTS();
-    }
     const widgets::PrivateDisplay display;
     widgets::SceneView::prepareApplication();
     QApplication application(argc, argv);

@@ -13,7 +13,8 @@ constexpr int kRetryMs = 3000;
 constexpr int kHistorySteps = 5000; ///< of an earlier run that can still be undone
 } // namespace
 
-AnnotationDocument::AnnotationDocument(QObject* parent) : QObject(parent) {
+AnnotationDocument::AnnotationDocument(QObject* parent)
+    : QObject(parent) {
     m_retry.setInterval(kRetryMs);
     connect(&m_retry, &QTimer::timeout, this, &AnnotationDocument::writePending);
 }

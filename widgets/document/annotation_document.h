@@ -19,8 +19,8 @@
 
 namespace widgets {
 
-/// The annotations of the open sequence, their history and their file. Every edit is in the file before push() returns; the
-/// history of an earlier run can be undone and redone as if it had been made now. It knows no view and no model.
+/// The annotations of the open sequence, their history and their file. Every edit is in the file before push() returns;
+/// the history of an earlier run can be undone and redone as if it had been made now. It knows no view and no model.
 class AnnotationDocument : public QObject {
     Q_OBJECT
 
@@ -52,9 +52,11 @@ public:
     const std::string& rater() const { return m_rater; }
     void setRater(const std::string& rater);
 
-    /// Makes an edit: one undo step, in the file at once. Empty edits do nothing; a read-only document refuses and says so.
+    /// Makes an edit: one undo step, in the file at once. Empty edits do nothing; a read-only document refuses and says
+    /// so.
     void push(const core::Edit& edit);
-    /// Joins an edit to the newest step (a row of nudges); a new step if there is none to join or `joins` is another one's.
+    /// Joins an edit to the newest step (a row of nudges); a new step if there is none to join or `joins` is another
+    /// one's.
     void amend(const core::Edit& edit, int joins);
 
     /// Shows an edit of the set as it is shown now without making it (a drag under way); it adds to the preview that is
@@ -75,7 +77,8 @@ public:
     void setSetting(const std::string& key, const std::string& value);
 
 signals:
-    /// Everything is to be in the file now: what was typed and not kept yet can still be pushed. Also sent before aboutToClose().
+    /// Everything is to be in the file now: what was typed and not kept yet can still be pushed. Also sent before
+    /// aboutToClose().
     void aboutToSave();
     /// The content is about to go.
     void aboutToClose();

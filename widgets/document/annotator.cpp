@@ -7,10 +7,15 @@
 
 namespace widgets {
 
-Annotator::Annotator(AnnotationDocument& document, Selection& selection, Reconstructions& reconstructions, JointList& joints,
-                     QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_reconstructions(reconstructions), m_joints(joints) {
-    connect(&document, &AnnotationDocument::opened, this, [this] { m_finished.clear(); });
+Annotator::Annotator(AnnotationDocument& document, Selection& selection, Reconstructions& reconstructions,
+                     JointList& joints, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_reconstructions(reconstructions)
+    , m_joints(joints) {
+    connect(
+        &document, &AnnotationDocument::opened, this, [this] { m_finished.clear(); });
 }
 
 core::MarkKey Annotator::keyFor(const std::string& camera, const core::JointId& joint) const {
@@ -58,7 +63,8 @@ bool Annotator::refusesPlace(const std::string& camera, const Eigen::Vector2d& p
     if (!view || index < 0)
         return false;
     if (!view->hasPicture) {
-        emit nothingDone(tr("Nothing was placed: %1 has no picture of this frame.").arg(QString::fromStdString(camera)));
+        emit nothingDone(
+            tr("Nothing was placed: %1 has no picture of this frame.").arg(QString::fromStdString(camera)));
         return true;
     }
     if (core::isInside(m_dataset->cameras[static_cast<std::size_t>(index)].size, px))
@@ -122,7 +128,8 @@ void Annotator::drop(const std::string& camera, const core::JointId& joint, cons
         return;
     noteIfFinished();
     m_nudged.reset();
-    m_document.amend(core::placeEdit(m_document.annotations(), keyFor(camera, joint), withinPicture(camera, px)), ++m_step);
+    m_document.amend(core::placeEdit(m_document.annotations(), keyFor(camera, joint), withinPicture(camera, px)),
+                     ++m_step);
     noteIfFinished();
 }
 
@@ -149,27 +156,31 @@ void Annotator::accept() {
         return;
     }
     m_selection.setCamera(*target);
-    pushAndAdvance(core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
-                                    m_selection.joint(), *target, m_reconstructions.options()));
+    pushAndAdvance(core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
+                                    m_document.rater(), m_selection.joint(), *target, m_reconstructions.options()));
 }
 
 void Annotator::acceptAllViews() {
     if (!m_dataset)
         return;
-    const core::Edit edit = whereThereArePictures(core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
-                                                                   m_selection.joint(), std::nullopt, m_reconstructions.options()));
+    const core::Edit edit = whereThereArePictures(
+        core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
+                         m_selection.joint(), std::nullopt, m_reconstructions.options()));
     if (edit.empty())
-        emit nothingDone(m_reconstructions.selected().hasPoint()
-                             ? tr("Every view that sees %1 has a mark of it.").arg(QString::fromStdString(m_selection.joint().joint))
-                             : tr("Nothing to accept: click %1 in two views first.").arg(QString::fromStdString(m_selection.joint().joint)));
+        emit nothingDone(
+            m_reconstructions.selected().hasPoint()
+                ? tr("Every view that sees %1 has a mark of it.").arg(QString::fromStdString(m_selection.joint().joint))
+                : tr("Nothing to accept: click %1 in two views first.")
+                      .arg(QString::fromStdString(m_selection.joint().joint)));
     pushAndAdvance(edit);
 }
 
 void Annotator::acceptFrame() {
     if (!m_dataset)
         return;
-    const core::Edit edit = whereThereArePictures(core::acceptFrameEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
-                                                                        m_document.rater(), m_reconstructions.options()));
+    const core::Edit edit =
+        whereThereArePictures(core::acceptFrameEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
+                                                    m_document.rater(), m_reconstructions.options()));
     if (edit.empty())
         emit nothingDone(tr("Nothing to accept in this frame: no joint with a 3D point has a view left that sees it."));
     pushAndAdvance(edit);
@@ -178,17 +189,19 @@ void Annotator::acceptFrame() {
 void Annotator::remove() {
     const core::Edit edit = core::removeEdit(m_document.annotations(), currentKey());
     if (edit.empty())
-        emit nothingDone(tr("There is no mark of %1 in this view.").arg(QString::fromStdString(m_selection.joint().joint)));
+        emit nothingDone(
+            tr("There is no mark of %1 in this view.").arg(QString::fromStdString(m_selection.joint().joint)));
     m_nudged.reset();
     noteIfFinished();
     m_document.push(edit);
 }
 
 void Annotator::removeInAllViews() {
-    const core::Edit edit = core::deleteRangeEdit(m_document.annotations(), m_document.rater(), m_selection.frame(), m_selection.frame(),
-                                                  std::vector{m_selection.joint()});
+    const core::Edit edit = core::deleteRangeEdit(m_document.annotations(), m_document.rater(), m_selection.frame(),
+                                                  m_selection.frame(), std::vector{m_selection.joint()});
     if (edit.empty())
-        emit nothingDone(tr("There is no mark of %1 in this frame.").arg(QString::fromStdString(m_selection.joint().joint)));
+        emit nothingDone(
+            tr("There is no mark of %1 in this frame.").arg(QString::fromStdString(m_selection.joint().joint)));
     m_nudged.reset();
     noteIfFinished();
     m_document.push(edit);
@@ -231,7 +244,8 @@ void Annotator::nudge(const Eigen::Vector2d& byPx) {
     const core::MarkKey key = currentKey();
     const auto mark = core::markAt(m_document.annotations(), key);
     const auto* view = selectedIn(key.camera);
-    const bool isShownElsewhere = mark && mark->isProposal() && view && view->reprojectionPx; // a guess gives way to what the clicks say
+    const bool isShownElsewhere =
+        mark && mark->isProposal() && view && view->reprojectionPx; // a guess gives way to what the clicks say
     if (!mark || !mark->hasPlace()) {
         emit nothingDone(tr("There is no mark of %1 in this view.").arg(QString::fromStdString(key.joint.joint)));
         return;

@@ -17,8 +17,8 @@
 
 namespace widgets {
 
-/// What the annotator's hands do, turned into edits: clicks, drags and keys about the selected joint and the current view.
-/// Positions in recorded image pixels, centres at integers.
+/// What the annotator's hands do, turned into edits: clicks, drags and keys about the selected joint and the current
+/// view. Positions in recorded image pixels, centres at integers.
 class Annotator : public QObject {
     Q_OBJECT
 
@@ -30,17 +30,19 @@ public:
     /// The cameras that are shown, in their order: what Q and E step through.
     void setCameraOrder(std::vector<std::string> cameras) { m_cameraOrder = std::move(cameras); }
     const std::vector<std::string>& cameraOrder() const { return m_cameraOrder; }
-    /// Whether the next joint is selected when a step has finished this one for the first time (every view is placed or not
-    /// placeable). Corrections - drags, nudges, marks of a joint that was finished before - never select another joint.
+    /// Whether the next joint is selected when a step has finished this one for the first time (every view is placed or
+    /// not placeable). Corrections - drags, nudges, marks of a joint that was finished before - never select another
+    /// joint.
     void setAutoAdvance(bool on) { m_autoAdvance = on; }
     bool autoAdvance() const { return m_autoAdvance; }
 
-    /// Puts the selected joint there as a manual mark, and makes that view the current one. A place outside the picture is refused.
+    /// Puts the selected joint there as a manual mark, and makes that view the current one. A place outside the picture
+    /// is refused.
     void place(const std::string& camera, const Eigen::Vector2d& px);
     /// Takes the place() before back without a trace: it was half of a double click.
     void withdrawPlace();
-    /// A drag shows its effect at once, at the nearest place within the picture, and becomes one step when it ends; one that ends
-    /// outside the picture changes nothing.
+    /// A drag shows its effect at once, at the nearest place within the picture, and becomes one step when it ends; one
+    /// that ends outside the picture changes nothing.
     void drag(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px);
     void drop(const std::string& camera, const core::JointId& joint, const Eigen::Vector2d& px);
     void cancelDrag();

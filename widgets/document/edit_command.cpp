@@ -7,10 +7,15 @@
 namespace widgets {
 
 EditCommand::EditCommand(AnnotationDocument& document, core::Edit edit, int joins, bool amends)
-    : QUndoCommand(editText(edit)), m_document(document), m_edit(std::move(edit)), m_joins(joins), m_amends(amends) {}
+    : QUndoCommand(editText(edit))
+    , m_document(document)
+    , m_edit(std::move(edit))
+    , m_joins(joins)
+    , m_amends(amends) {}
 
 void EditCommand::undo() {
-    m_document.perform(core::inverse(m_edit), [](core::AnnotationStore& store) { store.undo(); });
+    m_document.perform(
+        core::inverse(m_edit), [](core::AnnotationStore& store) { store.undo(); });
 }
 
 void EditCommand::redo() {
@@ -19,12 +24,13 @@ void EditCommand::redo() {
         return;
     }
     m_isFirst = false;
-    m_document.perform(m_edit, [edit = m_edit, rater = m_document.rater(), amends = m_amends](core::AnnotationStore& store) {
-        if (amends)
-            store.amend(edit, rater);
-        else
-            store.commit(edit, rater);
-    });
+    m_document.perform(m_edit,
+                       [edit = m_edit, rater = m_document.rater(), amends = m_amends](core::AnnotationStore& store) {
+                           if (amends)
+                               store.amend(edit, rater);
+                           else
+                               store.commit(edit, rater);
+                       });
 }
 
 bool EditCommand::mergeWith(const QUndoCommand* other) {

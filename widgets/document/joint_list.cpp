@@ -17,7 +17,8 @@ constexpr std::array<std::pair<const char*, JointChoice>, 3> kChoiceNames = {
 std::vector<std::string> partsOf(const std::string& finger, bool withEnds) {
     if (finger == "thumb")
         return withEnds ? std::vector<std::string>{"cmc", "mcp", "ip", "tip"} : std::vector<std::string>{"mcp", "ip"};
-    return withEnds ? std::vector<std::string>{"mcp", "pip", "dip", "tip"} : std::vector<std::string>{"mcp", "pip", "dip"};
+    return withEnds ? std::vector<std::string>{"mcp", "pip", "dip", "tip"}
+                    : std::vector<std::string>{"mcp", "pip", "dip"};
 }
 
 std::optional<core::JointId> jointFromText(const std::string& text) {
@@ -52,52 +53,49 @@ std::vector<std::string> jointNames(JointChoice choice, const core::HandModel* h
     const bool withEnds = choice != JointChoice::Fourteen;
     if (withEnds)
         names.push_back("wrist");
-    for (const std::string finger : kFingers) {
+    for (const std::string finger : kFingers)
         for (const std::string& part : partsOf(finger, withEnds))
             names.push_back(finger + "_" + part);
-    }
     return names;
 }
 
-JointList::JointList(QObject* parent) : QObject(parent) {}
+JointList::JointList(QObject* parent)
+    : QObject(parent) {}
 
 bool JointList::contains(const core::JointId& joint) const {
     return std::find(m_joints.begin(), m_joints.end(), joint) != m_joints.end();
 }
 
 int JointList::count(core::Side hand) const {
-    return static_cast<int>(
-        std::count_if(m_joints.begin(), m_joints.end(), [&](const core::JointId& j) { return j.hand == hand; }));
+    return static_cast<int>(std::count_if(
+        m_joints.begin(), m_joints.end(), [&](const core::JointId& j) { return j.hand == hand; }));
 }
 
 void JointList::setChoice(JointChoice choice, const core::Dataset& dataset) {
     m_choice = choice;
     if (choice != JointChoice::Custom) {
         m_joints.clear();
-        for (const auto& [side, hand] : handsOf(dataset)) {
+        for (const auto& [side, hand] : handsOf(dataset))
             for (const std::string& name : jointNames(choice, hand))
                 m_joints.push_back({side, name});
-        }
     }
     emit changed();
 }
 
 void JointList::setNames(const std::vector<std::string>& names, const core::Dataset& dataset) {
     std::vector<core::JointId> joints;
-    for (const auto& [side, hand] : handsOf(dataset)) {
+    for (const auto& [side, hand] : handsOf(dataset))
         for (const std::string& name : names)
             joints.push_back({side, name});
-    }
     setCustom(std::move(joints));
 }
 
 void JointList::setCustom(std::vector<core::JointId> joints) {
     m_choice = JointChoice::Custom;
     m_joints.clear();
-    for (core::JointId& joint : joints) {
+    for (core::JointId& joint : joints)
         if (!contains(joint))
             m_joints.push_back(std::move(joint));
-    }
     emit changed();
 }
 
@@ -129,10 +127,9 @@ core::JointId JointList::neighbour(const core::JointId& joint, int steps) const 
 }
 
 std::string JointList::toText() const {
-    for (const auto& [name, choice] : kChoiceNames) {
+    for (const auto& [name, choice] : kChoiceNames)
         if (choice == m_choice)
             return name;
-    }
     std::string text;
     for (const core::JointId& joint : m_joints)
         text += (text.empty() ? "" : ",") + std::string(core::sideName(joint.hand)) + " " + joint.joint;

@@ -7,7 +7,9 @@
 namespace widgets {
 
 Reconstructions::Reconstructions(const AnnotationDocument& document, const Selection& selection, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection) {
+    : QObject(parent)
+    , m_document(document)
+    , m_selection(selection) {
     connect(&document, &AnnotationDocument::opened, this, &Reconstructions::rebuild);
     connect(&document, &AnnotationDocument::raterChanged, this, &Reconstructions::rebuild);
     connect(&document, &AnnotationDocument::changed, this, &Reconstructions::update);
@@ -59,10 +61,9 @@ void Reconstructions::update(const core::Edit& edit) {
     if (!m_dataset)
         return;
     std::set<core::JointId> touched;
-    for (const core::MarkChange& change : edit.marks) {
+    for (const core::MarkChange& change : edit.marks)
         if (change.key.frame == m_selection.frame() && change.key.rater == m_document.rater())
             touched.insert(change.key.joint);
-    }
     if (touched.empty())
         return;
     const core::ReconstructionOptions options = optionsAt(m_selection.frame(), false);

@@ -13,8 +13,8 @@
 
 namespace widgets {
 
-/// The 3D joints of the current frame and rater, kept up to date with every edit. The selected joint is looked at in detail
-/// (ellipses, leave-one-out, next view) and is always there, also without marks.
+/// The 3D joints of the current frame and rater, kept up to date with every edit. The selected joint is looked at in
+/// detail (ellipses, leave-one-out, next view) and is always there, also without marks.
 class Reconstructions : public QObject {
     Q_OBJECT
 

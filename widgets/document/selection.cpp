@@ -5,7 +5,8 @@
 
 namespace widgets {
 
-Selection::Selection(QObject* parent) : QObject(parent) {}
+Selection::Selection(QObject* parent)
+    : QObject(parent) {}
 
 void Selection::setFrame(int frame) {
     const int wanted = std::clamp(frame, 0, std::max(0, m_frameCount - 1));

@@ -27,26 +27,29 @@ void requireRoomFor(const core::BenchmarkFolder& content, const std::filesystem:
         core::BenchmarkRunInfo there = core::readRunInfo(folder);
         there.dataset = content.info.dataset;
         if (!(there == content.info))
-            throw refused(BenchmarkRunner::tr("This folder holds the results of another benchmark. Choose another one."));
+            throw refused(
+                BenchmarkRunner::tr("This folder holds the results of another benchmark. Choose another one."));
         return;
     }
-    for (const char* file : {"results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "report.html", "pairs.json", "finished.jsonl"}) {
+    for (const char* file : {"results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "report.html",
+                             "pairs.json", "finished.jsonl"}) {
         if (std::filesystem::exists(folder / file))
-            throw refused(BenchmarkRunner::tr("This folder already holds a file %1. Choose another one.").arg(QLatin1String(file)));
+            throw refused(BenchmarkRunner::tr("This folder already holds a file %1. Choose another one.")
+                              .arg(QLatin1String(file)));
     }
 }
 
 /// True if the results were made from this dataset as it is now.
 bool isOf(const core::BenchmarkRunInfo& info, const core::Dataset& dataset) {
     std::vector<std::string> sequences;
-    for (const core::FramePair& pair : info.pairs) {
+    for (const core::FramePair& pair : info.pairs)
         if (std::find(sequences.begin(), sequences.end(), pair.sequence) == sequences.end())
             sequences.push_back(pair.sequence);
-    }
     try {
         if (core::sceneFingerprint(core::readBenchmarkScene(dataset, sequences, info.setup)) == info.fingerprint)
             return true;
-        return core::sceneFingerprint(core::readBenchmarkScene(dataset, {}, info.setup)) == info.fingerprint; // the run may have drawn nothing from one
+        return core::sceneFingerprint(core::readBenchmarkScene(dataset, {}, info.setup)) ==
+               info.fingerprint;   // the run may have drawn nothing from one
     } catch (const core::Error&) { // it lacks what they need
         return false;
     }
@@ -62,7 +65,10 @@ struct BenchmarkRunner::Live {
     bool hasNews = false;
 };
 
-BenchmarkRunner::BenchmarkRunner(JobPool& pool, QObject* parent) : QObject(parent), m_job(pool), m_fileJob(pool) {
+BenchmarkRunner::BenchmarkRunner(JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_job(pool)
+    , m_fileJob(pool) {
     connect(&m_job, &Job::started, this, &BenchmarkRunner::started);
     connect(&m_job, &Job::progressed, this, &BenchmarkRunner::progressed);
     connect(&m_job, &Job::progressed, this, [this] {
@@ -139,7 +145,8 @@ void BenchmarkRunner::run(const BenchmarkRequest& request) {
         };
         auto whole = std::make_shared<core::BenchmarkFolder>();
         whole->info = info;
-        whole->results = core::runBenchmark(scene, pairs, options, core::poseEstimatorOf(scene), progress, context.stop);
+        whole->results =
+            core::runBenchmark(scene, pairs, options, core::poseEstimatorOf(scene), progress, context.stop);
         return [this, whole] {
             m_live.reset();
             take(whole);
@@ -172,12 +179,15 @@ void BenchmarkRunner::open(const QString& folder) {
         return;
     }
     m_fileJob.start([this, folder, dataset = m_dataset](const JobContext&) -> Job::Delivery {
-        const auto content = std::make_shared<const core::BenchmarkFolder>(core::readBenchmarkFolder(folder.toStdString()));
+        const auto content =
+            std::make_shared<const core::BenchmarkFolder>(core::readBenchmarkFolder(folder.toStdString()));
         QString note;
         if (!dataset || !isOf(content->info, *dataset))
-            note = tr("These results are not of the open dataset, or it has changed since: %1.").arg(QDir::toNativeSeparators(QString::fromStdString(content->info.dataset)));
+            note = tr("These results are not of the open dataset, or it has changed since: %1.")
+                       .arg(QDir::toNativeSeparators(QString::fromStdString(content->info.dataset)));
         else if (content->results.stopped)
-            note = tr("This benchmark is not finished: %n fit(s) are in.", nullptr, static_cast<int>(content->results.rows.size()));
+            note = tr("This benchmark is not finished: %n fit(s) are in.", nullptr,
+                      static_cast<int>(content->results.rows.size()));
         return [this, folder, content, note] {
             take(content);
             emit opened(folder, note);

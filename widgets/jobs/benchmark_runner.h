@@ -24,8 +24,8 @@ struct BenchmarkRequest {
     core::PairOptions pairs;
 };
 
-/// Runs the benchmark in the background, hands its results out as they come, writes them as the command line does, and reads what
-/// that has written. Stopping keeps the pairs that are finished.
+/// Runs the benchmark in the background, hands its results out as they come, writes them as the command line does, and
+/// reads what that has written. Stopping keeps the pairs that are finished.
 class BenchmarkRunner : public QObject {
     Q_OBJECT
 
@@ -38,8 +38,8 @@ public:
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
 
-    /// Writes the results that there are into a folder: all files of `handlens-batch benchmark`. A folder that holds other results is
-    /// not touched. Ends with saved() or fileFailed().
+    /// Writes the results that there are into a folder: all files of `handlens-batch benchmark`. A folder that holds
+    /// other results is not touched. Ends with saved() or fileFailed().
     void save(const QString& folder);
     /// Shows the results of such a folder. Ends with opened() or fileFailed().
     void open(const QString& folder);

@@ -44,12 +44,14 @@ std::vector<core::Camera> camerasOf(const NewDatasetRequest& request) {
 QRegularExpression nameIn(const QString& camera) {
     const QString before = camera.front().isDigit() ? QStringLiteral("(?<!\\d)") : QStringLiteral("(?<![A-Za-z])");
     const QString after = camera.back().isDigit() ? QStringLiteral("(?!\\d)") : QStringLiteral("(?![A-Za-z])");
-    return QRegularExpression(before + QRegularExpression::escape(camera) + after, QRegularExpression::CaseInsensitiveOption);
+    return QRegularExpression(before + QRegularExpression::escape(camera) + after,
+                              QRegularExpression::CaseInsensitiveOption);
 }
 
 /// The one camera whose name stands there; the longest name if one holds another; empty if it is none or several.
 QString cameraIn(QString text, QStringList cameras) {
-    std::stable_sort(cameras.begin(), cameras.end(), [](const QString& a, const QString& b) { return a.size() > b.size(); });
+    std::stable_sort(cameras.begin(), cameras.end(),
+                     [](const QString& a, const QString& b) { return a.size() > b.size(); });
     QStringList found;
     for (const QString& camera : cameras) {
         if (camera.isEmpty() || !nameIn(camera).match(text).hasMatch())
@@ -62,7 +64,9 @@ QString cameraIn(QString text, QStringList cameras) {
 
 } // namespace
 
-DatasetMaker::DatasetMaker(JobPool& pool, QObject* parent) : QObject(parent), m_job(pool) {
+DatasetMaker::DatasetMaker(JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_job(pool) {
     connect(&m_job, &Job::failed, this, &DatasetMaker::failed);
 }
 
@@ -80,13 +84,16 @@ void DatasetMaker::make(const NewDatasetRequest& request) {
         core::Dataset dataset;
         dataset.name = request.folder.filename().string();
         dataset.cameras = camerasOf(request);
-        const core::NewSequence made = core::makeSequence(request.sequence, dataset.cameras, request.footage, request.folder);
+        const core::NewSequence made =
+            core::makeSequence(request.sequence, dataset.cameras, request.footage, request.folder);
         dataset.sequences.push_back(made.sequence);
         core::writeDataset(dataset, {}, request.folder);
         QStringList notes;
         for (const std::string& note : made.notes)
             notes << QString::fromStdString(note);
-        return [this, folder = QString::fromStdString(request.folder.string()), notes] { emit this->made(folder, notes.join(QLatin1Char('\n'))); };
+        return [this, folder = QString::fromStdString(request.folder.string()), notes] {
+            emit this->made(folder, notes.join(QLatin1Char('\n')));
+        };
     });
 }
 
@@ -94,7 +101,8 @@ QStringList matchFootage(const QStringList& cameras, const QStringList& footage)
     QStringList matches;
     for (const QString& path : footage) {
         const QFileInfo file(path);
-        QString camera = cameraIn(file.completeBaseName().isEmpty() ? file.fileName() : file.completeBaseName(), cameras);
+        QString camera =
+            cameraIn(file.completeBaseName().isEmpty() ? file.fileName() : file.completeBaseName(), cameras);
         if (camera.isEmpty())
             camera = cameraIn(file.dir().dirName(), cameras);
         matches << (matches.contains(camera) ? QString() : camera);

@@ -21,7 +21,7 @@ struct NewDatasetRequest {
     std::optional<double> mmPerUnit; ///< of the calibration; nothing: what is usual for its kind
     std::vector<core::Footage> footage;
     std::string sequence = "1";
-    std::filesystem::path folder;    ///< of the dataset; does not exist yet, or is empty
+    std::filesystem::path folder; ///< of the dataset; does not exist yet, or is empty
 };
 
 /// Makes datasets of a calibration and videos or images, in the background.
@@ -48,8 +48,9 @@ private:
     Job m_job;
 };
 
-/// For each piece of footage the camera whose name stands in the file's name or, if there is none, in its folder's; empty if no
-/// camera's name does, several do, or another piece of footage has taken it. Case does not matter; a number is matched as a whole.
+/// For each piece of footage the camera whose name stands in the file's name or, if there is none, in its folder's;
+/// empty if no camera's name does, several do, or another piece of footage has taken it. Case does not matter; a number
+/// is matched as a whole.
 QStringList matchFootage(const QStringList& cameras, const QStringList& footage);
 
 } // namespace widgets

@@ -50,16 +50,18 @@ std::vector<QLineF> outlinesOf(const cv::Mat& mask) {
 
 core::HandPoses posesFromMarks(const FitSource& source, int frame) {
     core::JointPoints points;
-    for (auto& [joint, found] :
-         core::reconstructFrame(source.annotations, source.dataset->cameras, frame, source.rater, {{}, false, std::nullopt})) {
+    for (auto& [joint, found] : core::reconstructFrame(source.annotations, source.dataset->cameras, frame, source.rater,
+                                                       {{}, false, std::nullopt}))
         if (found.hasPoint())
             points.emplace(joint, *found.result.point);
-    }
     const auto fit = fitModelToPoints(*source.dataset, frame, points);
-    const bool whole = fit && std::all_of(fit->poses.begin(), fit->poses.end(), [](const core::Pose& pose) { return pose.size() > 0; });
+    const bool whole = fit && std::all_of(fit->poses.begin(), fit->poses.end(),
+                                          [](const core::Pose& pose) { return pose.size() > 0; });
     if (!whole)
-        throw refused(QT_TRANSLATE_NOOP("widgets::FitPair", "This sequence has no recorded motion: mark some joints of every hand in the start frame, "
-                                                            "and the fit starts from the hand model fitted to them."));
+        throw refused(QT_TRANSLATE_NOOP(
+            "widgets::FitPair",
+            "This sequence has no recorded motion: mark some joints of every hand in the start frame, "
+            "and the fit starts from the hand model fitted to them."));
     return fit->poses;
 }
 
@@ -83,7 +85,8 @@ FitPair prepareFitPair(const FitSource& source, const FitRequest& request) {
     const core::Dataset& dataset = *source.dataset;
     const bool recorded = !source.motion->empty();
     FitPair pair;
-    pair.startPoses = recorded ? (*source.motion)[static_cast<std::size_t>(request.start)] : posesFromMarks(source, request.start);
+    pair.startPoses =
+        recorded ? (*source.motion)[static_cast<std::size_t>(request.start)] : posesFromMarks(source, request.start);
     if (recorded)
         pair.truePoses = (*source.motion)[static_cast<std::size_t>(request.test)];
     pair.masks = targetMasks(source, request, pair.truePoses);
@@ -100,7 +103,9 @@ FitPair prepareFitPair(const FitSource& source, const FitRequest& request) {
 }
 
 double errorAgainst(const FitPair& pair, const core::Dataset& dataset, const core::HandPoses& poses) {
-    return core::jointErrors(core::jointNames(dataset.hands), core::namedJointPositions(dataset.hands, poses), pair.reference).meanMm;
+    return core::jointErrors(core::jointNames(dataset.hands), core::namedJointPositions(dataset.hands, poses),
+                             pair.reference)
+        .meanMm;
 }
 
 } // namespace widgets

@@ -25,8 +25,8 @@ enum class FitTarget {
 
 /// Which frame pair to fit with which methods.
 struct FitRequest {
-    int start = 0; ///< frame whose pose the fit starts from
-    int test = 0;  ///< frame whose silhouettes are to be met
+    int start = 0;                    ///< frame whose pose the fit starts from
+    int test = 0;                     ///< frame whose silhouettes are to be met
     std::vector<std::string> methods; ///< as core::parseMethod reads them
     FitTarget target = FitTarget::Recorded;
 };
@@ -34,12 +34,14 @@ struct FitRequest {
 /// A pair ready to be fitted: where the fit starts, what it is to meet, and what it is measured against.
 struct FitPair {
     core::HandPoses startPoses;
-    core::HandPoses truePoses;     ///< recorded poses of the test frame; empty if there are none
-    std::vector<cv::Mat> masks;    ///< target silhouettes, one per camera; empty for cameras without one
-    std::vector<QRectF> handsPx;   ///< where they lie in each camera's image, with some room around; empty where there are none
+    core::HandPoses truePoses;  ///< recorded poses of the test frame; empty if there are none
+    std::vector<cv::Mat> masks; ///< target silhouettes, one per camera; empty for cameras without one
+    std::vector<QRectF>
+        handsPx; ///< where they lie in each camera's image, with some room around; empty where there are none
     std::vector<std::vector<QLineF>> outlinesPx; ///< their outlines, if the target is mask files
-    core::JointPositions reference; ///< what errors are measured against: recorded joints, or those marked in the test frame
-    double initialErrorMm = 0;     ///< mean joint distance of the start pose; NaN without a reference
+    core::JointPositions
+        reference;             ///< what errors are measured against: recorded joints, or those marked in the test frame
+    double initialErrorMm = 0; ///< mean joint distance of the start pose; NaN without a reference
 };
 
 /// What pairs of one sequence are prepared from. Copied to the worker.
@@ -51,8 +53,8 @@ struct FitSource {
     std::string rater;
 };
 
-/// Starts from the recorded pose or, in a sequence without, from the hand models fitted to the marks of the start frame. Throws
-/// core::Error with a sentence in the person's language if that cannot be done.
+/// Starts from the recorded pose or, in a sequence without, from the hand models fitted to the marks of the start
+/// frame. Throws core::Error with a sentence in the person's language if that cannot be done.
 FitPair prepareFitPair(const FitSource& source, const FitRequest& request);
 
 /// Mean distance of the poses' joints to the pair's reference, mm; NaN without one.

@@ -44,7 +44,9 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
 } // namespace
 
 FitRunner::FitRunner(const AnnotationDocument& document, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_job(pool) {
+    : QObject(parent)
+    , m_document(document)
+    , m_job(pool) {
     connect(&m_job, &Job::started, this, &FitRunner::started);
     connect(&m_job, &Job::progressed, this, &FitRunner::progressed);
     connect(&m_job, &Job::failed, this, &FitRunner::failed);
@@ -89,8 +91,10 @@ void FitRunner::run(const FitRequest& request) {
         return;
     }
     const bool readsMarks = request.target == FitTarget::Masks || !hasMotion();
-    const FitSource source{m_dataset, m_sequence, m_motion, readsMarks ? m_document.annotations() : core::AnnotationSet(), m_document.rater()};
-    m_job.start([this, request, source, dataset = m_dataset, estimator = m_estimator](const JobContext& context) -> Job::Delivery {
+    const FitSource source{m_dataset, m_sequence, m_motion,
+                           readsMarks ? m_document.annotations() : core::AnnotationSet(), m_document.rater()};
+    m_job.start([this, request, source, dataset = m_dataset,
+                 estimator = m_estimator](const JobContext& context) -> Job::Delivery {
         auto outcome = std::make_shared<FitOutcome>();
         static_cast<FitPair&>(*outcome) = prepareFitPair(source, request);
         outcome->sequence = source.sequence.name;

@@ -21,9 +21,9 @@ namespace widgets {
 struct MethodOutcome {
     std::string method;
     core::FitResult result;
-    double errorMm = 0;                ///< mean joint distance to the pair's reference; NaN if it has none
+    double errorMm = 0;                   ///< mean joint distance to the pair's reference; NaN if it has none
     std::vector<double> iterationErrorMm; ///< the same after every iteration of result.history
-    QString failure;                   ///< why there is no result; empty if there is one
+    QString failure;                      ///< why there is no result; empty if there is one
 };
 
 /// All methods on one pair.
@@ -33,7 +33,8 @@ struct FitOutcome : FitPair {
     std::vector<MethodOutcome> methods;
 };
 
-/// Fits a frame pair with several methods, one after the other, in the background. Stopping keeps the methods that have ended.
+/// Fits a frame pair with several methods, one after the other, in the background. Stopping keeps the methods that have
+/// ended.
 class FitRunner : public QObject {
     Q_OBJECT
 

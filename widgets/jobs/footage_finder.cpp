@@ -13,23 +13,26 @@ namespace widgets {
 namespace {
 
 QString nameOf(const core::RelinkFinding& finding) {
-    return QStringLiteral("%1, %2: %3").arg(QString::fromStdString(finding.sequence), QString::fromStdString(finding.camera), QString::fromStdString(finding.from));
+    return QStringLiteral("%1, %2: %3")
+        .arg(QString::fromStdString(finding.sequence), QString::fromStdString(finding.camera),
+             QString::fromStdString(finding.from));
 }
 
 QString notesOf(const core::RelinkResult& result) {
     QStringList notes;
     for (const core::RelinkFinding& finding : result.notFound)
         notes << FootageFinder::tr("not found: %1").arg(nameOf(finding));
-    for (const core::RelinkFinding& finding : result.found) {
+    for (const core::RelinkFinding& finding : result.found)
         if (!finding.note.empty())
             notes << QStringLiteral("%1: %2").arg(nameOf(finding), QString::fromStdString(finding.note));
-    }
     return notes.join(QLatin1Char('\n'));
 }
 
 } // namespace
 
-FootageFinder::FootageFinder(JobPool& pool, QObject* parent) : QObject(parent), m_job(pool) {
+FootageFinder::FootageFinder(JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_job(pool) {
     connect(&m_job, &Job::started, this, &FootageFinder::started);
     connect(&m_job, &Job::failed, this, &FootageFinder::failed);
     for (const auto end : {&Job::finished, &Job::stopped})
@@ -45,13 +48,15 @@ void FootageFinder::find(const std::shared_ptr<const core::Dataset>& dataset, co
             return {};
         if (!result.found.empty())
             core::rewriteDatasetFile(changed);
-        return [this, folder = QString::fromStdString(dataset->folder.string()), pieces = static_cast<int>(result.found.size()),
+        return [this, folder = QString::fromStdString(dataset->folder.string()),
+                pieces = static_cast<int>(result.found.size()),
                 notes = notesOf(result)] { emit found(folder, pieces, notes); };
     });
 }
 
 bool isFootageGone(const core::Dataset& dataset, const core::Sequence& sequence, const std::string& camera) {
-    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(), [&](const core::ViewSource& source) { return source.camera == camera; });
+    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(),
+                                   [&](const core::ViewSource& source) { return source.camera == camera; });
     if (view == sequence.views.end() || (view->kind != core::ViewKind::Video && view->kind != core::ViewKind::Images))
         return false;
     const std::filesystem::path path = dataset.folder / view->path;

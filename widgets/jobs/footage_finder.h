@@ -27,8 +27,9 @@ signals:
     void started();
     /// Nothing is under way any more: done, failed or stopped.
     void idle();
-    /// How many pieces of footage of the dataset in `folder` have a new place. If any has, dataset.json says so now: the dataset is to
-    /// be read again. `notes` say what does not fit and what was not found, one a line; empty if all is well.
+    /// How many pieces of footage of the dataset in `folder` have a new place. If any has, dataset.json says so now:
+    /// the dataset is to be read again. `notes` say what does not fit and what was not found, one a line; empty if all
+    /// is well.
     void found(const QString& folder, int pieces, const QString& notes);
     void failed(const QString& message);
 

@@ -24,7 +24,10 @@ std::int64_t bytesOf(const ImagePyramid& picture) {
 
 } // namespace
 
-FrameLoader::FrameLoader(JobPool& pool, QObject* parent) : QObject(parent), m_pool(pool), m_budget(kDefaultBudget) {}
+FrameLoader::FrameLoader(JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_pool(pool)
+    , m_budget(kDefaultBudget) {}
 
 FrameLoader::~FrameLoader() = default;
 
@@ -60,12 +63,11 @@ void FrameLoader::request(int frame) {
         m_aheadJobs[i]->stop();
     }
     std::vector<int> cached;
-    for (int camera = 0; camera < static_cast<int>(m_jobs.size()); ++camera) {
+    for (int camera = 0; camera < static_cast<int>(m_jobs.size()); ++camera)
         if (m_cache.count({frame, camera}))
             cached.push_back(camera);
         else
             m_missing.insert(camera);
-    }
     for (const int camera : m_missing)
         startLoad(*m_jobs[static_cast<std::size_t>(camera)], frame, camera, false);
     for (const int camera : cached) {
@@ -125,19 +127,17 @@ void FrameLoader::prefetch() {
     const int next = m_frame + m_direction;
     if (!m_fetchesAhead || next < 0 || next >= m_frameCount || !m_missing.empty())
         return;
-    for (int camera = 0; camera < static_cast<int>(m_aheadJobs.size()); ++camera) {
+    for (int camera = 0; camera < static_cast<int>(m_aheadJobs.size()); ++camera)
         if (!m_cache.count({next, camera}))
             startLoad(*m_aheadJobs[static_cast<std::size_t>(camera)], next, camera, true);
-    }
 }
 
 void FrameLoader::trim() {
     while (m_bytes > m_budget) {
         auto oldest = m_cache.end();
-        for (auto at = m_cache.begin(); at != m_cache.end(); ++at) {
+        for (auto at = m_cache.begin(); at != m_cache.end(); ++at)
             if (at->first.first != m_frame && (oldest == m_cache.end() || at->second.lastUse < oldest->second.lastUse))
                 oldest = at;
-        }
         if (oldest == m_cache.end())
             return;
         m_bytes -= bytesOf(oldest->second.picture);

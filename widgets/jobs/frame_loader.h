@@ -21,8 +21,8 @@ class FrameSource;
 
 namespace widgets {
 
-/// Brings the pictures of all cameras of a frame, from files or drawn from the recorded motion, without keeping the window
-/// waiting. Pictures of recent frames are kept within a budget, and the next ones are fetched ahead.
+/// Brings the pictures of all cameras of a frame, from files or drawn from the recorded motion, without keeping the
+/// window waiting. Pictures of recent frames are kept within a budget, and the next ones are fetched ahead.
 class FrameLoader : public QObject {
     Q_OBJECT
 
@@ -33,7 +33,8 @@ public:
     /// Forgets everything and serves another sequence. `sequence` belongs to `dataset`.
     void setSequence(const std::shared_ptr<const core::Dataset>& dataset, const core::Sequence* sequence,
                      const std::shared_ptr<const core::Motion>& motion);
-    /// Wants this frame: each picture comes as pictureLoaded, some before this returns. A request before that is dropped.
+    /// Wants this frame: each picture comes as pictureLoaded, some before this returns. A request before that is
+    /// dropped.
     void request(int frame);
     int requestedFrame() const { return m_frame; }
     /// True when every picture of the requested frame has come, or failed.

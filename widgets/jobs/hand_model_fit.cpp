@@ -43,9 +43,13 @@ std::optional<ModelFit> fitModelToPoints(const core::Dataset& dataset, int frame
     return fit;
 }
 
-HandModelFit::HandModelFit(const AnnotationDocument& document, const Selection& selection, const Reconstructions& reconstructions, JobPool& pool,
-                           QObject* parent)
-    : QObject(parent), m_selection(selection), m_reconstructions(reconstructions), m_job(pool), m_onceJob(pool) {
+HandModelFit::HandModelFit(const AnnotationDocument& document, const Selection& selection,
+                           const Reconstructions& reconstructions, JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_selection(selection)
+    , m_reconstructions(reconstructions)
+    , m_job(pool)
+    , m_onceJob(pool) {
     connect(&reconstructions, &Reconstructions::changed, this, &HandModelFit::refresh);
     const auto drop = [this] { m_onceJob.stop(); }; // its answer would land elsewhere
     connect(&document, &AnnotationDocument::opened, this, drop);
@@ -69,13 +73,15 @@ void HandModelFit::fitOnce() {
         emit impossible(tr("This dataset has no hand models."));
         return;
     }
-    m_onceJob.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext&) -> Job::Delivery {
+    m_onceJob.start([this, dataset = m_dataset, frame = m_selection.frame(),
+                     points = points()](const JobContext&) -> Job::Delivery {
         const auto fit = fitModelToPoints(*dataset, frame, points);
         return [this, fit] {
             if (fit)
                 emit fitted(*fit);
             else
-                emit impossible(tr("The hand model needs three joints of a hand that have a 3D point and are not on a line."));
+                emit impossible(
+                    tr("The hand model needs three joints of a hand that have a 3D point and are not on a line."));
         };
     });
 }
@@ -89,7 +95,8 @@ void HandModelFit::refresh() {
         }
         return;
     }
-    m_job.start([this, dataset = m_dataset, frame = m_selection.frame(), points = points()](const JobContext& context) -> Job::Delivery {
+    m_job.start([this, dataset = m_dataset, frame = m_selection.frame(),
+                 points = points()](const JobContext& context) -> Job::Delivery {
         if (context.stop.stop_requested())
             return {}; // a drag is many
         return [this, fit = fitModelToPoints(*dataset, frame, points)] {
@@ -101,10 +108,9 @@ void HandModelFit::refresh() {
 
 core::JointPoints HandModelFit::points() const {
     core::JointPoints points;
-    for (const auto& [joint, found] : m_reconstructions.joints()) {
+    for (const auto& [joint, found] : m_reconstructions.joints())
         if (found.hasPoint())
             points.emplace(joint, *found.result.point);
-    }
     return points;
 }
 

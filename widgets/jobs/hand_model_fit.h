@@ -20,9 +20,9 @@ namespace widgets {
 /// Hand models fitted to the 3D joints of one frame.
 struct ModelFit {
     int frame = 0;
-    core::HandPoses poses;            ///< per hand of the dataset; an empty pose where joints are missing
-    int joints = 0;                   ///< that the models were fitted to
-    double rmsMm = 0;                 ///< their distance from the models' joints
+    core::HandPoses poses;                   ///< per hand of the dataset; an empty pose where joints are missing
+    int joints = 0;                          ///< that the models were fitted to
+    double rmsMm = 0;                        ///< their distance from the models' joints
     std::vector<core::JointPoint> proposals; ///< the models' places of joints without a 3D point
 };
 
@@ -34,8 +34,8 @@ class HandModelFit : public QObject {
     Q_OBJECT
 
 public:
-    HandModelFit(const AnnotationDocument& document, const Selection& selection, const Reconstructions& reconstructions, JobPool& pool,
-                 QObject* parent = nullptr);
+    HandModelFit(const AnnotationDocument& document, const Selection& selection, const Reconstructions& reconstructions,
+                 JobPool& pool, QObject* parent = nullptr);
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
     void setOn(bool on);

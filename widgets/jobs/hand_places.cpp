@@ -14,10 +14,10 @@ namespace widgets {
 
 namespace {
 
-constexpr double kAroundHandMm = 35;  // flesh around the joints, and the tips beyond the last ones
-constexpr double kAroundFewMm = 110;  // the rest of a hand of which little is known
+constexpr double kAroundHandMm = 35;    // flesh around the joints, and the tips beyond the last ones
+constexpr double kAroundFewMm = 110;    // the rest of a hand of which little is known
 constexpr std::size_t kMostOfAHand = 8; // joints
-constexpr double kAroundMarks = 0.12; // of the image's longer side
+constexpr double kAroundMarks = 0.12;   // of the image's longer side
 constexpr int kFramesTried = 12;
 
 void include(QRectF& box, const QPointF& px, double reachPx) {
@@ -28,12 +28,14 @@ void include(QRectF& box, const QPointF& px, double reachPx) {
 /// Frames with marks, the nearest one first.
 std::vector<int> framesFrom(const core::AnnotationSet& set, int frame) {
     std::vector<int> frames = core::annotatedFrames(set);
-    std::stable_sort(frames.begin(), frames.end(), [frame](int a, int b) { return std::abs(a - frame) < std::abs(b - frame); });
+    std::stable_sort(frames.begin(), frames.end(),
+                     [frame](int a, int b) { return std::abs(a - frame) < std::abs(b - frame); });
     return frames;
 }
 
 /// 3D joints of one frame, per hand, whoever marked them.
-std::vector<HandPlace> handsOfFrame(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras, int frame) {
+std::vector<HandPlace> handsOfFrame(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras,
+                                    int frame) {
     std::vector<HandPlace> hands{{core::Side::Left, {}, false}, {core::Side::Right, {}, false}};
     core::ReconstructionOptions options;
     options.details = false;
@@ -53,22 +55,21 @@ std::vector<HandPlace> handsOfFrame(const core::AnnotationSet& set, const std::v
 
 std::vector<HandPlace> handsInPose(const std::vector<core::HandModel>& hands, const core::HandPoses& poses) {
     std::vector<HandPlace> places;
-    for (std::size_t i = 0; i < hands.size() && i < poses.size(); ++i) {
+    for (std::size_t i = 0; i < hands.size() && i < poses.size(); ++i)
         if (poses[i].size() > 0)
             places.push_back({hands[i].side, core::jointPositions(hands[i].skeleton, poses[i]), true});
-    }
     return places;
 }
 
-std::vector<HandPlace> handsOfMarks(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras, int frame) {
+std::vector<HandPlace> handsOfMarks(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras,
+                                    int frame) {
     std::vector<HandPlace> places{{core::Side::Left, {}, false}, {core::Side::Right, {}, false}};
     int tried = 0;
     for (const int at : framesFrom(set, frame)) {
         const auto found = handsOfFrame(set, cameras, at);
-        for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t i = 0; i < places.size(); ++i)
             if (places[i].pointsInWorld.empty())
                 places[i] = found[i];
-        }
         const bool bothKnown = !places[0].pointsInWorld.empty() && !places[1].pointsInWorld.empty();
         if (bothKnown || ++tried == kFramesTried)
             break;
@@ -106,10 +107,9 @@ std::optional<QRectF> marksInView(const core::Camera& camera, const core::Annota
     const double reach = kAroundMarks * std::max(camera.size.width, camera.size.height);
     for (const int at : framesFrom(set, frame)) {
         QRectF box;
-        for (const auto& [key, mark] : core::marksOfFrame(set, at)) {
+        for (const auto& [key, mark] : core::marksOfFrame(set, at))
             if (key.camera == camera.name && mark.hasPlace())
                 include(box, {mark.px.x(), mark.px.y()}, reach);
-        }
         if (!box.isNull())
             return withinImage(camera, box);
     }

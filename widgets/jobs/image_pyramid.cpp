@@ -28,12 +28,10 @@ QImage halved(const QImage& image) {
             reinterpret_cast<const QRgb*>(image.constScanLine(std::min(2 * y + 1, image.height() - 1)));
         auto* out = reinterpret_cast<QRgb*>(half.scanLine(y));
         const int pairs = image.width() / 2;
-        for (int x = 0; x < pairs; ++x) {
+        for (int x = 0; x < pairs; ++x)
             out[x] = mean(top[2 * x], top[2 * x + 1], bottom[2 * x], bottom[2 * x + 1]);
-        }
-        if (pairs < half.width()) {
+        if (pairs < half.width())
             out[pairs] = mean(top[2 * pairs], top[2 * pairs], bottom[2 * pairs], bottom[2 * pairs]);
-        }
     }
     return half;
 }
@@ -41,28 +39,24 @@ QImage halved(const QImage& image) {
 } // namespace
 
 ImagePyramid::ImagePyramid(const QImage& image) {
-    if (image.isNull()) {
+    if (image.isNull())
         return;
-    }
     m_levels.push_back(image.convertToFormat(QImage::Format_RGB32));
-    while (std::min(m_levels.back().width(), m_levels.back().height()) > kSmallestSide) {
+    while (std::min(m_levels.back().width(), m_levels.back().height()) > kSmallestSide)
         m_levels.push_back(halved(m_levels.back()));
-    }
 }
 
 int ImagePyramid::levelFor(double scale) const {
-    if (!(scale > 0)) {
+    if (!(scale > 0))
         return 0;
-    }
     constexpr double kRounding = 1e-9; // a scale of 0.25 is level 2 exactly
     const int level = static_cast<int>(std::floor(std::log2(1 / scale) + kRounding));
     return std::clamp(level, 0, std::max(0, levelCount() - 1));
 }
 
 QImage adjusted(const QImage& image, const ImageAdjustment& adjustment) {
-    if (image.isNull() || adjustment == ImageAdjustment{}) {
+    if (image.isNull() || adjustment == ImageAdjustment{})
         return image;
-    }
     std::array<QRgb, 256> map{};
     for (int i = 0; i < 256; ++i) {
         const double v = (i / 255.0 - 0.5) * adjustment.contrast + 0.5 + adjustment.brightness;

@@ -19,11 +19,13 @@ struct Job::Link {
         if (!job)
             return;
         Job* target = job;
-        QMetaObject::invokeMethod(target, [target, call = std::move(call)] { call(*target); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            target, [target, call = std::move(call)] { call(*target); }, Qt::QueuedConnection);
     }
 };
 
-JobPool::JobPool(int threads, QObject* parent) : QObject(parent) {
+JobPool::JobPool(int threads, QObject* parent)
+    : QObject(parent) {
     m_threads.setMaxThreadCount(threads > 0 ? threads : QThread::idealThreadCount());
 }
 
@@ -33,7 +35,10 @@ JobPool::~JobPool() {
 }
 
 Job::Job(JobPool& pool, Kind kind, QObject* parent)
-    : QObject(parent), m_pool(pool), m_kind(kind), m_link(std::make_shared<Link>()) {
+    : QObject(parent)
+    , m_pool(pool)
+    , m_kind(kind)
+    , m_link(std::make_shared<Link>()) {
     m_link->job = this;
 }
 
@@ -58,11 +63,11 @@ void Job::start(Work work, int priority) {
     m_pool.m_threads.start(
         [link = m_link, work = std::move(work), token = m_stop.get_token(), generation] {
             JobContext context{token, [&](double fraction, const QString& text) {
-                link->post([=](Job& job) {
-                    if (job.m_generation == generation && job.m_running)
-                        emit job.progressed(fraction, text);
-                });
-            }};
+                                   link->post([=](Job& job) {
+                                       if (job.m_generation == generation && job.m_running)
+                                           emit job.progressed(fraction, text);
+                                   });
+                               }};
             Delivery delivery;
             QString error;
             try {

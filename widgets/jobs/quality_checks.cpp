@@ -17,10 +17,9 @@ std::set<int> framesOf(const core::AnnotationSet& set) {
 
 std::set<int> framesOf(const std::vector<core::Edit>& edits) {
     std::set<int> frames;
-    for (const core::Edit& edit : edits) {
+    for (const core::Edit& edit : edits)
         for (const core::MarkChange& change : edit.marks)
             frames.insert(change.key.frame);
-    }
     return frames;
 }
 
@@ -36,7 +35,9 @@ struct QualityChecks::State {
 };
 
 QualityChecks::QualityChecks(const AnnotationDocument& document, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_job(pool, Job::Kind::Background) {
+    : QObject(parent)
+    , m_document(document)
+    , m_job(pool, Job::Kind::Background) {
     m_wait.setSingleShot(true);
     m_wait.setInterval(kPauseMs);
     connect(&m_wait, &QTimer::timeout, this, &QualityChecks::look);
@@ -64,9 +65,9 @@ void QualityChecks::restart() {
     m_findings.clear();
     m_noise.reset();
     if (m_dataset) {
-        m_state = std::make_shared<State>(State{m_document.annotations(),
-                                                core::QualityChecker(m_dataset->cameras, m_dataset->hands, m_document.rater()), m_dataset,
-                                                m_document.rater(), framesOf(m_document.annotations())});
+        m_state = std::make_shared<State>(State{
+            m_document.annotations(), core::QualityChecker(m_dataset->cameras, m_dataset->hands, m_document.rater()),
+            m_dataset, m_document.rater(), framesOf(m_document.annotations())});
         look();
     }
     emit changed();
@@ -88,19 +89,20 @@ void QualityChecks::look() {
     }
     if (m_edits.empty() && m_state->unseen.empty())
         return;
-    m_job.start([this, state = m_state, edits = std::exchange(m_edits, {})](const JobContext& context) -> Job::Delivery {
-        for (const core::Edit& edit : edits)
-            core::apply(state->set, edit);
-        state->unseen.merge(framesOf(edits));
-        while (!state->unseen.empty() && !context.stop.stop_requested())
-            state->checker.check(state->set, state->unseen.extract(state->unseen.begin()).value());
-        auto noise = core::estimateClickNoise(state->set, state->dataset->cameras, state->rater);
-        return [this, found = state->checker.findings(), noise = std::move(noise)] {
-            m_findings = found;
-            m_noise = noise;
-            emit changed();
-        };
-    });
+    m_job.start(
+        [this, state = m_state, edits = std::exchange(m_edits, {})](const JobContext& context) -> Job::Delivery {
+            for (const core::Edit& edit : edits)
+                core::apply(state->set, edit);
+            state->unseen.merge(framesOf(edits));
+            while (!state->unseen.empty() && !context.stop.stop_requested())
+                state->checker.check(state->set, state->unseen.extract(state->unseen.begin()).value());
+            auto noise = core::estimateClickNoise(state->set, state->dataset->cameras, state->rater);
+            return [this, found = state->checker.findings(), noise = std::move(noise)] {
+                m_findings = found;
+                m_noise = noise;
+                emit changed();
+            };
+        });
 }
 
 } // namespace widgets

@@ -18,8 +18,8 @@
 
 namespace widgets {
 
-/// The doubts about the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the background:
-/// all frames when a sequence or rater is opened, then those that an edit touched, a moment after the edit.
+/// The doubts about the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the
+/// background: all frames when a sequence or rater is opened, then those that an edit touched, a moment after the edit.
 class QualityChecks : public QObject {
     Q_OBJECT
 
@@ -49,7 +49,7 @@ private:
     Job m_job;
     QTimer m_wait;
     std::shared_ptr<const core::Dataset> m_dataset;
-    std::shared_ptr<State> m_state; ///< the worker's while it runs
+    std::shared_ptr<State> m_state;  ///< the worker's while it runs
     std::vector<core::Edit> m_edits; ///< that the state does not know yet
     std::vector<core::QualityFinding> m_findings;
     std::optional<core::ClickNoise> m_noise;

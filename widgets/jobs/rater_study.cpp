@@ -44,7 +44,11 @@ std::string ownName(const std::string& rater) {
 }
 
 RaterStudy::RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_selection(selection), m_job(pool), m_drawJob(pool) {
+    : QObject(parent)
+    , m_document(document)
+    , m_selection(selection)
+    , m_job(pool)
+    , m_drawJob(pool) {
     connect(&document, &AnnotationDocument::opened, this, &RaterStudy::takeSequence);
     connect(&document, &AnnotationDocument::raterChanged, this, &RaterStudy::takeRater);
     connect(&document, &AnnotationDocument::changed, this, [this] {
@@ -79,27 +83,29 @@ void RaterStudy::takeRater() {
 void RaterStudy::compare() {
     if (!m_dataset || isRepeating()) // whoever repeats must not see the first marks
         return;
-    m_job.start([this, dataset = m_dataset, set = m_document.annotations()](const JobContext& context) -> Job::Delivery {
-        auto comparisons = core::compareAllRaters(set, dataset->cameras);
-        std::map<std::string, double> sigmaPx;
-        for (const std::string& rater : core::ratersOf(set)) {
-            if (context.stop.stop_requested())
-                return {};
-            if (const auto noise = core::estimateClickNoise(set, dataset->cameras, rater))
-                sigmaPx[rater] = noise->sigmaPx;
-        }
-        return [this, comparisons = std::move(comparisons), sigmaPx = std::move(sigmaPx)] {
-            m_comparisons = comparisons;
-            m_sigmaPx = sigmaPx;
-            emit compared();
-        };
-    });
+    m_job.start(
+        [this, dataset = m_dataset, set = m_document.annotations()](const JobContext& context) -> Job::Delivery {
+            auto comparisons = core::compareAllRaters(set, dataset->cameras);
+            std::map<std::string, double> sigmaPx;
+            for (const std::string& rater : core::ratersOf(set)) {
+                if (context.stop.stop_requested())
+                    return {};
+                if (const auto noise = core::estimateClickNoise(set, dataset->cameras, rater))
+                    sigmaPx[rater] = noise->sigmaPx;
+            }
+            return [this, comparisons = std::move(comparisons), sigmaPx = std::move(sigmaPx)] {
+                m_comparisons = comparisons;
+                m_sigmaPx = sigmaPx;
+                emit compared();
+            };
+        });
 }
 
 core::Consensus RaterStudy::consensus() const {
     if (!m_dataset || isRepeating())
         return {};
-    return core::consensus(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_selection.joint(), m_sigmaPx);
+    return core::consensus(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_selection.joint(),
+                           m_sigmaPx);
 }
 
 bool RaterStudy::isRepeating() const {
@@ -114,11 +120,13 @@ void RaterStudy::beginRepeating(double share, unsigned seed) {
         begin(rater, m_tasks);
         return;
     }
-    m_drawJob.start([this, rater, share, seed, dataset = m_dataset, set = m_document.annotations()](const JobContext&) mutable -> Job::Delivery {
+    m_drawJob.start([this, rater, share, seed, dataset = m_dataset,
+                     set = m_document.annotations()](const JobContext&) mutable -> Job::Delivery {
         std::erase_if(set.marks, [&](const auto& item) { // what was repeated once is not drawn again
             core::MarkKey repeated = item.first;
             repeated.rater = core::repeatRaterName(rater);
-            return item.first.rater == rater && !core::marksOfJoint(set, repeated.frame, repeated.rater, repeated.joint).empty();
+            return item.first.rater == rater &&
+                   !core::marksOfJoint(set, repeated.frame, repeated.rater, repeated.joint).empty();
         });
         auto tasks = core::drawRepeatTasks(set, dataset->cameras, rater, share, seed);
         return [this, rater, tasks = std::move(tasks)] { begin(rater, tasks); };
@@ -138,11 +146,13 @@ void RaterStudy::begin(const std::string& rater, std::vector<core::RepeatTask> t
 bool RaterStudy::isOpen(const core::RepeatTask& task) const {
     const std::string rater = core::repeatRaterName(ownName(m_document.rater()));
     const auto marks = core::marksOfJoint(m_document.annotations(), task.frame, rater, task.joint);
-    return std::count_if(marks.begin(), marks.end(), [](const auto& mark) { return mark.second.isEvidence(); }) < kViewsOfATask;
+    return std::count_if(marks.begin(), marks.end(), [](const auto& mark) { return mark.second.isEvidence(); }) <
+           kViewsOfATask;
 }
 
 int RaterStudy::openTasks() const {
-    return static_cast<int>(std::count_if(m_tasks.begin(), m_tasks.end(), [this](const auto& task) { return isOpen(task); }));
+    return static_cast<int>(std::count_if(
+        m_tasks.begin(), m_tasks.end(), [this](const auto& task) { return isOpen(task); }));
 }
 
 bool RaterStudy::goToNextTask() {

@@ -20,8 +20,8 @@ namespace widgets {
 /// The rater's name without the mark of a second round.
 std::string ownName(const std::string& rater);
 
-/// How far the raters of the open sequence agree, and the second rounds in which a rater marks a random part of the own work again
-/// without seeing the first marks.
+/// How far the raters of the open sequence agree, and the second rounds in which a rater marks a random part of the own
+/// work again without seeing the first marks.
 class RaterStudy : public QObject {
     Q_OBJECT
 
@@ -40,8 +40,8 @@ public:
 
     /// True while the rater is in a second round.
     bool isRepeating() const;
-    /// Goes on with an unfinished round or draws a new one in the background, `share` of what the rater has finished and never
-    /// repeated; then marks are kept under repeatRaterName, or nothingToRepeat() says that there is nothing.
+    /// Goes on with an unfinished round or draws a new one in the background, `share` of what the rater has finished
+    /// and never repeated; then marks are kept under repeatRaterName, or nothingToRepeat() says that there is nothing.
     void beginRepeating(double share, unsigned seed);
     /// Goes to the next joint of the round that is not marked in two views yet; false if all are.
     bool goToNextTask();

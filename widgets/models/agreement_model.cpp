@@ -15,7 +15,8 @@ QString millimetres(double value) {
 
 } // namespace
 
-AgreementModel::AgreementModel(QObject* parent) : QAbstractTableModel(parent) {}
+AgreementModel::AgreementModel(QObject* parent)
+    : QAbstractTableModel(parent) {}
 
 void AgreementModel::setComparison(const std::optional<core::RaterComparison>& comparison) {
     beginResetModel();
@@ -58,7 +59,8 @@ QVariant AgreementModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == Joint ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole && index.column() >= BiasX) {
-        const core::BlandAltman& axis = m_rows[static_cast<std::size_t>(index.row())].second.axes[index.column() - BiasX];
+        const core::BlandAltman& axis =
+            m_rows[static_cast<std::size_t>(index.row())].second.axes[index.column() - BiasX];
         return tr("Bias %1 mm, 95 % of the differences between %2 and %3 mm")
             .arg(millimetres(axis.biasMm), millimetres(axis.lowerMm()), millimetres(axis.upperMm()));
     }
@@ -74,7 +76,8 @@ QVariant AgreementModel::headerData(int section, Qt::Orientation orientation, in
         return tr("Mean difference along this axis of the world, mm (Bland and Altman)");
     if (role != Qt::DisplayRole)
         return {};
-    const QString names[ColumnCount] = {tr("Joint"), tr("n"), tr("mm"), tr("max"), QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
+    const QString names[ColumnCount] = {
+        tr("Joint"), tr("n"), tr("mm"), tr("max"), QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
     return names[section];
 }
 

@@ -11,8 +11,8 @@
 
 namespace widgets {
 
-/// How far two raters agree: all joints in the first row, then joint by joint; distances in mm, and Bland and Altman's bias per
-/// axis of the world with its 95 % limits in the tooltip.
+/// How far two raters agree: all joints in the first row, then joint by joint; distances in mm, and Bland and Altman's
+/// bias per axis of the world with its 95 % limits in the tooltip.
 class AgreementModel : public QAbstractTableModel {
     Q_OBJECT
 

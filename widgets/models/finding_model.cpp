@@ -7,7 +7,8 @@
 
 namespace widgets {
 
-FindingModel::FindingModel(QObject* parent) : QAbstractTableModel(parent) {}
+FindingModel::FindingModel(QObject* parent)
+    : QAbstractTableModel(parent) {}
 
 void FindingModel::setFindings(std::vector<Finding> findings) {
     beginResetModel();

@@ -19,7 +19,9 @@ const QColor kBadColour(0xE5, 0x5B, 0x5B);
 /// Nothing is placed, but somebody or something has proposed where it is.
 bool isProposed(const core::JointReconstruction* found) {
     return found && found->status == core::JointStatus::None &&
-           std::any_of(found->views.begin(), found->views.end(), [](const auto& view) { return view.mark && view.mark->isProposal(); });
+           std::any_of(
+               found->views.begin(), found->views.end(),
+               [](const auto& view) { return view.mark && view.mark->isProposal(); });
 }
 
 QString stateText(const core::JointReconstruction* found, double badRmsPx) {
@@ -41,14 +43,14 @@ QString stateText(const core::JointReconstruction* found, double badRmsPx) {
 /// How likely a program's guesses are; empty if none says.
 QString likelihoodText(const core::JointReconstruction& found) {
     std::vector<double> likelihoods;
-    for (const core::ViewReconstruction& view : found.views) {
+    for (const core::ViewReconstruction& view : found.views)
         if (view.mark && view.mark->isProposal() && view.mark->likelihood)
             likelihoods.push_back(*view.mark->likelihood);
-    }
     if (likelihoods.empty())
         return {};
     const auto [least, most] = std::minmax_element(likelihoods.begin(), likelihoods.end());
-    return JointTableModel::tr("Proposed marks with a likelihood of %1 to %2").arg(QLocale().toString(*least, 'g', 2), QLocale().toString(*most, 'g', 2));
+    return JointTableModel::tr("Proposed marks with a likelihood of %1 to %2")
+        .arg(QLocale().toString(*least, 'g', 2), QLocale().toString(*most, 'g', 2));
 }
 
 /// What the numbers leave open: where the marks come from, and why there is no point.
@@ -68,7 +70,9 @@ QString toolTip(const core::JointReconstruction& found) {
 } // namespace
 
 JointTableModel::JointTableModel(const JointList& joints, const Reconstructions& reconstructions, QObject* parent)
-    : QAbstractTableModel(parent), m_joints(joints), m_reconstructions(reconstructions) {
+    : QAbstractTableModel(parent)
+    , m_joints(joints)
+    , m_reconstructions(reconstructions) {
     connect(&joints, &JointList::changed, this, [this] {
         beginResetModel();
         endResetModel();
@@ -110,7 +114,9 @@ bool JointTableModel::isBad(const core::JointReconstruction* found) const {
 
 QVariant JointTableModel::value(const core::JointReconstruction* found, int column) const {
     if (column == Views) {
-        const auto counts = [](const core::ViewReconstruction& view) { return view.hasPicture && view.mark && view.mark->isPlaced(); };
+        const auto counts = [](const core::ViewReconstruction& view) {
+            return view.hasPicture && view.mark && view.mark->isPlaced();
+        };
         return found ? static_cast<int>(std::count_if(found->views.begin(), found->views.end(), counts)) : 0;
     }
     if (!found || !found->hasPoint())
@@ -171,10 +177,12 @@ QVariant JointTableModel::headerData(int section, Qt::Orientation orientation, i
         return names[section];
     }
     if (role == Qt::ToolTipRole) {
-        const QString tips[ColumnCount] = {tr("Joint, in the order in which you work"), tr("Views that you clicked + views that you accepted"),
-                                           tr("Root mean square distance from click to reprojection, over the views used"),
-                                           tr("Uncertainty of the 3D joint (standard deviation)"),
-                                           tr("Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point")};
+        const QString tips[ColumnCount] = {
+            tr("Joint, in the order in which you work"), tr("Views that you clicked + views that you accepted"),
+            tr("Root mean square distance from click to reprojection, over the views used"),
+            tr("Uncertainty of the 3D joint (standard deviation)"),
+            tr("Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an "
+               "outlier, or no 3D point")};
         return tips[section];
     }
     return {};

@@ -19,7 +19,8 @@ bool isSameRow(const core::PairResult& a, const core::PairResult& b) {
 
 } // namespace
 
-PairTableModel::PairTableModel(QObject* parent) : QAbstractTableModel(parent) {}
+PairTableModel::PairTableModel(QObject* parent)
+    : QAbstractTableModel(parent) {}
 
 void PairTableModel::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
     const std::size_t before = m_results ? m_results->rows.size() : 0;

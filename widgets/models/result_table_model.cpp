@@ -26,7 +26,8 @@ QString terminationText(core::FitTermination termination) {
 
 } // namespace
 
-ResultTableModel::ResultTableModel(QObject* parent) : QAbstractTableModel(parent) {}
+ResultTableModel::ResultTableModel(QObject* parent)
+    : QAbstractTableModel(parent) {}
 
 void ResultTableModel::setOutcome(std::shared_ptr<const FitOutcome> outcome) {
     beginResetModel();
@@ -66,7 +67,8 @@ QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ToolTipRole)
         return method.failure.isEmpty() ? terminationText(method.result.termination) : method.failure;
     if (role == ValueRole)
-        return index.column() == Method ? QVariant(QString::fromStdString(method.method)) : value(method, index.column());
+        return index.column() == Method ? QVariant(QString::fromStdString(method.method))
+                                        : value(method, index.column());
     if (role != Qt::DisplayRole)
         return {};
     if (index.column() == Method)

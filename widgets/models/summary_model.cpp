@@ -7,11 +7,13 @@
 
 namespace widgets {
 
-SummaryModel::SummaryModel(QObject* parent) : QAbstractTableModel(parent) {}
+SummaryModel::SummaryModel(QObject* parent)
+    : QAbstractTableModel(parent) {}
 
 void SummaryModel::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
     std::vector<int> differences = results ? core::differencesOf(*results) : std::vector<int>{};
-    const bool sameShape = m_results && results && m_results->methods == results->methods && differences == m_differences;
+    const bool sameShape =
+        m_results && results && m_results->methods == results->methods && differences == m_differences;
     if (sameShape) { // a run goes on
         m_results = std::move(results);
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
@@ -28,7 +30,8 @@ int SummaryModel::rowCount(const QModelIndex& parent) const {
 }
 
 int SummaryModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_differences.size()) + 4; // method, differences, all, pairs, seconds
+    return parent.isValid() ? 0
+                            : static_cast<int>(m_differences.size()) + 4; // method, differences, all, pairs, seconds
 }
 
 QString SummaryModel::cell(int row, int column) const {
@@ -40,15 +43,16 @@ QString SummaryModel::cell(int row, int column) const {
     std::optional<int> difference;
     if (column <= static_cast<int>(m_differences.size()))
         difference = m_differences[static_cast<std::size_t>(column - 1)];
-    const core::ErrorStatistics found =
-        isStart ? core::initialStatistics(*m_results, difference) : core::errorStatistics(*m_results, method, difference);
+    const core::ErrorStatistics found = isStart ? core::initialStatistics(*m_results, difference)
+                                                : core::errorStatistics(*m_results, method, difference);
     if (column == last - 1)
         return QLocale().toString(found.pairs);
     if (found.pairs == 0 || (isStart && column == last))
         return {};
     if (column == last)
         return QLocale().toString(found.meanSeconds, 'f', 3);
-    return QStringLiteral("%1 \u00b1 %2").arg(QLocale().toString(found.meanMm, 'f', 2), QLocale().toString(found.stdMm, 'f', 2));
+    return QStringLiteral("%1 \u00b1 %2")
+        .arg(QLocale().toString(found.meanMm, 'f', 2), QLocale().toString(found.stdMm, 'f', 2));
 }
 
 QVariant SummaryModel::data(const QModelIndex& index, int role) const {
@@ -57,7 +61,8 @@ QVariant SummaryModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == ValueRole && index.column() == 0)
-        return index.row() == 0 ? QStringLiteral("start") : QString::fromStdString(m_results->methods[static_cast<std::size_t>(index.row() - 1)]);
+        return index.row() == 0 ? QStringLiteral("start")
+                                : QString::fromStdString(m_results->methods[static_cast<std::size_t>(index.row() - 1)]);
     return role == Qt::DisplayRole ? QVariant(cell(index.row(), index.column())) : QVariant();
 }
 

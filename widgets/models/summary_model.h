@@ -10,8 +10,8 @@
 
 namespace widgets {
 
-/// A benchmark in the paper's layout: a row per method (the start poses first), mean and standard deviation in mm per frame
-/// difference and over all, how many pairs there are of it yet, and seconds per pair.
+/// A benchmark in the paper's layout: a row per method (the start poses first), mean and standard deviation in mm per
+/// frame difference and over all, how many pairs there are of it yet, and seconds per pair.
 class SummaryModel : public QAbstractTableModel {
     Q_OBJECT
 

@@ -12,14 +12,17 @@
 namespace widgets {
 
 EmptyState::EmptyState(QWidget* parent)
-    : QWidget(parent), m_recent(new QVBoxLayout), m_recentTitle(new QLabel(tr("Recent datasets"), this)) {
+    : QWidget(parent)
+    , m_recent(new QVBoxLayout)
+    , m_recentTitle(new QLabel(tr("Recent datasets"), this)) {
     auto* title = new QLabel(tr("Open a dataset or make one of your videos: drop either here. Or try the demo."), this);
     QFont large = font();
     large.setPointSizeF(large.pointSizeF() * 1.5);
     title->setFont(large);
     title->setAlignment(Qt::AlignCenter);
     title->setWordWrap(true);
-    auto* open = new QPushButton(QIcon::fromTheme(QStringLiteral("document-open-folder")), tr("Open a dataset..."), this);
+    auto* open =
+        new QPushButton(QIcon::fromTheme(QStringLiteral("document-open-folder")), tr("Open a dataset..."), this);
     auto* make = new QPushButton(QIcon::fromTheme(QStringLiteral("document-new")), tr("Make a dataset..."), this);
     auto* demo = new QPushButton(QIcon::fromTheme(QStringLiteral("media-playback-start")), tr("Try the demo"), this);
     connect(open, &QPushButton::clicked, this, &EmptyState::openRequested);

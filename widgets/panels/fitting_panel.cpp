@@ -27,9 +27,19 @@ constexpr int kUsualDifference = 5;
 } // namespace
 
 FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent)
-    : QWidget(parent), m_selection(selection), m_fits(fits), m_message(new MessageBar(this)), m_start(new QSpinBox(this)),
-      m_test(new QSpinBox(this)), m_target(new QComboBox(this)), m_attach(new QPushButton(tr("Attach masks..."), this)), m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_table(new QTableView(this)),
-      m_model(new ResultTableModel(this)), m_plot(new CurvePlot(this)) {
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_fits(fits)
+    , m_message(new MessageBar(this))
+    , m_start(new QSpinBox(this))
+    , m_test(new QSpinBox(this))
+    , m_target(new QComboBox(this))
+    , m_attach(new QPushButton(tr("Attach masks..."), this))
+    , m_run(new QPushButton(this))
+    , m_progress(new QProgressBar(this))
+    , m_table(new QTableView(this))
+    , m_model(new ResultTableModel(this))
+    , m_plot(new CurvePlot(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
     column->setSpacing(kSpacing);
@@ -43,16 +53,20 @@ FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* paren
     column->addWidget(m_plot, 1);
     m_target->addItem(tr("Silhouettes of the recorded pose"), static_cast<int>(FitTarget::Recorded));
     m_target->addItem(tr("Silhouettes of the mask files"), static_cast<int>(FitTarget::Masks));
-    m_target->setToolTip(tr("What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame."));
+    m_target->setToolTip(tr(
+        "What the fit is to meet. Against mask files, errors are measured over the joints marked in the test frame."));
     m_target->setFocusPolicy(Qt::NoFocus);
-    m_attach->setToolTip(tr("A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like"));
+    m_attach->setToolTip(
+        tr("A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like"));
     m_attach->setFocusPolicy(Qt::NoFocus);
     connect(m_attach, &QPushButton::clicked, this, &FittingPanel::masksRequested);
     m_table->setModel(m_model);
     styleTable(*m_table);
-    m_table->setItemDelegateForColumn(ResultTableModel::Method, new MethodDelegate(ResultTableModel::ValueRole, m_table));
+    m_table->setItemDelegateForColumn(ResultTableModel::Method,
+                                      new MethodDelegate(ResultTableModel::ValueRole, m_table));
     m_table->setFocusPolicy(Qt::NoFocus);
-    m_plot->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, true, tr("The error of every iteration appears here."), true});
+    m_plot->setSettings({QString(), tr("Iteration"), tr("Error, mm"), 0, 0, 0, 0, true,
+                         tr("The error of every iteration appears here."), true});
     connectFits();
     connect(&m_selection, &Selection::frameCountChanged, this, &FittingPanel::showTargets);
     showRunning(false);
@@ -79,7 +93,8 @@ QLayout* FittingPanel::makeFrameRow() {
         row->addWidget(label);
         row->addWidget(box, 1);
     };
-    add(tr("Start"), m_start, tr("Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks"));
+    add(tr("Start"), m_start,
+        tr("Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks"));
     add(tr("Test"), m_test, tr("Frame whose silhouettes are to be met"));
     auto* here = new QToolButton(this);
     here->setText(tr("Here"));
@@ -87,7 +102,8 @@ QLayout* FittingPanel::makeFrameRow() {
     here->setFocusPolicy(Qt::NoFocus);
     row->addWidget(here);
     connect(here, &QToolButton::clicked, this, [this] {
-        const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
+        const int difference =
+            m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
         m_test->setValue(m_selection.frame());
         m_start->setValue(m_selection.frame() - difference);
     });
@@ -172,28 +188,30 @@ void FittingPanel::showRunning(bool running) {
 
 std::vector<std::string> FittingPanel::chosenMethods() const {
     std::vector<std::string> chosen;
-    for (const QCheckBox* box : m_methods) {
+    for (const QCheckBox* box : m_methods)
         if (box->isChecked())
             chosen.push_back(box->text().toStdString());
-    }
     return chosen;
 }
 
 FitRequest FittingPanel::request() const {
-    return {m_start->value(), m_test->value(), chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())};
+    return {m_start->value(), m_test->value(), chosenMethods(),
+            static_cast<FitTarget>(m_target->currentData().toInt())};
 }
 
 void FittingPanel::fitCurrentFrame() {
     const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
     const int last = std::max(0, m_selection.frameCount() - 1);
-    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())});
+    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods(),
+         static_cast<FitTarget>(m_target->currentData().toInt())});
 }
 
 void FittingPanel::fit(const FitRequest& request) {
     m_start->setValue(request.start);
     m_test->setValue(request.test);
     for (QCheckBox* box : m_methods)
-        box->setChecked(std::find(request.methods.begin(), request.methods.end(), box->text().toStdString()) != request.methods.end());
+        box->setChecked(std::find(request.methods.begin(), request.methods.end(), box->text().toStdString()) !=
+                        request.methods.end());
     m_target->setCurrentIndex(m_target->findData(static_cast<int>(request.target)));
     m_fits.run(request);
 }
@@ -208,10 +226,9 @@ std::vector<Curve> FittingPanel::curves() const {
         curve.colour = methodColour(method.method);
         if (!std::isnan(m_fits.outcome()->initialErrorMm))
             curve.points.emplace_back(0.0, m_fits.outcome()->initialErrorMm);
-        for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i) {
+        for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i)
             if (!std::isnan(method.iterationErrorMm[i]))
                 curve.points.emplace_back(static_cast<double>(i + 1), method.iterationErrorMm[i]);
-        }
         if (!curve.points.empty())
             curves.push_back(std::move(curve));
     }
@@ -222,7 +239,8 @@ void FittingPanel::showOutcome() {
     m_model->setOutcome(m_fits.outcome());
     const int rows = m_model->rowCount();
     m_table->setVisible(rows > 0);
-    const int height = m_table->horizontalHeader()->sizeHint().height() + rows * m_table->verticalHeader()->defaultSectionSize() + 2;
+    const int height =
+        m_table->horizontalHeader()->sizeHint().height() + rows * m_table->verticalHeader()->defaultSectionSize() + 2;
     m_table->setFixedHeight(height);
     m_plot->setCurves(curves());
 }

@@ -21,7 +21,8 @@
 
 namespace widgets {
 
-/// Choose a start and a test frame and methods, run them in the background, read the results: a table and how the error fell.
+/// Choose a start and a test frame and methods, run them in the background, read the results: a table and how the error
+/// fell.
 class FittingPanel : public QWidget {
     Q_OBJECT
 

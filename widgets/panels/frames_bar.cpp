@@ -24,11 +24,20 @@ QToolButton* flatButton(QWidget* parent) {
 
 } // namespace
 
-FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage, const JointList& joints,
-                     QWidget* parent)
-    : QWidget(parent), m_selection(selection), m_document(document), m_coverage(coverage), m_joints(joints),
-      m_sequences(new QComboBox(this)), m_previous(flatButton(this)), m_frame(new QSpinBox(this)), m_next(flatButton(this)),
-      m_play(flatButton(this)), m_timeline(new Timeline(this)), m_legend(flatButton(this)) {
+FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage,
+                     const JointList& joints, QWidget* parent)
+    : QWidget(parent)
+    , m_selection(selection)
+    , m_document(document)
+    , m_coverage(coverage)
+    , m_joints(joints)
+    , m_sequences(new QComboBox(this))
+    , m_previous(flatButton(this))
+    , m_frame(new QSpinBox(this))
+    , m_next(flatButton(this))
+    , m_play(flatButton(this))
+    , m_timeline(new Timeline(this))
+    , m_legend(flatButton(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
     row->setSpacing(kSpacing);
@@ -63,7 +72,8 @@ FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, c
     connect(&m_document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
         if (!edit.notes.empty())
             refreshNotes();
-        if (std::any_of(edit.marks.begin(), edit.marks.end(), [this](const auto& change) { return change.key.rater != m_document.rater(); }))
+        if (std::any_of(edit.marks.begin(), edit.marks.end(),
+                        [this](const auto& change) { return change.key.rater != m_document.rater(); }))
             refreshOthers();
     });
     refreshFrame();

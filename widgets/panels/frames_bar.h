@@ -12,8 +12,8 @@
 #include "widgets/document/annotation_document.h"
 #include "widgets/document/joint_list.h"
 #include "widgets/document/selection.h"
-#include "widgets/session/coverage.h"
 #include "widgets/panels/timeline.h"
+#include "widgets/session/coverage.h"
 
 class QAction;
 
@@ -24,8 +24,8 @@ class FramesBar : public QWidget {
     Q_OBJECT
 
 public:
-    FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage, const JointList& joints,
-              QWidget* parent = nullptr);
+    FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage,
+              const JointList& joints, QWidget* parent = nullptr);
 
     /// The actions behind the buttons.
     void setActions(QAction* previous, QAction* next, QAction* play);

@@ -8,10 +8,10 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/text/advice.h"
-#include "widgets/text/edit_text.h"
 #include "widgets/panels/hand_drawing.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/advice.h"
+#include "widgets/text/edit_text.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
@@ -20,8 +20,12 @@ namespace {
 constexpr double kGrabRadius = 11;
 } // namespace
 
-HandDiagram::HandDiagram(const JointList& joints, const Reconstructions& reconstructions, Selection& selection, QWidget* parent)
-    : QWidget(parent), m_joints(joints), m_reconstructions(reconstructions), m_selection(selection) {
+HandDiagram::HandDiagram(const JointList& joints, const Reconstructions& reconstructions, Selection& selection,
+                         QWidget* parent)
+    : QWidget(parent)
+    , m_joints(joints)
+    , m_reconstructions(reconstructions)
+    , m_selection(selection) {
     const auto repaint = qOverload<>(&QWidget::update);
     connect(&joints, &JointList::changed, this, repaint);
     connect(&reconstructions, &Reconstructions::changed, this, repaint);
@@ -57,8 +61,9 @@ void HandDiagram::paintHand(QPainter& painter, core::Side hand) const {
     const QRectF square = area(hand);
     paintHandOutline(painter, hand, square, palette());
     painter.setPen(quietTextColour(palette()));
-    painter.drawText(QRectF(square.left(), height() - kSpacing - fontMetrics().height(), square.width(), fontMetrics().height()),
-                     Qt::AlignCenter, sideText(hand));
+    painter.drawText(
+        QRectF(square.left(), height() - kSpacing - fontMetrics().height(), square.width(), fontMetrics().height()),
+        Qt::AlignCenter, sideText(hand));
 }
 
 void HandDiagram::paintDot(QPainter& painter, const core::JointId& joint, QPointF centre) const {
@@ -98,10 +103,9 @@ void HandDiagram::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     for (const core::Side hand : {core::Side::Left, core::Side::Right})
         paintHand(painter, hand);
-    for (const core::JointId& joint : m_joints.joints()) {
+    for (const core::JointId& joint : m_joints.joints())
         if (const auto centre = dotPosition(joint))
             paintDot(painter, joint, *centre);
-    }
 }
 
 std::optional<core::JointId> HandDiagram::jointAt(QPointF position) const {

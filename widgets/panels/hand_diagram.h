@@ -13,13 +13,14 @@
 
 namespace widgets {
 
-/// A drawing of both hands, a dot per joint: filled by state, ringed red when its error is high, outlined when selected. A click
-/// selects. Left hand round, right hand square.
+/// A drawing of both hands, a dot per joint: filled by state, ringed red when its error is high, outlined when
+/// selected. A click selects. Left hand round, right hand square.
 class HandDiagram : public QWidget {
     Q_OBJECT
 
 public:
-    HandDiagram(const JointList& joints, const Reconstructions& reconstructions, Selection& selection, QWidget* parent = nullptr);
+    HandDiagram(const JointList& joints, const Reconstructions& reconstructions, Selection& selection,
+                QWidget* parent = nullptr);
 
     void setBadRmsPx(double px);
     /// Where the joint's dot is, in the widget; nothing if it has none.

@@ -87,11 +87,11 @@ std::optional<QPointF> diagramPosition(const std::string& joint) {
         return std::nullopt;
     if (part == "cmc")
         return between(kWrist, finger->mcp, 0.38);
-    constexpr std::array<std::pair<std::string_view, double>, 4> kParts = {{{"mcp", 0.0}, {"pip", 0.42}, {"dip", 0.72}, {"tip", 1.0}}};
-    for (const auto& [known, share] : kParts) {
+    constexpr std::array<std::pair<std::string_view, double>, 4> kParts = {
+        {{"mcp", 0.0}, {"pip", 0.42}, {"dip", 0.72}, {"tip", 1.0}}};
+    for (const auto& [known, share] : kParts)
         if (part == known)
             return between(finger->mcp, finger->tip, share);
-    }
     return std::nullopt;
 }
 
@@ -103,7 +103,8 @@ QPointF placeInHand(core::Side hand, const QRectF& area, QPointF unit) {
 QRectF handArea(core::Side hand, const QRectF& whole) {
     const QSizeF cell((whole.width() - 3 * kSpacing) / 2, whole.height() - 2 * kSpacing);
     const double side = std::min(cell.width(), cell.height());
-    const double centreX = whole.left() + kSpacing + cell.width() / 2 + (hand == core::Side::Left ? 0 : cell.width() + kSpacing);
+    const double centreX =
+        whole.left() + kSpacing + cell.width() / 2 + (hand == core::Side::Left ? 0 : cell.width() + kSpacing);
     return {centreX - side / 2, whole.top() + kSpacing + (cell.height() - side) / 2, side, side};
 }
 

@@ -12,16 +12,19 @@
 
 namespace widgets {
 
-Hints::Hints(QWidget* parent) : QFrame(parent) {
+Hints::Hints(QWidget* parent)
+    : QFrame(parent) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(3 * kSpacing, 2 * kSpacing, 3 * kSpacing, 2 * kSpacing);
     column->setSpacing(kSpacing);
-    const QString hints[] = {tr("Choose a joint on the left, then click it in two views: its 3D place appears at once."),
-                             tr("Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything."),
-                             tr("The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures."),
-                             tr("A and D step through the frames, W and S through the joints; F1 shows every key.")};
+    const QString hints[] = {
+        tr("Choose a joint on the left, then click it in two views: its 3D place appears at once."),
+        tr("Space accepts a pre-placed mark, X deletes one, Ctrl+Z takes back anything."),
+        tr("The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the "
+           "hands, 0 shows whole pictures."),
+        tr("A and D step through the frames, W and S through the joints; F1 shows every key.")};
     for (const QString& hint : hints) {
         auto* label = new QLabel(QStringLiteral("\u2022  ") + hint, this);
         label->setWordWrap(true);

@@ -9,9 +9,9 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/text/edit_text.h"
 #include "widgets/panels/hand_drawing.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/edit_text.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
@@ -28,7 +28,8 @@ QString millimetres(double mm) {
 
 } // namespace
 
-JointErrorDiagram::JointErrorDiagram(QWidget* parent) : QWidget(parent) {
+JointErrorDiagram::JointErrorDiagram(QWidget* parent)
+    : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setAccessibleName(tr("Mean error per joint"));
 }
@@ -36,10 +37,9 @@ JointErrorDiagram::JointErrorDiagram(QWidget* parent) : QWidget(parent) {
 void JointErrorDiagram::setErrors(const std::vector<JointError>& errors) {
     m_errors = errors;
     m_largestMm = 0;
-    for (const JointError& error : errors) {
+    for (const JointError& error : errors)
         if (std::isfinite(error.errorMm))
             m_largestMm = std::max(m_largestMm, error.errorMm);
-    }
     update();
 }
 
@@ -81,7 +81,8 @@ void JointErrorDiagram::paintEvent(QPaintEvent*) {
 }
 
 void JointErrorDiagram::paintLegend(QPainter& painter) const {
-    const QRectF bar((width() - kLegendWidth) / 2.0, height() - kLegendHeight - fontMetrics().height(), kLegendWidth, kLegendHeight);
+    const QRectF bar((width() - kLegendWidth) / 2.0, height() - kLegendHeight - fontMetrics().height(), kLegendWidth,
+                     kLegendHeight);
     QLinearGradient scale(bar.topLeft(), bar.topRight());
     for (int i = 0; i <= 8; ++i)
         scale.setColorAt(i / 8.0, errorColour(i / 8.0));

@@ -12,11 +12,15 @@
 
 namespace widgets {
 
-JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const Reconstructions& reconstructions, Selection& selection,
-                         QWidget* parent)
-    : QWidget(parent), m_joints(joints), m_selection(selection), m_diagram(new HandDiagram(joints, reconstructions, selection, this)),
-      m_table(new QTableView(this)), m_model(new JointTableModel(joints, reconstructions, this)),
-      m_note(new NoteEdit(document, selection, this)) {
+JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const Reconstructions& reconstructions,
+                         Selection& selection, QWidget* parent)
+    : QWidget(parent)
+    , m_joints(joints)
+    , m_selection(selection)
+    , m_diagram(new HandDiagram(joints, reconstructions, selection, this))
+    , m_table(new QTableView(this))
+    , m_model(new JointTableModel(joints, reconstructions, this))
+    , m_note(new NoteEdit(document, selection, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -32,10 +36,11 @@ JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const 
     }
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(m_table->horizontalHeader(), &QWidget::customContextMenuRequested, this, [this](const QPoint& position) {
-        emit listMenuRequested(m_table->horizontalHeader()->mapToGlobal(position));
-    });
-    connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) { m_selection.setJoint(m_model->jointAt(index.row())); });
+    connect(
+        m_table->horizontalHeader(), &QWidget::customContextMenuRequested, this,
+        [this](const QPoint& position) { emit listMenuRequested(m_table->horizontalHeader()->mapToGlobal(position)); });
+    connect(m_table, &QTableView::clicked, this,
+            [this](const QModelIndex& index) { m_selection.setJoint(m_model->jointAt(index.row())); });
     connect(&m_selection, &Selection::jointChanged, this, &JointsPanel::selectRow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::selectRow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::fitColumns);
@@ -59,8 +64,9 @@ void JointsPanel::fitColumns() {
     for (const int column : optional)
         m_table->setColumnHidden(column, false); // a hidden one has no width
     const auto width = [&](int column) {
-        return header->sectionResizeMode(column) == QHeaderView::Fixed ? m_widthOfNumbers
-                                                                       : std::max(cells.sizeHintForColumn(column), header->sectionSizeHint(column));
+        return header->sectionResizeMode(column) == QHeaderView::Fixed
+                   ? m_widthOfNumbers
+                   : std::max(cells.sizeHintForColumn(column), header->sectionSizeHint(column));
     };
     const int scrollBar = m_table->verticalScrollBar()->sizeHint().width();
     int room = m_table->width() - scrollBar - width(JointTableModel::Joint);

@@ -13,13 +13,14 @@
 
 namespace widgets {
 
-/// A drawing of both hands, the table of their joints and the note: all about the current frame. Drawing and table select a joint.
+/// A drawing of both hands, the table of their joints and the note: all about the current frame. Drawing and table
+/// select a joint.
 class JointsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    JointsPanel(JointList& joints, AnnotationDocument& document, const Reconstructions& reconstructions, Selection& selection,
-                QWidget* parent = nullptr);
+    JointsPanel(JointList& joints, AnnotationDocument& document, const Reconstructions& reconstructions,
+                Selection& selection, QWidget* parent = nullptr);
 
     void setBadRmsPx(double px);
     QTableView* table() const { return m_table; }

@@ -27,11 +27,12 @@ ViewMark example(MarkOrigin origin, bool occluded = false, bool outlier = false)
 } // namespace
 
 MarkLegend::MarkLegend(QWidget* parent)
-    : QWidget(parent), m_rows{{example(MarkOrigin::Manual), tr("clicked: the 3D joint follows from these")},
-                              {example(MarkOrigin::Auto), tr("accepted as it was placed for you")},
-                              {example(MarkOrigin::Proposed), tr("proposed: nobody's label yet")},
-                              {example(MarkOrigin::Manual, true), tr("occluded, estimated")},
-                              {example(MarkOrigin::Manual, false, true), tr("contradicts the other views")}} {
+    : QWidget(parent)
+    , m_rows{{example(MarkOrigin::Manual), tr("clicked: the 3D joint follows from these")},
+             {example(MarkOrigin::Auto), tr("accepted as it was placed for you")},
+             {example(MarkOrigin::Proposed), tr("proposed: nobody's label yet")},
+             {example(MarkOrigin::Manual, true), tr("occluded, estimated")},
+             {example(MarkOrigin::Manual, false, true), tr("contradicts the other views")}} {
     ViewMark right = example(MarkOrigin::Manual);
     right.joint.hand = core::Side::Right;
     m_rows.push_back({right, tr("square: right hand; round: left hand")});
@@ -66,7 +67,8 @@ void MarkLegend::paintEvent(QPaintEvent*) {
         painter.restore();
         painter.setPen(palette().color(QPalette::WindowText));
         const QRectF place(kGlyphWidth, top, width() - kGlyphWidth, rowHeight());
-        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft, fontMetrics().elidedText(row.text, Qt::ElideRight, int(place.width())));
+        painter.drawText(place, Qt::AlignVCenter | Qt::AlignLeft,
+                         fontMetrics().elidedText(row.text, Qt::ElideRight, int(place.width())));
         top += rowHeight();
     }
 }

@@ -14,7 +14,10 @@ constexpr int kNameWidth = 180;
 constexpr int kStripe = 4;
 } // namespace
 
-NameBar::NameBar(QWidget* parent) : QWidget(parent), m_name(new QLineEdit(this)), m_keep(new QPushButton(tr("Use this name"), this)) {
+NameBar::NameBar(QWidget* parent)
+    : QWidget(parent)
+    , m_name(new QLineEdit(this))
+    , m_keep(new QPushButton(tr("Use this name"), this)) {
     auto* label = new QLabel(tr("Your marks are kept under your &name:"), this);
     label->setBuddy(m_name);
     m_name->setMaximumWidth(kNameWidth);
@@ -27,7 +30,8 @@ NameBar::NameBar(QWidget* parent) : QWidget(parent), m_name(new QLineEdit(this))
         row->addWidget(widget);
     row->addStretch(1);
     connect(m_name, &QLineEdit::returnPressed, this, &NameBar::answer);
-    connect(m_name, &QLineEdit::textChanged, this, [this](const QString& text) { m_keep->setEnabled(!text.trimmed().isEmpty()); });
+    connect(m_name, &QLineEdit::textChanged, this,
+            [this](const QString& text) { m_keep->setEnabled(!text.trimmed().isEmpty()); });
     connect(m_keep, &QPushButton::clicked, this, &NameBar::answer);
     hide();
 }

@@ -8,7 +8,9 @@
 namespace widgets {
 
 NoteEdit::NoteEdit(AnnotationDocument& document, const Selection& selection, QWidget* parent)
-    : QLineEdit(parent), m_document(document), m_selection(selection) {
+    : QLineEdit(parent)
+    , m_document(document)
+    , m_selection(selection) {
     setPlaceholderText(tr("Note on this frame"));
     setFocusPolicy(Qt::ClickFocus);
     setClearButtonEnabled(true);

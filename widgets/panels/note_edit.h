@@ -8,7 +8,8 @@
 
 namespace widgets {
 
-/// The note on the current frame, in one line. It is kept when Enter is pressed or the keyboard goes elsewhere; Escape gives up.
+/// The note on the current frame, in one line. It is kept when Enter is pressed or the keyboard goes elsewhere; Escape
+/// gives up.
 class NoteEdit : public QLineEdit {
     Q_OBJECT
 

@@ -7,16 +7,21 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "widgets/presenters/other_marks.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
+#include "widgets/presenters/other_marks.h"
 
 namespace widgets {
 
 QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_threshold(new QDoubleSpinBox(this)), m_scope(new QComboBox(this)), m_summary(new QLabel(this)),
-      m_nothing(new QLabel(this)), m_table(new QTableView(this)),
-      m_model(new FindingModel(this)) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_threshold(new QDoubleSpinBox(this))
+    , m_scope(new QComboBox(this))
+    , m_summary(new QLabel(this))
+    , m_nothing(new QLabel(this))
+    , m_table(new QTableView(this))
+    , m_model(new FindingModel(this)) {
     build();
     connect(&workbench.reconstructions, &Reconstructions::changed, this, [this] {
         if (m_scope->currentIndex() == 0) // the whole sequence is looked at in the background
@@ -83,12 +88,13 @@ void QualityPanel::askForThreshold() {
 std::vector<Finding> QualityPanel::frameFindings() const {
     const int frame = m_workbench.selection.frame();
     const double bad = m_workbench.coverage.badRmsPx();
-    auto findings = findingsOf(m_workbench.reconstructions.joints(), frame, bad); // of this moment: clicks that disagree are among them
-    for (const core::QualityFinding& found : m_workbench.checks.findings()) {
+    auto findings = findingsOf(m_workbench.reconstructions.joints(), frame,
+                               bad); // of this moment: clicks that disagree are among them
+    for (const core::QualityFinding& found : m_workbench.checks.findings())
         if (found.frame == frame && found.kind != core::QualityKind::Disagreement)
             findings.push_back(findingOf(found, bad));
-    }
-    std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.severity > b.severity; });
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return a.severity > b.severity; });
     return findings;
 }
 
@@ -103,7 +109,8 @@ void QualityPanel::refresh() {
     const bool wholeSequence = m_scope->currentIndex() == 1;
     m_model->setFindings(wholeSequence ? sequenceFindings() : frameFindings());
     m_table->setColumnHidden(FindingModel::Frame, !wholeSequence);
-    m_nothing->setText(wholeSequence ? tr("Nothing stands out in this sequence.") : tr("Nothing stands out in this frame."));
+    m_nothing->setText(wholeSequence ? tr("Nothing stands out in this sequence.")
+                                     : tr("Nothing stands out in this frame."));
     const bool any = m_model->rowCount() > 0;
     m_table->setVisible(any);
     m_nothing->setVisible(!any);
@@ -112,11 +119,15 @@ void QualityPanel::refresh() {
 /// What stands for the numbers while the rater has no marks: others may have some, and proposals may wait.
 QString QualityPanel::nothingText() const {
     const core::AnnotationSet& set = m_workbench.document.annotations();
-    const auto others = m_workbench.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_workbench.document);
-    QString text = others.empty() ? tr("No frame of this sequence has marks yet.")
-                                  : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_workbench.document.rater())) + QLatin1Char(' ') +
-                                        othersText(others);
-    const auto proposals = std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); });
+    const auto others =
+        m_workbench.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_workbench.document);
+    QString text =
+        others.empty()
+            ? tr("No frame of this sequence has marks yet.")
+            : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_workbench.document.rater())) +
+                  QLatin1Char(' ') + othersText(others);
+    const auto proposals =
+        std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); });
     if (proposals > 0)
         text += QLatin1Char(' ') + tr("%n proposed mark(s) wait to be checked.", nullptr, static_cast<int>(proposals));
     return text;
@@ -137,10 +148,14 @@ void QualityPanel::refreshSummary() {
         m_summary->setText(nothingText());
         return;
     }
-    QString text = tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_workbench.document.rater())) + QLatin1Char(' ') +
-                   tr("Joints: %1 done, %2 partial, %3 bad.").arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
+    QString text =
+        tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_workbench.document.rater())) +
+        QLatin1Char(' ') +
+        tr("Joints: %1 done, %2 partial, %3 bad.")
+            .arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
     if (const auto& noise = m_workbench.checks.clickNoise())
-        text += QLatin1Char(' ') + tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
+        text += QLatin1Char(' ') +
+                tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
     m_summary->setText(text);
 }
 

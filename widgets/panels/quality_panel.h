@@ -7,12 +7,13 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
 #include "widgets/models/finding_model.h"
+#include "widgets/session/workbench.h"
 
 namespace widgets {
 
-/// What deserves a look in the current frame or the whole sequence, and how the sequence stands. A row jumps to its joint and view.
+/// What deserves a look in the current frame or the whole sequence, and how the sequence stands. A row jumps to its
+/// joint and view.
 class QualityPanel : public QWidget {
     Q_OBJECT
 

@@ -6,9 +6,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "widgets/text/edit_text.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 
@@ -21,11 +21,19 @@ QString number(double value, int decimals) {
 } // namespace
 
 RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_pairs(new QComboBox(this)), m_clicks(new QLabel(this)),
-      m_table(new QTableView(this)), m_model(new AgreementModel(this)),
-      m_nothing(new QLabel(this)),
-      m_consensus(new QLabel(this)), m_round(new QLabel(this)), m_next(new QPushButton(tr("Next"), this)), m_begin(new QPushButton(this)),
-      m_compare(new QPushButton(tr("Compare"), this)) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_message(new MessageBar(this))
+    , m_pairs(new QComboBox(this))
+    , m_clicks(new QLabel(this))
+    , m_table(new QTableView(this))
+    , m_model(new AgreementModel(this))
+    , m_nothing(new QLabel(this))
+    , m_consensus(new QLabel(this))
+    , m_round(new QLabel(this))
+    , m_next(new QPushButton(tr("Next"), this))
+    , m_begin(new QPushButton(this))
+    , m_compare(new QPushButton(tr("Compare"), this)) {
     build();
     RaterStudy& study = workbench.raters;
     connect(&study, &RaterStudy::compared, this, &RatersPanel::showComparisons);
@@ -91,7 +99,8 @@ void RatersPanel::showComparisons() {
         const QString before = m_pairs->currentText();
         m_pairs->clear();
         for (const core::RaterComparison& pair : m_workbench.raters.comparisons())
-            m_pairs->addItem(QStringLiteral("%1 \u2013 %2").arg(QString::fromStdString(pair.first), QString::fromStdString(pair.second)));
+            m_pairs->addItem(QStringLiteral("%1 \u2013 %2")
+                                 .arg(QString::fromStdString(pair.first), QString::fromStdString(pair.second)));
         m_pairs->setCurrentIndex(std::max(0, m_pairs->findText(before)));
     }
     m_pairs->setEnabled(m_pairs->count() > 1);
@@ -111,7 +120,8 @@ void RatersPanel::showPair() {
     if (!any)
         return;
     const core::RaterComparison& pair = comparisons[static_cast<std::size_t>(index)];
-    QStringList parts{tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(number(pair.clickRmsPx, 2))};
+    QStringList parts{
+        tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(number(pair.clickRmsPx, 2))};
     for (const std::string& rater : {pair.first, pair.second}) {
         const auto sigma = m_workbench.raters.sigmaPx().find(rater);
         if (sigma != m_workbench.raters.sigmaPx().end())
@@ -127,11 +137,13 @@ void RatersPanel::showConsensus() {
     m_consensus->setVisible(all.result.point.has_value());
     if (!all.result.point)
         return;
-    QString text = tr("All raters together: %1 \u00b1 %2 mm, from %n click(s).", nullptr, static_cast<int>(all.clicks.size()))
-                       .arg(jointText(m_workbench.selection.joint()), number(core::sigmaMm(all.result.point->covariance), 2));
+    QString text =
+        tr("All raters together: %1 \u00b1 %2 mm, from %n click(s).", nullptr, static_cast<int>(all.clicks.size()))
+            .arg(jointText(m_workbench.selection.joint()), number(core::sigmaMm(all.result.point->covariance), 2));
     const auto& own = m_workbench.reconstructions.selected().result.point;
     if (own)
-        text += QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.").arg(number((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
+        text += QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.")
+                                       .arg(number((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
     m_consensus->setText(text);
 }
 
@@ -139,15 +151,20 @@ void RatersPanel::showRound() {
     const RaterStudy& study = m_workbench.raters;
     const bool repeating = study.isRepeating();
     m_begin->setText(repeating ? tr("End the round") : tr("Start a repeat round"));
-    m_begin->setToolTip(repeating ? tr("Back to your own marks; both rounds are compared")
-                                  : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
+    m_begin->setToolTip(
+        repeating
+            ? tr("Back to your own marks; both rounds are compared")
+            : tr("A random tenth of your finished joints, your first marks hidden: how well do you repeat yourself?"));
     m_next->setVisible(repeating);
     m_compare->setEnabled(!repeating);
     m_nothing->setText(repeating ? tr("Your first marks are hidden until the round has ended.")
-                                 : tr("No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself."));
+                                 : tr("No two raters have marked the same joint. Start a repeat round to see how far "
+                                      "you agree with yourself."));
     m_next->setToolTip(tr("To the next joint of the round that is not marked yet"));
     showConsensus();
-    m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.").arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks())) : QString());
+    m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.")
+                                     .arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks()))
+                               : QString());
 }
 
 } // namespace widgets

@@ -7,13 +7,14 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
 #include "widgets/models/agreement_model.h"
+#include "widgets/session/workbench.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
 
-/// How far raters agree with each other and with themselves, what all say of the selected joint together, and the second round.
+/// How far raters agree with each other and with themselves, what all say of the selected joint together, and the
+/// second round.
 class RatersPanel : public QWidget {
     Q_OBJECT
 

@@ -9,7 +9,9 @@
 namespace widgets {
 
 ScenePanel::ScenePanel(SceneView* scene, LayerPresenter& layers, QWidget* parent)
-    : QWidget(parent), m_layers(layers), m_choice(new QComboBox(this)) {
+    : QWidget(parent)
+    , m_layers(layers)
+    , m_choice(new QComboBox(this)) {
     m_choice->setObjectName(QStringLiteral("sceneChoice"));
     m_choice->setFocusPolicy(Qt::NoFocus);
     m_choice->setToolTip(tr("Whose pose stands in the scene"));
@@ -35,7 +37,8 @@ void ScenePanel::refresh() {
     const QSignalBlocker blocker(m_choice);
     m_choice->clear();
     for (const QString& name : names)
-        m_choice->addItem(methodChip(name.toStdString()), name == QLatin1String(LayerPresenter::kRecorded) ? tr("Recorded pose") : name, name);
+        m_choice->addItem(methodChip(name.toStdString()),
+                          name == QLatin1String(LayerPresenter::kRecorded) ? tr("Recorded pose") : name, name);
     m_choice->setCurrentIndex(m_choice->findData(m_layers.sceneChoice()));
     m_choice->setVisible(names.size() > 1);
 }

@@ -17,7 +17,8 @@ inline constexpr int kSpacing = 6;
 
 /// A colour between two.
 inline QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
-    return QColor::fromRgbF(a.redF() + (b.redF() - a.redF()) * shareOfB, a.greenF() + (b.greenF() - a.greenF()) * shareOfB,
+    return QColor::fromRgbF(a.redF() + (b.redF() - a.redF()) * shareOfB,
+                            a.greenF() + (b.greenF() - a.greenF()) * shareOfB,
                             a.blueF() + (b.blueF() - a.blueF()) * shareOfB);
 }
 

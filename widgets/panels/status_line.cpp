@@ -4,8 +4,8 @@
 #include <QFontMetrics>
 #include <QHBoxLayout>
 
-#include "widgets/text/advice.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/advice.h"
 
 namespace widgets {
 
@@ -24,11 +24,18 @@ QString agoText(qint64 seconds) {
 
 } // namespace
 
-StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions& reconstructions, const Selection& selection,
-                       QWidget* parent)
-    : QWidget(parent), m_document(document), m_reconstructions(reconstructions), m_selection(selection), m_summary(new QLabel(this)),
-      m_advice(new QLabel(this)), m_work(new QLabel(this)), m_progress(new QProgressBar(this)), m_stop(new QToolButton(this)),
-      m_saved(new QLabel(this)) {
+StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions& reconstructions,
+                       const Selection& selection, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_reconstructions(reconstructions)
+    , m_selection(selection)
+    , m_summary(new QLabel(this))
+    , m_advice(new QLabel(this))
+    , m_work(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_stop(new QToolButton(this))
+    , m_saved(new QLabel(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kSpacing, 2, kSpacing, 2);
     row->setSpacing(2 * kSpacing);

@@ -14,7 +14,8 @@
 
 namespace widgets {
 
-/// The line at the bottom: the selected joint's numbers, what to do next, long work with Stop, and when the last edit was saved.
+/// The line at the bottom: the selected joint's numbers, what to do next, long work with Stop, and when the last edit
+/// was saved.
 class StatusLine : public QWidget {
     Q_OBJECT
 
@@ -26,7 +27,8 @@ public:
     void sayBriefly(const QString& text);
     /// While nothing is open.
     void setIdleText(const QString& text);
-    /// Says this instead of the selected joint's numbers and the advice, where nobody annotates; both empty: joint and advice again.
+    /// Says this instead of the selected joint's numbers and the advice, where nobody annotates; both empty: joint and
+    /// advice again.
     void setWords(const QString& summary, const QString& advice);
 
     /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.

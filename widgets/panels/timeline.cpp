@@ -9,9 +9,9 @@
 #include <QPainter>
 #include <QToolTip>
 
-#include "widgets/text/edit_text.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/timeline_legend.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 
@@ -30,7 +30,8 @@ QColor stateColour(const core::HandCoverage& hand, int joints) {
 
 } // namespace
 
-Timeline::Timeline(QWidget* parent) : QWidget(parent) {
+Timeline::Timeline(QWidget* parent)
+    : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setMouseTracking(false);
     setAccessibleName(tr("Timeline"));
@@ -88,7 +89,8 @@ double Timeline::xOf(int frame) const {
 
 int Timeline::frameAt(double x) const {
     const QRectF area = track();
-    return std::clamp(static_cast<int>(std::floor((x - area.left()) / area.width() * m_frames)), 0, std::max(0, m_frames - 1));
+    return std::clamp(static_cast<int>(std::floor((x - area.left()) / area.width() * m_frames)), 0,
+                      std::max(0, m_frames - 1));
 }
 
 void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane) const {
@@ -116,9 +118,11 @@ void Timeline::paintTicks(QPainter& painter) const {
     const double step = m_frames > 0 ? area.width() / m_frames : 0;
     const QColor muted = mixed(palette().color(QPalette::Window), palette().color(QPalette::WindowText), 0.6);
     for (const auto& [frame, names] : m_others)
-        painter.fillRect(QRectF(area.left() + frame * step, area.center().y() - kLaneGap / 2, std::max(2.0, step), kLaneGap), muted);
+        painter.fillRect(
+            QRectF(area.left() + frame * step, area.center().y() - kLaneGap / 2, std::max(2.0, step), kLaneGap), muted);
     for (const int frame : m_noted)
-        painter.fillRect(QRectF(xOf(frame) - 1, area.top() - kTickHeight, 2, kTickHeight), palette().color(QPalette::WindowText));
+        painter.fillRect(QRectF(xOf(frame) - 1, area.top() - kTickHeight, 2, kTickHeight),
+                         palette().color(QPalette::WindowText));
     for (const int frame : m_tests)
         painter.fillRect(QRectF(xOf(frame) - 1, area.bottom(), 2, kTickHeight), palette().color(QPalette::Highlight));
 }
@@ -136,7 +140,8 @@ void Timeline::paintEvent(QPaintEvent*) {
     painter.setBrush(palette().color(QPalette::Highlight));
     painter.setPen(Qt::NoPen);
     painter.drawRect(QRectF(x - 1, area.top() - kTickHeight, 2, area.height() + 2 * kTickHeight));
-    painter.drawPolygon(QPolygonF({{x - 5, area.top() - kTickHeight - 2}, {x + 5, area.top() - kTickHeight - 2}, {x, area.top() + 3}}));
+    painter.drawPolygon(
+        QPolygonF({{x - 5, area.top() - kTickHeight - 2}, {x + 5, area.top() - kTickHeight - 2}, {x, area.top() + 3}}));
 }
 
 void Timeline::mousePressEvent(QMouseEvent* event) {
@@ -168,7 +173,8 @@ QString Timeline::describe(int frame) const {
 }
 
 QString Timeline::toolTipOf(int frame) const {
-    return describe(frame).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")) + timelineLegendText(palette());
+    return describe(frame).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")) +
+           timelineLegendText(palette());
 }
 
 bool Timeline::event(QEvent* event) {

@@ -10,8 +10,8 @@
 
 namespace widgets {
 
-/// All frames in one line, a lane per hand: done, partial, bad, occluded; a click or drag goes there. Frames with notes have
-/// a tick above, test frames one below.
+/// All frames in one line, a lane per hand: done, partial, bad, occluded; a click or drag goes there. Frames with notes
+/// have a tick above, test frames one below.
 class Timeline : public QWidget {
     Q_OBJECT
 

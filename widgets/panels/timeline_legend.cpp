@@ -15,29 +15,38 @@ namespace {
 constexpr int kSwatch = 12; // logical pixels
 
 QString lanesText() {
-    return QCoreApplication::translate("widgets::TimelineLegend", "Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.");
+    return QCoreApplication::translate(
+        "widgets::TimelineLegend",
+        "Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.");
 }
 
 } // namespace
 
 std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette) {
     const auto text = [](const char* source) { return QCoreApplication::translate("widgets::TimelineLegend", source); };
-    return {{kDoneColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
-            {kPartialColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
-            {kBadColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "a joint is bad: large error, outlier, or no 3D point"))},
-            {kOccludedColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "at its foot: a joint is occluded, its place estimated"))},
-            {palette.color(QPalette::WindowText), text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
-            {palette.color(QPalette::Highlight), text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick below: a test frame of the benchmark; the line: the current frame"))}};
+    return {
+        {kDoneColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
+        {kPartialColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
+        {kBadColour,
+         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "a joint is bad: large error, outlier, or no 3D point"))},
+        {kOccludedColour,
+         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "at its foot: a joint is occluded, its place estimated"))},
+        {palette.color(QPalette::WindowText), text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
+        {palette.color(QPalette::Highlight),
+         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                "tick below: a test frame of the benchmark; the line: the current frame"))}};
 }
 
 QString timelineLegendText(const QPalette& palette) {
     QString rows;
     for (const TimelineMeaning& meaning : timelineMeanings(palette))
-        rows += QStringLiteral("<tr><td bgcolor='%1'>&nbsp;&nbsp;&nbsp;</td><td>&nbsp;%2</td></tr>").arg(meaning.colour.name(), meaning.text.toHtmlEscaped());
+        rows += QStringLiteral("<tr><td bgcolor='%1'>&nbsp;&nbsp;&nbsp;</td><td>&nbsp;%2</td></tr>")
+                    .arg(meaning.colour.name(), meaning.text.toHtmlEscaped());
     return QStringLiteral("<p>%1</p><table cellspacing='2'>%2</table>").arg(lanesText().toHtmlEscaped(), rows);
 }
 
-TimelineLegend::TimelineLegend(QWidget* parent) : QFrame(parent, Qt::Popup) {
+TimelineLegend::TimelineLegend(QWidget* parent)
+    : QFrame(parent, Qt::Popup) {
     setFrameShape(QFrame::StyledPanel);
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(2 * kSpacing, 2 * kSpacing, 2 * kSpacing, 2 * kSpacing);

@@ -31,7 +31,10 @@ double factor(int steps) {
 } // namespace
 
 ViewPanel::ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& options, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_layers(layers), m_options(options) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_layers(layers)
+    , m_options(options) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(kSpacing, kSpacing, kSpacing, kSpacing);
     column->setSpacing(kSpacing);
@@ -140,7 +143,8 @@ void ViewPanel::showAdjustment() {
 void ViewPanel::changeAdjustment() {
     if (m_showing)
         return;
-    const ImageAdjustment adjustment{m_brightness->value() / kPercent, factor(m_contrast->value()), factor(m_gamma->value())};
+    const ImageAdjustment adjustment{m_brightness->value() / kPercent, factor(m_contrast->value()),
+                                     factor(m_gamma->value())};
     m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_workbench.selection.camera(), adjustment);
 }
 
@@ -152,10 +156,9 @@ void ViewPanel::showCameras() {
     m_cameras->clear();
     std::vector<std::string> names = m_workbench.shownCameras();
     const std::size_t shown = names.size();
-    for (const core::Camera& camera : dataset->cameras) {
+    for (const core::Camera& camera : dataset->cameras)
         if (std::find(names.begin(), names.end(), camera.name) == names.end())
             names.push_back(camera.name);
-    }
     for (std::size_t i = 0; i < names.size(); ++i) {
         auto* item = new QListWidgetItem(QString::fromStdString(names[i]), m_cameras);
         item->setFlags((item->flags() | Qt::ItemIsUserCheckable) & ~Qt::ItemIsDropEnabled);
@@ -168,10 +171,9 @@ void ViewPanel::changeCameras() {
     if (m_showing)
         return;
     std::vector<std::string> shown;
-    for (int row = 0; row < m_cameras->count(); ++row) {
+    for (int row = 0; row < m_cameras->count(); ++row)
         if (m_cameras->item(row)->checkState() == Qt::Checked)
             shown.push_back(m_cameras->item(row)->text().toStdString());
-    }
     m_showing = true; // the list is right as it is
     m_workbench.setShownCameras(shown);
     m_showing = false;

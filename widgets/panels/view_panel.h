@@ -9,15 +9,16 @@
 #include <QSlider>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/presenters/view_options.h"
+#include "widgets/session/workbench.h"
 
 class QFormLayout;
 
 namespace widgets {
 
-/// How the views look: mesh, brightness, contrast and gamma of one view or all, which cameras are shown and in which order.
+/// How the views look: mesh, brightness, contrast and gamma of one view or all, which cameras are shown and in which
+/// order.
 class ViewPanel : public QWidget {
     Q_OBJECT
 

@@ -8,9 +8,9 @@ namespace widgets {
 
 namespace {
 
-constexpr double kRoom = 0.06;         // around the hands, of the box's longer side
-constexpr double kAwayScreenPx = 24;   // from where the arm begins to the label
-constexpr double kDirectionPx = 1e-3;  // a shorter way has no direction
+constexpr double kRoom = 0.06;        // around the hands, of the box's longer side
+constexpr double kAwayScreenPx = 24;  // from where the arm begins to the label
+constexpr double kDirectionPx = 1e-3; // a shorter way has no direction
 
 QRectF withRoom(const QRectF& box) {
     const double room = kRoom * std::max(box.width(), box.height());
@@ -29,8 +29,10 @@ std::optional<HandLabel> labelIn(const core::Camera& camera, const HandPlace& ha
         return std::nullopt;
     const Eigen::Vector2d way = *start - *middle;
     const bool hasWay = way.norm() > kDirectionPx;
-    const Eigen::Vector2d away = hasWay ? Eigen::Vector2d(way.normalized() * kAwayScreenPx) : Eigen::Vector2d(0, kAwayScreenPx);
-    const Eigen::Vector2d at = core::isInside(camera.size, *start) ? *start : *middle; // an arm may begin outside of the picture
+    const Eigen::Vector2d away =
+        hasWay ? Eigen::Vector2d(way.normalized() * kAwayScreenPx) : Eigen::Vector2d(0, kAwayScreenPx);
+    const Eigen::Vector2d at =
+        core::isInside(camera.size, *start) ? *start : *middle; // an arm may begin outside of the picture
     if (!core::isInside(camera.size, at))
         return std::nullopt;
     return HandLabel{hand.side, {at.x(), at.y()}, {away.x(), away.y()}, {}};
@@ -39,7 +41,10 @@ std::optional<HandLabel> labelIn(const core::Camera& camera, const HandPlace& ha
 } // namespace
 
 HandFraming::HandFraming(Workbench& workbench, CameraGrid& grid, QObject* parent)
-    : QObject(parent), m_workbench(workbench), m_grid(grid), m_maskJob(workbench.pool) {
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_grid(grid)
+    , m_maskJob(workbench.pool) {
     connect(&grid, &CameraGrid::maximisedChanged, this, &HandFraming::frameMaximised);
     connect(&workbench.selection, &Selection::frameChanged, this, &HandFraming::refreshLabels);
     connect(&workbench.reconstructions, &Reconstructions::changed, this, &HandFraming::refreshLabels);
@@ -73,8 +78,9 @@ std::vector<HandPlace> HandFraming::knownHands() const {
     const auto hands = handsOfThisFrame();
     const auto& dataset = m_workbench.session.dataset();
     const bool whole = !hands.empty() && hands.front().startsAtRoot;
-    return whole || !dataset ? hands
-                             : handsOfMarks(m_workbench.document.annotations(), dataset->cameras, m_workbench.selection.frame());
+    return whole || !dataset
+               ? hands
+               : handsOfMarks(m_workbench.document.annotations(), dataset->cameras, m_workbench.selection.frame());
 }
 
 std::optional<QRectF> HandFraming::boxIn(int camera, const std::vector<HandPlace>& hands) const {
@@ -109,17 +115,18 @@ bool HandFraming::frameHands() {
 void HandFraming::frameByMasks(const std::vector<int>& cameras) {
     const auto dataset = m_workbench.session.dataset();
     const std::string pattern = m_workbench.session.sequence()->masks;
-    m_maskJob.start([this, dataset, pattern, cameras, frame = m_workbench.selection.frame()](const JobContext&) -> Job::Delivery {
-        return [this, cameras, boxes = handsOfMasks(*dataset, pattern, frame)] {
-            for (const int camera : cameras) {
-                const auto at = static_cast<std::size_t>(camera);
-                if (camera >= m_grid.count() || at >= boxes.size() || boxes[at].isNull())
-                    continue;
-                if (const auto box = withinImage(m_grid.view(camera)->camera(), withRoom(boxes[at])))
-                    m_grid.view(camera)->setHome(*box);
-            }
-        };
-    });
+    m_maskJob.start(
+        [this, dataset, pattern, cameras, frame = m_workbench.selection.frame()](const JobContext&) -> Job::Delivery {
+            return [this, cameras, boxes = handsOfMasks(*dataset, pattern, frame)] {
+                for (const int camera : cameras) {
+                    const auto at = static_cast<std::size_t>(camera);
+                    if (camera >= m_grid.count() || at >= boxes.size() || boxes[at].isNull())
+                        continue;
+                    if (const auto box = withinImage(m_grid.view(camera)->camera(), withRoom(boxes[at])))
+                        m_grid.view(camera)->setHome(*box);
+                }
+            };
+        });
 }
 
 /// A view that shows the hands shows those of the current frame when it fills the window.
@@ -148,7 +155,8 @@ void HandFraming::refreshLabels() {
             if (!m_handShown[hand.side == core::Side::Left ? 0 : 1])
                 continue;
             if (auto label = labelIn(view->camera(), hand)) {
-                label->text = hand.side == core::Side::Left ? tr("L", "left hand, one letter beside it") : tr("R", "right hand, one letter beside it");
+                label->text = hand.side == core::Side::Left ? tr("L", "left hand, one letter beside it")
+                                                            : tr("R", "right hand, one letter beside it");
                 labels.push_back(*label);
             }
         }

@@ -13,17 +13,17 @@
 
 namespace widgets {
 
-/// Zooms the views to the hands and writes beside each hand which one it is. Where the hands are comes from the recorded motion, the
-/// hand model of the marks, anybody's marks of this or the nearest annotated frame, or the masks; a view in which nothing is known
-/// shows its whole image. Zoom and pan then stay when the frame changes.
+/// Zooms the views to the hands and writes beside each hand which one it is. Where the hands are comes from the
+/// recorded motion, the hand model of the marks, anybody's marks of this or the nearest annotated frame, or the masks;
+/// a view in which nothing is known shows its whole image. Zoom and pan then stay when the frame changes.
 class HandFraming : public QObject {
     Q_OBJECT
 
 public:
     HandFraming(Workbench& workbench, CameraGrid& grid, QObject* parent = nullptr);
 
-    /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing is known
-    /// and there are no masks.
+    /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing
+    /// is known and there are no masks.
     bool frameHands();
     void setLabelsShown(bool shown);
     bool labelsShown() const { return m_labelsShown; }

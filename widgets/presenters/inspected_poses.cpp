@@ -17,7 +17,8 @@ const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& m
     return history[static_cast<std::size_t>(iteration - 1)].poses;
 }
 
-MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name, const QColor& colour) {
+MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name,
+                  const QColor& colour) {
     MeshLayer layer;
     layer.name = name;
     layer.colour = colour;
@@ -28,16 +29,18 @@ MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, co
 
 } // namespace
 
-InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration, const std::stop_token& stop) {
+InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
+                              const std::stop_token& stop) {
     InspectedPoses poses;
     poses.start = layerOf(dataset, outcome.startPoses, QLatin1String(LayerPresenter::kStart), methodColour("start"));
     if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
-        poses.recorded = layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
+        poses.recorded =
+            layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
     for (const MethodOutcome& method : outcome.methods) {
         if (stop.stop_requested())
             break;
-        poses.methods.push_back(
-            layerOf(dataset, posesAt(outcome, method, iteration), QString::fromStdString(method.method), methodColour(method.method)));
+        poses.methods.push_back(layerOf(dataset, posesAt(outcome, method, iteration),
+                                        QString::fromStdString(method.method), methodColour(method.method)));
     }
     return poses;
 }
@@ -50,7 +53,8 @@ double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, 
     return method.iterationErrorMm[static_cast<std::size_t>(iteration - 1)];
 }
 
-std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look, bool startShown, bool recordedShown) {
+std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look,
+                                       bool startShown, bool recordedShown) {
     std::vector<MeshLayer> layers;
     const auto add = [&layers](const std::optional<MeshLayer>& layer) {
         if (layer)

@@ -18,13 +18,17 @@ struct InspectedPoses {
     std::vector<MeshLayer> methods; ///< as in the outcome
 };
 
-/// Poses the hands after `iteration` steps of every method; a method that ended before stays at its result, 0 is the start.
-InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration, const std::stop_token& stop);
+/// Poses the hands after `iteration` steps of every method; a method that ended before stays at its result, 0 is the
+/// start.
+InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
+                              const std::stop_token& stop);
 
 /// Mean joint error of a method after `iteration` steps, mm; NaN without a reference.
 double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration);
 
-/// What the views of a method's column show: the start pose if it is wanted, the method, and the recorded silhouette as a white line.
-std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look, bool startShown, bool recordedShown);
+/// What the views of a method's column show: the start pose if it is wanted, the method, and the recorded silhouette as
+/// a white line.
+std::vector<MeshLayer> inspectedColumn(const InspectedPoses& poses, std::size_t method, const LayerLook& look,
+                                       bool startShown, bool recordedShown);
 
 } // namespace widgets

@@ -12,24 +12,29 @@ const QColor kAnnotatedColour(0x4D, 0xA3, 0xFF);
 
 std::vector<ViewSurfacePtr> surfacesOf(const core::Dataset& dataset, const core::HandPoses& poses) {
     std::vector<ViewSurfacePtr> surfaces;
-    for (std::size_t i = 0; i < dataset.hands.size() && i < poses.size(); ++i) {
+    for (std::size_t i = 0; i < dataset.hands.size() && i < poses.size(); ++i)
         if (poses[i].size() > 0) // else this hand has no pose
             surfaces.push_back(makeViewSurface(dataset.hands[i], poses[i]));
-    }
     return surfaces;
 }
 
 } // namespace
 
-LayerPresenter::LayerPresenter(const Selection& selection, const FitRunner& fits, CameraGrid& grid, SceneView* scene, JobPool& pool,
-                               QObject* parent)
-    : QObject(parent), m_selection(selection), m_fits(fits), m_grid(grid), m_scene(scene), m_job(pool) {
+LayerPresenter::LayerPresenter(const Selection& selection, const FitRunner& fits, CameraGrid& grid, SceneView* scene,
+                               JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_selection(selection)
+    , m_fits(fits)
+    , m_grid(grid)
+    , m_scene(scene)
+    , m_job(pool) {
     connect(&selection, &Selection::frameChanged, this, &LayerPresenter::rebuild);
     connect(&fits, &FitRunner::finished, this, &LayerPresenter::rebuild);
     connect(&fits, &FitRunner::cleared, this, &LayerPresenter::rebuild);
 }
 
-void LayerPresenter::setSequence(std::shared_ptr<const core::Dataset> dataset, std::shared_ptr<const core::Motion> motion) {
+void LayerPresenter::setSequence(std::shared_ptr<const core::Dataset> dataset,
+                                 std::shared_ptr<const core::Motion> motion) {
     m_dataset = std::move(dataset);
     m_motion = std::move(motion);
     m_annotatedPose.reset();
@@ -108,10 +113,9 @@ void LayerPresenter::hand(const std::vector<MeshLayer>& layers) {
 
 void LayerPresenter::applyLook() {
     std::vector<MeshLayer> layers;
-    for (const MeshLayer& layer : m_layers) {
+    for (const MeshLayer& layer : m_layers)
         if (auto seen = withLook(layer, m_look))
             layers.push_back(std::move(*seen));
-    }
     for (CameraView* view : m_grid.views())
         view->setMeshLayers(m_look.style == MeshStyle::Off ? std::vector<MeshLayer>{} : layers);
     showScene();
@@ -134,10 +138,9 @@ void LayerPresenter::setInspecting(bool inspecting) {
 
 QStringList LayerPresenter::sceneChoices() const {
     QStringList names;
-    for (const MeshLayer& layer : sceneSource()) {
+    for (const MeshLayer& layer : sceneSource())
         if (layer.name != QLatin1String(kStart) && layer.name != QLatin1String(kAnnotated) && !layer.surfaces.empty())
             names << layer.name;
-    }
     return names;
 }
 
@@ -163,7 +166,8 @@ void LayerPresenter::showScene() {
     const QString choice = sceneChoice();
     std::vector<MeshLayer> layers;
     for (const MeshLayer& layer : sceneSource()) {
-        const bool isBeside = (layer.name == QLatin1String(kStart) && isLayerShown(kStart)) || layer.name == QLatin1String(kAnnotated);
+        const bool isBeside =
+            (layer.name == QLatin1String(kStart) && isLayerShown(kStart)) || layer.name == QLatin1String(kAnnotated);
         if (!isBeside && layer.name != choice)
             continue;
         if (auto seen = withLook(layer, look))

@@ -20,9 +20,9 @@
 
 namespace widgets {
 
-/// Shows meshes over the views and in the scene: the recorded pose of the current frame and, on the test frame of the last fit,
-/// the start pose and every method's result in its colour. Surfaces are posed in the background. The scene shows one pose at a time,
-/// the recorded one or one method's: several would hide each other.
+/// Shows meshes over the views and in the scene: the recorded pose of the current frame and, on the test frame of the
+/// last fit, the start pose and every method's result in its colour. Surfaces are posed in the background. The scene
+/// shows one pose at a time, the recorded one or one method's: several would hide each other.
 class LayerPresenter : public QObject {
     Q_OBJECT
 
@@ -40,8 +40,8 @@ public:
     /// `layer` is kRecorded, kStart or a method's name.
     void setLayerShown(const QString& layer, bool shown);
     bool isLayerShown(const QString& layer) const { return !m_hidden.count(layer); }
-    /// The hand models that were fitted to the annotations, shown as a layer of their own; an empty pose leaves that hand out,
-    /// nothing takes the layer away.
+    /// The hand models that were fitted to the annotations, shown as a layer of their own; an empty pose leaves that
+    /// hand out, nothing takes the layer away.
     void setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame);
 
     /// Inspected poses, which the scene shows instead of those of the current frame; nothing for the current frame's.
@@ -85,7 +85,7 @@ private:
     LayerLook m_look;
     double m_otherOpacity = 0.85; ///< of Inspect while not in it, and the other way round
     bool m_inspecting = false;
-    QString m_sceneChoice;        ///< the last one that was asked for
+    QString m_sceneChoice; ///< the last one that was asked for
     std::optional<std::vector<MeshLayer>> m_inspected;
     std::set<QString> m_hidden;
     std::vector<MeshLayer> m_layers; ///< of the current frame, both hands

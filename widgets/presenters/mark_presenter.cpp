@@ -9,9 +9,9 @@
 #include <QLocale>
 
 #include "core/geometry/epipolar_curve.h"
-#include "widgets/text/advice.h"
 #include "widgets/presenters/camera_colours.h"
 #include "widgets/presenters/joint_bones.h"
+#include "widgets/text/advice.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
@@ -54,7 +54,8 @@ std::optional<ViewMark> markOf(const core::JointId& joint, const core::ViewRecon
 
 /// How far the click in that camera is off another one's curve, where clicks give no point; else null.
 const core::CurveGap* gapIn(const core::JointReconstruction& found, const std::string& camera) {
-    const auto gap = std::find_if(found.gaps.begin(), found.gaps.end(), [&](const core::CurveGap& one) { return one.camera == camera; });
+    const auto gap = std::find_if(found.gaps.begin(), found.gaps.end(),
+                                  [&](const core::CurveGap& one) { return one.camera == camera; });
     return gap == found.gaps.end() ? nullptr : &*gap;
 }
 
@@ -77,9 +78,14 @@ std::vector<SkeletonLine> skeletonOf(const std::vector<ViewMark>& marks) {
 
 } // namespace
 
-MarkPresenter::MarkPresenter(const JointList& joints, const Reconstructions& reconstructions, const Selection& selection,
-                             CameraGrid& grid, SceneView* scene, QObject* parent)
-    : QObject(parent), m_joints(joints), m_reconstructions(reconstructions), m_selection(selection), m_grid(grid), m_scene(scene) {
+MarkPresenter::MarkPresenter(const JointList& joints, const Reconstructions& reconstructions,
+                             const Selection& selection, CameraGrid& grid, SceneView* scene, QObject* parent)
+    : QObject(parent)
+    , m_joints(joints)
+    , m_reconstructions(reconstructions)
+    , m_selection(selection)
+    , m_grid(grid)
+    , m_scene(scene) {
     connect(&reconstructions, &Reconstructions::changed, this, &MarkPresenter::refresh);
     connect(&selection, &Selection::cameraChanged, this, &MarkPresenter::moveName);
 }
@@ -173,10 +179,9 @@ std::vector<ViewMark> MarkPresenter::marksIn(int camera) const {
         marks.back().label = QString::fromStdString(joint.joint);
         marks.back().named = isSelected && m_grid.view(camera)->camera().name == m_selection.camera();
     };
-    for (const auto& [joint, found] : m_reconstructions.joints()) {
+    for (const auto& [joint, found] : m_reconstructions.joints())
         if (camera < static_cast<int>(found.views.size()) && isShown(joint))
             add(joint, found);
-    }
     return marks;
 }
 
@@ -245,7 +250,8 @@ void MarkPresenter::refreshScene() {
             if (joint.hand != hand || !found.hasPoint() || !isShown(joint))
                 continue;
             const auto& point = *found.result.point;
-            joints.push_back({joint, point.pointInWorld, point.covariance, fingerColour(joint.joint), joint == m_selection.joint()});
+            joints.push_back(
+                {joint, point.pointInWorld, point.covariance, fingerColour(joint.joint), joint == m_selection.joint()});
             places[joint.joint] = point.pointInWorld;
             names.push_back(joint.joint);
         }

@@ -15,15 +15,15 @@
 
 namespace widgets {
 
-/// Shows the current frame's joints in the camera views and the scene: marks, reprojections, epipolar guides, ellipses, skeleton
-/// and what each view's title says. Everything is brought up to date together, right after an edit.
+/// Shows the current frame's joints in the camera views and the scene: marks, reprojections, epipolar guides, ellipses,
+/// skeleton and what each view's title says. Everything is brought up to date together, right after an edit.
 class MarkPresenter : public QObject {
     Q_OBJECT
 
 public:
     /// `scene` may be null.
-    MarkPresenter(const JointList& joints, const Reconstructions& reconstructions, const Selection& selection, CameraGrid& grid,
-                  SceneView* scene, QObject* parent = nullptr);
+    MarkPresenter(const JointList& joints, const Reconstructions& reconstructions, const Selection& selection,
+                  CameraGrid& grid, SceneView* scene, QObject* parent = nullptr);
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence);
     void setSkeletonShown(bool shown);
@@ -55,7 +55,7 @@ private:
     SceneView* m_scene;
     std::shared_ptr<const core::Dataset> m_dataset;
     const core::Sequence* m_sequence = nullptr;
-    std::string m_namedCamera; ///< whose view names the selected joint
+    std::string m_namedCamera;                   ///< whose view names the selected joint
     std::array<bool, 2> m_handShown{true, true}; ///< left, right
     bool m_skeletonShown = true;
     bool m_guidesShown = true;

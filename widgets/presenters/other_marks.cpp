@@ -22,14 +22,18 @@ QString othersText(const std::vector<core::RaterWork>& others) {
     return sentences.join(QLatin1Char(' '));
 }
 
-OtherMarks::OtherMarks(const Workbench& workbench, CameraGrid& grid, QObject* parent) : QObject(parent), m_workbench(workbench), m_grid(grid) {
+OtherMarks::OtherMarks(const Workbench& workbench, CameraGrid& grid, QObject* parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_grid(grid) {
     connect(&workbench, &Workbench::ready, this, &OtherMarks::refresh);
     connect(&workbench.selection, &Selection::frameChanged, this, &OtherMarks::refresh);
     connect(&workbench.selection, &Selection::jointChanged, this, &OtherMarks::refresh);
     connect(&workbench.document, &AnnotationDocument::raterChanged, this, &OtherMarks::refresh);
     connect(&workbench.document, &AnnotationDocument::opened, this, &OtherMarks::refresh);
     connect(&workbench.document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
-        if (std::any_of(edit.marks.begin(), edit.marks.end(), [this](const auto& change) { return change.key.rater != m_workbench.document.rater(); }))
+        if (std::any_of(edit.marks.begin(), edit.marks.end(),
+                        [this](const auto& change) { return change.key.rater != m_workbench.document.rater(); }))
             refresh();
     });
 }
@@ -43,7 +47,8 @@ void OtherMarks::refresh() {
     std::map<std::string, std::vector<ViewMark>> byCamera;
     if (m_shown && !m_workbench.raters.isRepeating()) {
         const std::string own = core::ownRaterName(m_workbench.document.rater());
-        for (const auto& [key, mark] : core::marksOfFrame(m_workbench.document.annotations(), m_workbench.selection.frame())) {
+        for (const auto& [key, mark] :
+             core::marksOfFrame(m_workbench.document.annotations(), m_workbench.selection.frame())) {
             if (core::ownRaterName(key.rater) == own || !mark.isPlaced())
                 continue;
             ViewMark shown;

@@ -6,7 +6,9 @@
 namespace widgets {
 
 Playback::Playback(Selection& selection, const FrameLoader& loader, QObject* parent)
-    : QObject(parent), m_selection(selection), m_loader(loader) {
+    : QObject(parent)
+    , m_selection(selection)
+    , m_loader(loader) {
     m_timer.setTimerType(Qt::PreciseTimer);
     setFramesPerSecond(25);
     connect(&m_timer, &QTimer::timeout, this, &Playback::step);

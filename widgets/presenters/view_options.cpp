@@ -11,8 +11,12 @@ constexpr double kLongErrorFactor = 3;
 constexpr double kJointZoom = 2; ///< screen pixels per image pixel
 } // namespace
 
-ViewOptions::ViewOptions(CameraGrid& grid, const Selection& selection, const Reconstructions& reconstructions, QObject* parent)
-    : QObject(parent), m_grid(grid), m_selection(selection), m_reconstructions(reconstructions) {
+ViewOptions::ViewOptions(CameraGrid& grid, const Selection& selection, const Reconstructions& reconstructions,
+                         QObject* parent)
+    : QObject(parent)
+    , m_grid(grid)
+    , m_selection(selection)
+    , m_reconstructions(reconstructions) {
     connect(&grid, &CameraGrid::viewAdded, this, [this](int, CameraView* view) { apply(*view); });
     connect(&selection, &Selection::jointChanged, this, &ViewOptions::follow);
     connect(&selection, &Selection::frameChanged, this, &ViewOptions::follow);
@@ -49,10 +53,9 @@ ImageAdjustment ViewOptions::adjustment(const std::string& camera) const {
 }
 
 void ViewOptions::setAdjustment(const std::string& camera, const ImageAdjustment& adjustment) {
-    for (const CameraView* view : m_grid.views()) {
+    for (const CameraView* view : m_grid.views())
         if (camera.empty() || view->camera().name == camera)
             m_adjustments[view->camera().name] = adjustment;
-    }
     applyToAll();
     emit adjustmentsChanged();
 }
@@ -73,7 +76,8 @@ void ViewOptions::setAdjustmentsFromText(const std::string& text) {
         fields.imbue(std::locale::classic());
         ImageAdjustment adjustment;
         std::string camera;
-        if (fields >> adjustment.brightness >> adjustment.contrast >> adjustment.gamma && std::getline(fields >> std::ws, camera))
+        if (fields >> adjustment.brightness >> adjustment.contrast >> adjustment.gamma &&
+            std::getline(fields >> std::ws, camera))
             m_adjustments[camera] = adjustment;
     }
     applyToAll();
@@ -118,10 +122,9 @@ void ViewOptions::follow() {
 }
 
 void ViewOptions::zoomToJoint() {
-    for (int camera = 0; camera < m_grid.count(); ++camera) {
+    for (int camera = 0; camera < m_grid.count(); ++camera)
         if (const auto joint = jointIn(camera))
             m_grid.view(camera)->lookAt(*joint, kJointZoom);
-    }
 }
 
 void ViewOptions::showWholeImages() {

@@ -17,7 +17,8 @@ class ViewOptions : public QObject {
     Q_OBJECT
 
 public:
-    ViewOptions(CameraGrid& grid, const Selection& selection, const Reconstructions& reconstructions, QObject* parent = nullptr);
+    ViewOptions(CameraGrid& grid, const Selection& selection, const Reconstructions& reconstructions,
+                QObject* parent = nullptr);
 
     void setOverlaysHidden(bool hidden);
     void setLongErrors(bool on);

@@ -13,25 +13,26 @@
 #include "core/annotation/import_edit.h"
 #include "core/io/formats/annotation_formats.h"
 #include "widgets/document/annotation_document.h"
-#include "widgets/session/dataset_session.h"
 #include "widgets/jobs/job.h"
+#include "widgets/session/dataset_session.h"
 
 namespace widgets {
 
-/// Exports and imports the annotations of the open sequence, writes reports and reads lists of joints, in the background. An import
-/// is one edit.
+/// Exports and imports the annotations of the open sequence, writes reports and reads lists of joints, in the
+/// background. An import is one edit.
 class AnnotationFiles : public QObject {
     Q_OBJECT
 
 public:
-    AnnotationFiles(AnnotationDocument& document, const DatasetSession& session, JobPool& pool, QObject* parent = nullptr);
+    AnnotationFiles(AnnotationDocument& document, const DatasetSession& session, JobPool& pool,
+                    QObject* parent = nullptr);
 
-    /// `kind` is one of core::annotationFormats(). Formats that hold one rater get the current one. One task at a time: another is
-    /// refused.
+    /// `kind` is one of core::annotationFormats(). Formats that hold one rater get the current one. One task at a time:
+    /// another is refused.
     void exportTo(const QString& kind, const QString& path);
-    /// Formats that name no rater bring marks of the current one. Ends with imported() or failed(), or asks: with importConflicts() if
-    /// marks or notes of the same raters would be replaced, with otherVideosFound() if the labels are of other videos. `videos`: whose
-    /// labels are wanted though the sequence is called otherwise.
+    /// Formats that name no rater bring marks of the current one. Ends with imported() or failed(), or asks: with
+    /// importConflicts() if marks or notes of the same raters would be replaced, with otherVideosFound() if the labels
+    /// are of other videos. `videos`: whose labels are wanted though the sequence is called otherwise.
     void importFrom(const QString& kind, const QString& path, const QStringList& videos = {});
     /// Answers importConflicts().
     void finishImport(core::ImportMode mode);

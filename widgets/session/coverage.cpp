@@ -24,7 +24,9 @@ FrameCoverage coverageOfAll(const core::AnnotationSet& set, const core::Dataset&
 } // namespace
 
 Coverage::Coverage(const AnnotationDocument& document, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_job(pool) {
+    : QObject(parent)
+    , m_document(document)
+    , m_job(pool) {
     connect(&document, &AnnotationDocument::opened, this, &Coverage::rebuild);
     connect(&document, &AnnotationDocument::raterChanged, this, &Coverage::rebuild);
     connect(&document, &AnnotationDocument::changed, this, &Coverage::update);
@@ -81,8 +83,8 @@ void Coverage::update(const core::Edit& edit) {
 }
 
 void Coverage::updateFrame(int frame) {
-    const auto hands =
-        core::coverageOf(m_document.annotations(), m_dataset->cameras, frame, m_document.rater(), m_badRmsPx, {}, m_gaps);
+    const auto hands = core::coverageOf(m_document.annotations(), m_dataset->cameras, frame, m_document.rater(),
+                                        m_badRmsPx, {}, m_gaps);
     const auto first = m_document.annotations().marks.lower_bound({frame, {}, {}, {}});
     if (first != m_document.annotations().marks.end() && first->first.frame == frame)
         m_frames[frame] = hands;

@@ -16,8 +16,8 @@ namespace widgets {
 /// Per annotated frame and hand, how many joints are done, partial, bad, occluded. Frames without marks are not in it.
 using FrameCoverage = std::map<int, std::map<core::Side, core::HandCoverage>>;
 
-/// The coverage of the whole sequence for the document's rater: computed in the background when a sequence or rater is opened,
-/// then kept up to date with every edit.
+/// The coverage of the whole sequence for the document's rater: computed in the background when a sequence or rater is
+/// opened, then kept up to date with every edit.
 class Coverage : public QObject {
     Q_OBJECT
 

@@ -16,7 +16,9 @@ struct DatasetSession::Loaded {
 };
 
 DatasetSession::DatasetSession(AnnotationDocument& document, JobPool& pool, QObject* parent)
-    : QObject(parent), m_document(document), m_job(pool) {
+    : QObject(parent)
+    , m_document(document)
+    , m_job(pool) {
     connect(&m_job, &Job::failed, this, &DatasetSession::openFailed);
 }
 
@@ -24,7 +26,8 @@ DatasetSession::DatasetSession(AnnotationDocument& document, JobPool& pool, QObj
 bool DatasetSession::mayLeave() {
     if (m_document.saveNow())
         return true;
-    emit openFailed(tr("Your last edits are not saved yet, so they would be lost. Make room or give permission where they are kept, or export them first."));
+    emit openFailed(tr("Your last edits are not saved yet, so they would be lost. Make room or give permission where "
+                       "they are kept, or export them first."));
     return false;
 }
 
@@ -75,18 +78,19 @@ void DatasetSession::closeBefore(const std::filesystem::path& folder) {
 }
 
 void DatasetSession::load(DatasetReader reader, const QString& sequence, int frame) {
-    m_job.start([this, reader = std::move(reader), name = sequence.toStdString(), frame](const JobContext&) -> Job::Delivery {
-        auto loaded = std::make_shared<Loaded>();
-        loaded->dataset = reader();
-        const core::Dataset& dataset = *loaded->dataset;
-        if (dataset.sequences.empty())
-            throw core::Error(core::ErrorCode::BadInput, (dataset.folder / "dataset.json").string(), "sequences",
-                              "the dataset has no sequence");
-        loaded->sequence = name.empty() ? &dataset.sequences.front() : &dataset.sequence(name);
-        loaded->motion = std::make_shared<const core::Motion>(core::readMotion(dataset, *loaded->sequence));
-        loaded->annotations = AnnotationDocument::read(core::annotationFile(dataset, *loaded->sequence));
-        return [this, loaded, frame] { take(loaded, frame); };
-    });
+    m_job.start(
+        [this, reader = std::move(reader), name = sequence.toStdString(), frame](const JobContext&) -> Job::Delivery {
+            auto loaded = std::make_shared<Loaded>();
+            loaded->dataset = reader();
+            const core::Dataset& dataset = *loaded->dataset;
+            if (dataset.sequences.empty())
+                throw core::Error(core::ErrorCode::BadInput, (dataset.folder / "dataset.json").string(), "sequences",
+                                  "the dataset has no sequence");
+            loaded->sequence = name.empty() ? &dataset.sequences.front() : &dataset.sequence(name);
+            loaded->motion = std::make_shared<const core::Motion>(core::readMotion(dataset, *loaded->sequence));
+            loaded->annotations = AnnotationDocument::read(core::annotationFile(dataset, *loaded->sequence));
+            return [this, loaded, frame] { take(loaded, frame); };
+        });
 }
 
 void DatasetSession::take(const std::shared_ptr<Loaded>& loaded, int frame) {

@@ -14,7 +14,8 @@
 
 namespace widgets {
 
-/// The dataset and the sequence that are open. Both are read in the background; the ones before stay until that has succeeded.
+/// The dataset and the sequence that are open. Both are read in the background; the ones before stay until that has
+/// succeeded.
 class DatasetSession : public QObject {
     Q_OBJECT
 

@@ -8,7 +8,10 @@
 namespace widgets {
 
 MaskAttacher::MaskAttacher(DatasetSession& session, const Selection& selection, JobPool& pool, QObject* parent)
-    : QObject(parent), m_session(session), m_selection(selection), m_job(pool) {
+    : QObject(parent)
+    , m_session(session)
+    , m_selection(selection)
+    , m_job(pool) {
     connect(&m_job, &Job::failed, this, &MaskAttacher::failed);
 }
 
@@ -17,7 +20,8 @@ void MaskAttacher::attach(const QString& folder) {
         emit failed(tr("Open a dataset first."));
         return;
     }
-    m_job.start([this, folder, open = m_session.dataset(), sequence = m_session.sequence()->name](const JobContext&) -> Job::Delivery {
+    m_job.start([this, folder, open = m_session.dataset(),
+                 sequence = m_session.sequence()->name](const JobContext&) -> Job::Delivery {
         core::Dataset dataset = *open;
         QStringList notes;
         for (const std::string& note : core::attachMasks(dataset, sequence, folder.toStdString()))
@@ -26,7 +30,8 @@ void MaskAttacher::attach(const QString& folder) {
         return [this, open, notes, sequence] {
             emit attached(notes.join(QLatin1Char('\n')));
             if (m_session.dataset() == open) // else another one was opened meanwhile
-                m_session.openDataset(QString::fromStdString(open->folder.string()), QString::fromStdString(sequence), m_selection.frame());
+                m_session.openDataset(QString::fromStdString(open->folder.string()), QString::fromStdString(sequence),
+                                      m_selection.frame());
         };
     });
 }

@@ -5,12 +5,13 @@
 #include <QString>
 
 #include "widgets/document/selection.h"
-#include "widgets/session/dataset_session.h"
 #include "widgets/jobs/job.h"
+#include "widgets/session/dataset_session.h"
 
 namespace widgets {
 
-/// Gives the open sequence masks from a folder, in the background: the dataset's file is rewritten and read again, at the same frame.
+/// Gives the open sequence masks from a folder, in the background: the dataset's file is rewritten and read again, at
+/// the same frame.
 class MaskAttacher : public QObject {
     Q_OBJECT
 

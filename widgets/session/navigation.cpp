@@ -32,23 +32,30 @@ bool isDone(const FrameCoverage& coverage, const JointList& joints, int frame) {
 } // namespace
 
 std::optional<int> nextBadFrame(const FrameCoverage& coverage, int frame, Direction way) {
-    return nearestFrame(coverage, frame, way, [](const FrameCoverage::value_type& entry) {
-        return std::any_of(entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.bad > 0; });
-    });
+    return nearestFrame(
+        coverage, frame, way,
+        [](const FrameCoverage::value_type& entry) {
+            return std::any_of(
+                entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.bad > 0; });
+        });
 }
 
 std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, Direction way) {
-    return nearestFrame(coverage, frame, way, [](const FrameCoverage::value_type& entry) {
-        return std::any_of(entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.done + hand.second.partial > 0; });
-    });
+    return nearestFrame(
+        coverage, frame, way,
+        [](const FrameCoverage::value_type& entry) {
+            return std::any_of(
+                entry.second.begin(), entry.second.end(),
+                [](const auto& hand) { return hand.second.done + hand.second.partial > 0; });
+        });
 }
 
-std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount, int frame, Direction way) {
+std::optional<int> nextUnlabelledFrame(const FrameCoverage& coverage, const JointList& joints, int frameCount,
+                                       int frame, Direction way) {
     const int step = way == Direction::Forward ? 1 : -1;
-    for (int next = frame + step; next >= 0 && next < frameCount; next += step) {
+    for (int next = frame + step; next >= 0 && next < frameCount; next += step)
         if (!isDone(coverage, joints, next))
             return next;
-    }
     return std::nullopt;
 }
 

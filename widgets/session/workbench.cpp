@@ -30,19 +30,27 @@ std::string joined(const std::vector<std::string>& lines) {
 std::vector<std::string> knownLines(const std::string& text, const core::Dataset& dataset) {
     std::vector<std::string> lines;
     std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; std::getline(stream, line);)
         if (dataset.cameraIndex(line) >= 0)
             lines.push_back(line);
-    }
     return lines;
 }
 
 } // namespace
 
 Workbench::Workbench(QObject* parent)
-    : QObject(parent), reconstructions(document, selection), annotator(document, selection, reconstructions, joints),
-      coverage(document, pool), session(document, pool), frames(pool), fits(document, pool), files(document, session, pool),
-      benchmarks(pool), checks(document, pool), model(document, selection, reconstructions, pool), raters(document, selection, pool) {
+    : QObject(parent)
+    , reconstructions(document, selection)
+    , annotator(document, selection, reconstructions, joints)
+    , coverage(document, pool)
+    , session(document, pool)
+    , frames(pool)
+    , fits(document, pool)
+    , files(document, session, pool)
+    , benchmarks(pool)
+    , checks(document, pool)
+    , model(document, selection, reconstructions, pool)
+    , raters(document, selection, pool) {
     connect(&session, &DatasetSession::datasetOpened, this, &Workbench::takeDataset);
     connect(&session, &DatasetSession::sequenceOpened, this, &Workbench::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);

@@ -8,21 +8,21 @@
 #include "widgets/document/joint_list.h"
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
-#include "widgets/session/annotation_files.h"
 #include "widgets/jobs/benchmark_runner.h"
-#include "widgets/session/coverage.h"
-#include "widgets/session/dataset_session.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"
-#include "widgets/jobs/job.h"
 #include "widgets/jobs/hand_model_fit.h"
+#include "widgets/jobs/job.h"
 #include "widgets/jobs/quality_checks.h"
 #include "widgets/jobs/rater_study.h"
+#include "widgets/session/annotation_files.h"
+#include "widgets/session/coverage.h"
+#include "widgets/session/dataset_session.h"
 
 namespace widgets {
 
-/// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and the work
-/// that goes on in the background.
+/// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and
+/// the work that goes on in the background.
 class Workbench : public QObject {
     Q_OBJECT
 

@@ -60,7 +60,8 @@ QString disagreementText(const core::JointReconstruction& found) {
     const core::CurveGap& first = found.gaps.front();
     const QString camera = QString::fromStdString(first.camera);
     if (found.gaps.size() < 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2.")).arg(camera, curveGapText(first));
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2."))
+            .arg(camera, curveGapText(first));
     const core::CurveGap& second = found.gaps.back();
     return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2, the one in %3 %4."))
         .arg(camera, curveGapText(first), QString::fromStdString(second.camera), curveGapText(second));
@@ -76,20 +77,25 @@ QString placedText(const core::JointReconstruction& found) {
 
 QString placedInWords(const core::JointReconstruction& found) {
     const PlacedCount count = countPlaced(found);
-    return text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture"), found.countedViews)
+    return text(QT_TRANSLATE_N_NOOP("widgets::Advice",
+                                    "%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture"),
+                found.countedViews)
         .arg(QLocale().toString(count.clicked), QLocale().toString(count.accepted), QLocale().toString(count.proposed));
 }
 
 QString curveGapText(const core::CurveGap& gap) {
-    return text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve")).arg(number(gap.px, 1), QString::fromStdString(gap.curveOf));
+    return text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve"))
+        .arg(number(gap.px, 1), QString::fromStdString(gap.curveOf));
 }
 
 QString summaryText(const core::JointId& joint, const core::JointReconstruction& found) {
-    QStringList parts{jointText(joint),
-                      text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
+    QStringList parts{
+        jointText(joint),
+        text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
     if (found.hasPoint()) {
         parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(number(found.result.point->rmsPx, 2))
-              << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm")).arg(number(core::sigmaMm(found.result.point->covariance), 2));
+              << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm"))
+                     .arg(number(core::sigmaMm(found.result.point->covariance), 2));
     }
     return parts.join(QStringLiteral("  \u00b7  "));
 }
@@ -112,11 +118,13 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(reasonText(found.result.reason));
     if (!found.hasPoint())
         return next.isEmpty() ? text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
-                              : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2.")).arg(name, next);
+                              : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2."))
+                                    .arg(name, next);
     if (found.status == core::JointStatus::Done)
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Done in every view: go on with the next joint."));
     if (next.isEmpty())
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accept the remaining views with Space, or mark them as not placeable."));
+        return text(QT_TRANSLATE_NOOP("widgets::Advice",
+                                      "Accept the remaining views with Space, or mark them as not placeable."));
     return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
         .arg(next, number(found.nextViews.front().predictedSigmaMm, 2));
 }

@@ -23,8 +23,10 @@ QString singleMarkText(const core::MarkChange& change) {
     if (change.after->state == core::MarkState::Unplaceable)
         return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as not placeable in %2")).arg(joint, camera);
     if (!change.before)
-        return (change.after->placement == core::Placement::Proposed ? text(QT_TRANSLATE_NOOP("widgets::EditText", "propose %1 in %2"))
-                : change.after->placement == core::Placement::Auto   ? text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"))
+        return (change.after->placement == core::Placement::Proposed
+                    ? text(QT_TRANSLATE_NOOP("widgets::EditText", "propose %1 in %2"))
+                : change.after->placement == core::Placement::Auto
+                    ? text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"))
                     : text(QT_TRANSLATE_NOOP("widgets::EditText", "place %1 in %2")))
             .arg(joint, camera);
     if (change.before->px != change.after->px)
@@ -58,7 +60,8 @@ QString sideText(core::Side side) {
 }
 
 QString shortJointText(const core::JointId& joint) {
-    return (joint.hand == core::Side::Left ? text(QT_TRANSLATE_NOOP("widgets::EditText", "L %1")) : text(QT_TRANSLATE_NOOP("widgets::EditText", "R %1")))
+    return (joint.hand == core::Side::Left ? text(QT_TRANSLATE_NOOP("widgets::EditText", "L %1"))
+                                           : text(QT_TRANSLATE_NOOP("widgets::EditText", "R %1")))
         .arg(QString::fromStdString(joint.joint));
 }
 
@@ -72,9 +75,8 @@ QString editText(const core::Edit& edit) {
     if (edit.marks.empty() && edit.notes.size() == 1)
         return text(QT_TRANSLATE_NOOP("widgets::EditText", "note on frame %1")).arg(edit.notes.front().frame);
     const int count = static_cast<int>(edit.marks.size());
-    const auto known = std::find_if(kManyMarks.begin(), kManyMarks.end(), [&](const ManyMarks& kind) {
-        return edit.label.starts_with(kind.beginning);
-    });
+    const auto known = std::find_if(kManyMarks.begin(), kManyMarks.end(),
+                                    [&](const ManyMarks& kind) { return edit.label.starts_with(kind.beginning); });
     if (known != kManyMarks.end())
         return text(known->source, count);
     return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "change %n mark(s)"), count);

@@ -20,8 +20,8 @@ QString text(const char* source) {
     return QCoreApplication::translate("widgets::Finding", source);
 }
 
-void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, const core::JointReconstruction& found, int frame,
-                 double badRmsPx) {
+void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, const core::JointReconstruction& found,
+                 int frame, double badRmsPx) {
     for (const core::ViewReconstruction& view : found.views) {
         if (!view.outlier || !view.errorPx)
             continue;
@@ -37,7 +37,8 @@ QString number(double value, int decimals) {
 }
 
 QString noPointText(const core::CurveGap& gap) {
-    return text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: click in %1 is %2")).arg(QString::fromStdString(gap.camera), curveGapText(gap));
+    return text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: click in %1 is %2"))
+        .arg(QString::fromStdString(gap.camera), curveGapText(gap));
 }
 
 QString textOf(const core::QualityFinding& found) {
@@ -56,15 +57,18 @@ QString textOf(const core::QualityFinding& found) {
     case core::QualityKind::JointAngle:
         return text(QT_TRANSLATE_NOOP("widgets::Finding", "bent %1\u00b0 beyond its limit")).arg(number(size, 0));
     case core::QualityKind::FingerOrder:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "fingers exchanged? %1 mm out of order")).arg(number(size, 1));
+        return text(QT_TRANSLATE_NOOP("widgets::Finding", "fingers exchanged? %1 mm out of order"))
+            .arg(number(size, 1));
     case core::QualityKind::HandMixUp:
         return text(QT_TRANSLATE_NOOP("widgets::Finding", "left and right exchanged?"));
     case core::QualityKind::SharedPixel:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "on the same pixel as another joint in %1")).arg(QString::fromStdString(found.camera));
+        return text(QT_TRANSLATE_NOOP("widgets::Finding", "on the same pixel as another joint in %1"))
+            .arg(QString::fromStdString(found.camera));
     case core::QualityKind::OutsidePicture:
         break;
     }
-    return text(QT_TRANSLATE_NOOP("widgets::Finding", "mark is %1 px outside the picture of %2")).arg(number(size, 0), QString::fromStdString(found.camera));
+    return text(QT_TRANSLATE_NOOP("widgets::Finding", "mark is %1 px outside the picture of %2"))
+        .arg(number(size, 0), QString::fromStdString(found.camera));
 }
 
 /// How bad a doubt is, in units of its limit.
@@ -96,26 +100,35 @@ Finding findingOf(const core::QualityFinding& found, double badRmsPx) {
     return {found.frame, found.joint, found.camera, textOf(found), severityOf(found, badRmsPx)};
 }
 
-std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconstruction>& joints, int frame, double badRmsPx) {
+std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconstruction>& joints, int frame,
+                                double badRmsPx) {
     std::vector<Finding> findings;
     for (const auto& [joint, found] : joints) {
         addOutliers(findings, joint, found, frame, badRmsPx);
         if (!found.hasPoint()) {
             if (!found.gaps.empty())
-                findings.push_back({frame, joint, found.gaps.front().camera, noPointText(found.gaps.front()), kNoPointSeverity});
+                findings.push_back(
+                    {frame, joint, found.gaps.front().camera, noPointText(found.gaps.front()), kNoPointSeverity});
             else if (found.manualViews >= 2)
-                findings.push_back({frame, joint, {},
-                                    text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: %1")).arg(reasonText(found.result.reason)),
+                findings.push_back({frame,
+                                    joint,
+                                    {},
+                                    text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: %1"))
+                                        .arg(reasonText(found.result.reason)),
                                     kNoPointSeverity});
             continue;
         }
         const double rms = found.result.point->rmsPx;
         if (rms > badRmsPx)
-            findings.push_back({frame, joint, {},
-                                text(QT_TRANSLATE_NOOP("widgets::Finding", "error of %1 px")).arg(QLocale().toString(rms, 'f', 1)),
-                                rms / badRmsPx});
+            findings.push_back(
+                {frame,
+                 joint,
+                 {},
+                 text(QT_TRANSLATE_NOOP("widgets::Finding", "error of %1 px")).arg(QLocale().toString(rms, 'f', 1)),
+                 rms / badRmsPx});
     }
-    std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.severity > b.severity; });
+    std::stable_sort(findings.begin(), findings.end(),
+                     [](const auto& a, const auto& b) { return a.severity > b.severity; });
     return findings;
 }
 

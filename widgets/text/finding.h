@@ -16,13 +16,14 @@ namespace widgets {
 struct Finding {
     int frame = 0;
     core::JointId joint;
-    std::string camera; ///< empty if no single view is meant
-    QString text;       ///< in the person's language
+    std::string camera;  ///< empty if no single view is meant
+    QString text;        ///< in the person's language
     double severity = 0; ///< larger is worse; 1 is the limit
 };
 
 /// What the reconstructions of one frame say: large errors, views that disagree, joints without a point. Worst first.
-std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconstruction>& joints, int frame, double badRmsPx);
+std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconstruction>& joints, int frame,
+                                double badRmsPx);
 
 /// A doubt of the checks, in the person's language.
 Finding findingOf(const core::QualityFinding& found, double badRmsPx);

@@ -31,9 +31,8 @@ double valueAt(const Curve& curve, double x) {
     for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
         const QPointF& a = curve.points[i];
         const QPointF& b = curve.points[i + 1];
-        if (x >= a.x() && x <= b.x()) {
+        if (x >= a.x() && x <= b.x())
             return b.x() > a.x() ? a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()) : a.y();
-        }
     }
     return kNone;
 }
@@ -56,9 +55,8 @@ double luminance(const QColor& c) {
 QColor readable(const QColor& colour, const QColor& ground) {
     constexpr double kFlare = 0.05, kLeastContrast = 1.45;
     const double a = luminance(colour) + kFlare, b = luminance(ground) + kFlare;
-    if (std::max(a, b) / std::min(a, b) > kLeastContrast) {
+    if (std::max(a, b) / std::min(a, b) > kLeastContrast)
         return colour;
-    }
     return b > 0.5 ? colour.darker(colour.saturation() < 30 ? 600 : 125) : colour.lighter(170);
 }
 
@@ -126,9 +124,8 @@ CurvePlot::Frame CurvePlot::frame(const QRectF& area) const {
     Frame result;
     const bool xGiven = m_settings.xMax > m_settings.xMin, yGiven = m_settings.yMax > m_settings.yMin;
     result.x = xGiven ? PlotAxis{m_settings.xMin, m_settings.xMax, false} : roundAxis(xMin, xMax, false);
-    if (!xGiven && xMax > xMin) {
+    if (!xGiven && xMax > xMin)
         result.x = {xMin, xMax, false}; // curves fill the width
-    }
     result.x.whole = m_settings.xWhole;
     result.y = yGiven ? PlotAxis{m_settings.yMin, m_settings.yMax, m_settings.yLogarithmic}
                       : roundAxis(yMin, yMax, m_settings.yLogarithmic);
@@ -137,9 +134,8 @@ CurvePlot::Frame CurvePlot::frame(const QRectF& area) const {
     result.whole = area;
     result.yTicks = ticks(result.y, std::max(2, static_cast<int>(area.height() / (2.2 * line))));
     double labelWidth = 0;
-    for (const double v : result.yTicks) {
+    for (const double v : result.yTicks)
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(number(v)));
-    }
     const double left = labelWidth + 2 * kSpacing + (m_settings.yLabel.isEmpty() ? 0 : line);
     const double top = kSpacing + (m_settings.title.isEmpty() ? line / 2 : line + kSpacing);
     const double bottom = line + 1.5 * kSpacing + (m_settings.xLabel.isEmpty() ? 0 : line);
@@ -203,9 +199,8 @@ void CurvePlot::paintCurves(QPainter& painter, const Frame& f, const QPalette& c
         if (curve.markers) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(colour);
-            for (const QPointF& p : curve.points) {
+            for (const QPointF& p : curve.points)
                 painter.drawEllipse(f.place(p), 2.4, 2.4);
-            }
         }
     }
     if (!std::isnan(m_cursorX)) {
@@ -224,9 +219,8 @@ void CurvePlot::paintLegend(QPainter& painter, const Frame& f, const QPalette& c
     int points[2][2] = {{0, 0}, {0, 0}}; // [right half][bottom half]
     for (const Curve& curve : m_curves) {
         width = std::max(width, metrics.horizontalAdvance(curve.name));
-        for (const QPointF& p : curve.points) {
+        for (const QPointF& p : curve.points)
             ++points[f.x.position(p.x()) > 0.5][f.y.position(p.y()) < 0.5];
-        }
     }
     const QSizeF size(width + kSample + 3 * kSpacing,
                       metrics.height() * static_cast<double>(m_curves.size()) + kSpacing);
@@ -238,12 +232,10 @@ void CurvePlot::paintLegend(QPainter& painter, const Frame& f, const QPalette& c
         }
     }
     QRectF box(f.plot.topLeft() + QPointF(kSpacing, kSpacing), size);
-    if (right) {
+    if (right)
         box.moveRight(f.plot.right() - kSpacing);
-    }
-    if (bottom) {
+    if (bottom)
         box.moveBottom(f.plot.bottom() - kSpacing);
-    }
     QColor ground = colours.color(QPalette::Base);
     ground.setAlphaF(0.8);
     painter.fillRect(box, ground);
@@ -262,9 +254,8 @@ void CurvePlot::paintLegend(QPainter& painter, const Frame& f, const QPalette& c
 
 /// The curves' values under the pointer.
 void CurvePlot::paintReadout(QPainter& painter, const Frame& f) const {
-    if (std::isnan(m_hoverX)) {
+    if (std::isnan(m_hoverX))
         return;
-    }
     const QFontMetricsF metrics(font());
     QStringList texts;
     std::vector<QColor> colours;
@@ -285,9 +276,8 @@ void CurvePlot::paintReadout(QPainter& painter, const Frame& f) const {
     painter.drawLine(QPointF(x, f.plot.top()), QPointF(x, f.plot.bottom()));
     double y = f.plot.top();
     double width = metrics.horizontalAdvance(number(m_hoverX));
-    for (const QString& text : texts) {
+    for (const QString& text : texts)
         width = std::max(width, metrics.horizontalAdvance(text));
-    }
     const bool leftSide = x + width + 3 * kSpacing > f.plot.right();
     QRectF box(leftSide ? x - width - 3 * kSpacing : x + kSpacing, y, width + 2 * kSpacing,
                metrics.height() * (texts.size() + 1) + kSpacing);
@@ -320,9 +310,8 @@ void CurvePlot::paint(QPainter& painter, const QRectF& area, const QPalette& col
 void CurvePlot::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     paint(painter, rect(), palette());
-    if (!m_curves.empty()) {
+    if (!m_curves.empty())
         paintReadout(painter, frame(rect()));
-    }
 }
 
 QImage CurvePlot::grabPicture(double scale) const {
@@ -342,9 +331,8 @@ bool CurvePlot::saveSvg(const QString& path) const {
     svg.setViewBox(rect());
     svg.setTitle(m_settings.title);
     QPainter painter;
-    if (!painter.begin(&svg)) {
+    if (!painter.begin(&svg))
         return false;
-    }
     paint(painter, rect(), paperPalette());
     return painter.end();
 }
@@ -372,9 +360,8 @@ void CurvePlot::mouseMoveEvent(QMouseEvent* event) {
 
 void CurvePlot::mousePressEvent(QMouseEvent* event) {
     const Frame f = frame(rect());
-    if (event->button() == Qt::LeftButton && !m_curves.empty() && f.plot.contains(event->localPos())) {
+    if (event->button() == Qt::LeftButton && !m_curves.empty() && f.plot.contains(event->localPos()))
         emit xClicked(valueOfPlace(f, event->localPos()));
-    }
 }
 
 void CurvePlot::leaveEvent(QEvent*) {

@@ -29,7 +29,7 @@ struct CurvePlotSettings {
     double xMin = 0, xMax = 0;
     double yMin = 0, yMax = 0;
     bool yLogarithmic = false;
-    QString emptyText; ///< shown while there are no curves
+    QString emptyText;   ///< shown while there are no curves
     bool xWhole = false; ///< x counts something: ticks, reading and clicks are at whole numbers
 };
 

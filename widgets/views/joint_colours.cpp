@@ -18,10 +18,10 @@ constexpr std::array kFingers{NamedColour{"thumb", 0xFFE69F00}, NamedColour{"ind
                               NamedColour{"little", 0xFFCC79A7}};
 constexpr QRgb kOtherJoint = 0xFFBBBBBB;
 
-constexpr std::array kMethods{NamedColour{"start", 0xFF9AA0A6},     NamedColour{"truth", 0xFFFFFFFF}, NamedColour{"recorded", 0xFFE8EAEE},
-                              NamedColour{"ch", 0xFFE69F00},        NamedColour{"dch-thres", 0xFF56B4E9},
-                              NamedColour{"dch-quant", 0xFFCC79A7}, NamedColour{"dch-quant2", 0xFFD55E00},
-                              NamedColour{"dch-dt3", 0xFF009E73},   NamedColour{"best", 0xFFF0E442}};
+constexpr std::array kMethods{
+    NamedColour{"start", 0xFF9AA0A6},      NamedColour{"truth", 0xFFFFFFFF},     NamedColour{"recorded", 0xFFE8EAEE},
+    NamedColour{"ch", 0xFFE69F00},         NamedColour{"dch-thres", 0xFF56B4E9}, NamedColour{"dch-quant", 0xFFCC79A7},
+    NamedColour{"dch-quant2", 0xFFD55E00}, NamedColour{"dch-dt3", 0xFF009E73},   NamedColour{"best", 0xFFF0E442}};
 constexpr QRgb kOtherMethod = 0xFF7F9FD5;
 
 // cividis at nine equal steps (Nunez, Anderton and Renslow 2018).

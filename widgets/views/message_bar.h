@@ -17,8 +17,8 @@ struct MessageAction {
     std::function<void()> run;
 };
 
-/// A bar at the top of a view or panel that says what is wrong and what to do about it, or asks something in place. Hidden while it
-/// has nothing to say.
+/// A bar at the top of a view or panel that says what is wrong and what to do about it, or asks something in place.
+/// Hidden while it has nothing to say.
 class MessageBar : public QWidget {
     Q_OBJECT
 public:

@@ -31,32 +31,27 @@ void tell(QWidget* parent, const QString& text) {
 
 void askAndSave(QWidget* parent, const PictureSource& source) {
     QString filter = PictureExport::tr("PNG picture (*.png)");
-    if (source.saveSvg) {
+    if (source.saveSvg)
         filter += QStringLiteral(";;") + PictureExport::tr("SVG drawing (*.svg)");
-    }
     QString chosen;
     QString path = QFileDialog::getSaveFileName(parent, PictureExport::tr("Save picture"),
                                                 source.fileName + QStringLiteral(".png"), filter, &chosen);
-    if (path.isEmpty()) {
+    if (path.isEmpty())
         return;
-    }
-    if (QFileInfo(path).suffix().isEmpty()) {
+    if (QFileInfo(path).suffix().isEmpty())
         path += chosen.contains(QLatin1String("svg")) ? QStringLiteral(".svg") : QStringLiteral(".png");
-    }
     const bool saved = savePicture(source, path);
-    if (!saved && source.failed) {
+    if (!saved && source.failed)
         source.failed(PictureExport::tr("%1 could not be written. Choose a folder that you may write to.").arg(path));
-    } else if (saved) {
+    else if (saved)
         tell(parent, PictureExport::tr("Saved to %1").arg(path));
-    }
 }
 
 } // namespace
 
 void addPictureActions(QMenu& menu, QWidget* parent, const PictureSource& source) {
     QAction* copy = menu.addAction(QIcon::fromTheme(QStringLiteral("edit-copy")), PictureExport::tr("Copy picture"));
-    QObject::connect(copy, &QAction::triggered, parent,
-                     [parent, source] {
+    QObject::connect(copy, &QAction::triggered, parent, [parent, source] {
         QApplication::clipboard()->setImage(source.image(1));
         tell(parent, PictureExport::tr("The picture is in the clipboard."));
     });

@@ -11,23 +11,19 @@ namespace {
 /// The smallest of 1, 2, 5 times a power of ten that is not smaller than `step`.
 double roundStep(double step) {
     const double power = std::pow(10, std::floor(std::log10(step)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (step <= factor * power * (1 + 1e-9)) {
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (step <= factor * power * (1 + 1e-9))
             return factor * power;
-        }
-    }
     return 10 * power;
 }
 
 std::vector<double> linearTicks(const PlotAxis& axis, int most) {
     double step = roundStep((axis.max - axis.min) / std::max(1, most - 1));
-    if (axis.whole) {
+    if (axis.whole)
         step = std::max(1.0, step);
-    }
     std::vector<double> result;
-    for (double i = std::ceil(axis.min / step - 1e-9); i * step <= axis.max + 1e-9 * step; ++i) {
+    for (double i = std::ceil(axis.min / step - 1e-9); i * step <= axis.max + 1e-9 * step; ++i)
         result.push_back(i * step);
-    }
     return result;
 }
 
@@ -38,9 +34,8 @@ std::vector<double> logarithmicTicks(const PlotAxis& axis, int most) {
             const double v = factor * std::pow(10, e);
             if (v >= axis.min * (1 - 1e-9) && v <= axis.max * (1 + 1e-9)) {
                 all.push_back(v);
-                if (factor == 1) {
+                if (factor == 1)
                     powers.push_back(v);
-                }
             }
         }
     }
@@ -50,9 +45,8 @@ std::vector<double> logarithmicTicks(const PlotAxis& axis, int most) {
 } // namespace
 
 double PlotAxis::position(double v) const {
-    if (logarithmic) {
+    if (logarithmic)
         return v > min ? std::log(v / min) / std::log(max / min) : 0;
-    }
     return (v - min) / (max - min);
 }
 
@@ -62,22 +56,18 @@ double PlotAxis::value(double p) const {
 
 PlotAxis roundAxis(double min, double max, bool logarithmic) {
     if (logarithmic) {
-        if (!(min > 0) || !(max >= min)) {
+        if (!(min > 0) || !(max >= min))
             return {0.1, 1, true};
-        }
         const double low = std::pow(10, std::floor(std::log10(min) + 1e-9));
         const double high = std::pow(10, std::ceil(std::log10(max) - 1e-9));
         return {low, high > low ? high : 10 * low, true};
     }
-    if (!(max >= min) || !std::isfinite(max - min)) {
+    if (!(max >= min) || !std::isfinite(max - min))
         return {0, 1, false};
-    }
-    if (min >= 0 && min < 0.4 * max) {
+    if (min >= 0 && min < 0.4 * max)
         min = 0;
-    }
-    if (max - min < 1e-12 * std::max(1.0, std::abs(max))) {
+    if (max - min < 1e-12 * std::max(1.0, std::abs(max)))
         max = min + 1;
-    }
     constexpr int kSteps = 5;
     const double step = roundStep((max - min) / kSteps);
     return {std::floor(min / step + 1e-9) * step, std::ceil(max / step - 1e-9) * step, false};

@@ -23,10 +23,9 @@ constexpr int kStartTimeoutMs = 20000;
 /// In the child: becomes Xvfb, which writes its display number to `displayFd`. Does not return.
 [[noreturn]] void becomeServer(int displayFd, pid_t parent, const std::string& screen) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (getppid() != parent) {
+    if (getppid() != parent)
         _exit(126); // the parent ended before the line above
-    }
-    setpgid(0, 0); // Ctrl+C in the terminal is for the program, not for its server
+    setpgid(0, 0);  // Ctrl+C in the terminal is for the program, not for its server
     const int nothing = open("/dev/null", O_RDWR);
     dup2(nothing, STDIN_FILENO);
     dup2(nothing, STDOUT_FILENO);
@@ -43,14 +42,12 @@ std::string readDisplayNumber(int fd) {
     while (text.find('\n') == std::string::npos) {
         pollfd waiting{fd, POLLIN, 0};
         const int ready = poll(&waiting, 1, kStartTimeoutMs);
-        if (ready < 0 && errno == EINTR) {
+        if (ready < 0 && errno == EINTR)
             continue;
-        }
         char buffer[16];
         const ssize_t count = ready > 0 ? read(fd, buffer, sizeof buffer) : 0;
-        if (count <= 0) {
+        if (count <= 0)
             return {};
-        }
         text.append(buffer, static_cast<std::size_t>(count));
     }
     return text.substr(0, text.find('\n'));
@@ -61,15 +58,13 @@ std::string readDisplayNumber(int fd) {
 PrivateDisplay::PrivateDisplay(int widthPx, int heightPx) {
     const std::string screen = std::to_string(widthPx) + "x" + std::to_string(heightPx) + "x24";
     int ends[2];
-    if (pipe(ends) != 0) {
+    if (pipe(ends) != 0)
         throw core::Error(core::ErrorCode::Io, "Xvfb", "", std::string("cannot make a pipe: ") + std::strerror(errno));
-    }
     fcntl(ends[0], F_SETFD, FD_CLOEXEC);
     const pid_t parent = getpid();
     m_process = fork();
-    if (m_process == 0) {
+    if (m_process == 0)
         becomeServer(ends[1], parent, screen);
-    }
     close(ends[1]);
     const std::string number = m_process > 0 ? readDisplayNumber(ends[0]) : std::string();
     close(ends[0]);

@@ -35,20 +35,28 @@ QLabel* heading(const QString& text, QWidget* parent) {
 std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
     std::set<int> frames;
     std::map<std::tuple<int, std::string, core::JointId>, int> clicks;
-    for (const auto& [key, mark] : set.marks) {
+    for (const auto& [key, mark] : set.marks)
         if (mark.isEvidence() && ++clicks[{key.frame, key.rater, key.joint}] == 2)
             frames.insert(key.frame);
-    }
     return {frames.begin(), frames.end()};
 }
 
 } // namespace
 
 BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_message(new MessageBar(this)), m_sequences(new QListWidget(this)),
-      m_setup(new QComboBox(this)), m_percent(new QDoubleSpinBox(this)), m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this)), m_seed(new QSpinBox(this)),
-      m_run(new QPushButton(this)), m_progress(new QProgressBar(this)), m_save(new QPushButton(tr("Save results..."), this)),
-      m_open(new QPushButton(tr("Open results..."), this)), m_results(new BenchmarkResultsView(this)) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_message(new MessageBar(this))
+    , m_sequences(new QListWidget(this))
+    , m_setup(new QComboBox(this))
+    , m_percent(new QDoubleSpinBox(this))
+    , m_differences(new QLineEdit(QStringLiteral("1, 5, 10, 15"), this))
+    , m_seed(new QSpinBox(this))
+    , m_run(new QPushButton(this))
+    , m_progress(new QProgressBar(this))
+    , m_save(new QPushButton(tr("Save results..."), this))
+    , m_open(new QPushButton(tr("Open results..."), this))
+    , m_results(new BenchmarkResultsView(this)) {
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(makeSettings());
     splitter->addWidget(m_results);
@@ -89,7 +97,8 @@ QWidget* BenchmarkPage::makeSettings() {
     m_seed->setRange(0, 1000000);
     m_seed->setValue(7);
     m_setup->addItems({tr("Synthetic"), tr("Realistic")});
-    m_setup->setToolTip(tr("Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints."));
+    m_setup->setToolTip(tr("Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask "
+                           "files, errors over the marked joints."));
     m_setup->setFocusPolicy(Qt::NoFocus);
     form->addRow(tr("Setup"), m_setup);
     form->addRow(tr("Test"), m_percent);
@@ -140,16 +149,22 @@ void BenchmarkPage::connectRunner() {
     });
     connect(&runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
     connect(&runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
-    connect(&runner, &BenchmarkRunner::cleared, this, [this] {
-        showRunning(false);
-        m_message->setMessage({});
-    });
-    connect(&runner, &BenchmarkRunner::opened, this, [this](const QString&, const QString& note) { m_message->setMessage(note); });
+    connect(
+        &runner, &BenchmarkRunner::cleared, this,
+        [this] {
+            showRunning(false);
+            m_message->setMessage({});
+        });
+    connect(&runner, &BenchmarkRunner::opened, this,
+            [this](const QString&, const QString& note) { m_message->setMessage(note); });
     connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
-    connect(m_results, &BenchmarkResultsView::pairOpened, this, [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
-        const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
-        emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
-    });
+    connect(m_results, &BenchmarkResultsView::pairOpened, this,
+            [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
+                const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic
+                                             ? FitTarget::Masks
+                                             : FitTarget::Recorded;
+                emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
+            });
     connect(&runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
         showRunning(false);
         m_message->setMessage(message);
@@ -165,7 +180,8 @@ core::PairOptions BenchmarkPage::pairOptions() const {
         bool isNumber = false;
         options.differences.push_back(part.trimmed().toInt(&isNumber));
         if (!isNumber)
-            throw core::Error(core::ErrorCode::Usage, {}, {}, tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
+            throw core::Error(core::ErrorCode::Usage, {}, {},
+                              tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
     }
     return options;
 }
@@ -196,18 +212,17 @@ std::set<int> BenchmarkPage::testFrames() const {
 
 BenchmarkRequest BenchmarkPage::request() const {
     BenchmarkRequest request;
-    for (int row = 0; row < m_sequences->count(); ++row) {
+    for (int row = 0; row < m_sequences->count(); ++row)
         if (m_sequences->item(row)->checkState() == Qt::Checked)
             request.sequences.push_back(m_sequences->item(row)->text().toStdString());
-    }
-    for (const QCheckBox* box : m_methods) {
+    for (const QCheckBox* box : m_methods)
         if (box->isChecked())
             request.methods.push_back(box->text().toStdString());
-    }
     request.pairs = pairOptions();
     request.setup = setup();
     if (request.methods.empty() || request.sequences.empty())
-        throw core::Error(core::ErrorCode::Usage, {}, {}, tr("Choose at least one method and one sequence.").toStdString());
+        throw core::Error(core::ErrorCode::Usage, {}, {},
+                          tr("Choose at least one method and one sequence.").toStdString());
     return request;
 }
 
@@ -248,11 +263,13 @@ void BenchmarkPage::takeResults() {
 }
 
 void BenchmarkPage::askToSave() {
-    chooseFolder(tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
+    chooseFolder(
+        tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
 }
 
 void BenchmarkPage::askToOpen() {
-    chooseFolder(tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
+    chooseFolder(
+        tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
 }
 
 void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {

@@ -17,13 +17,13 @@
 #include <QWidget>
 
 #include "widgets/session/workbench.h"
-#include "widgets/workspaces/benchmark_results_view.h"
 #include "widgets/views/message_bar.h"
+#include "widgets/workspaces/benchmark_results_view.h"
 
 namespace widgets {
 
-/// Many pairs, all methods: what to run on the left, then the results as they come. They can be saved and opened again. A double click
-/// on a pair opens it for inspection.
+/// Many pairs, all methods: what to run on the left, then the results as they come. They can be saved and opened again.
+/// A double click on a pair opens it for inspection.
 class BenchmarkPage : public QWidget {
     Q_OBJECT
 

@@ -24,15 +24,22 @@ constexpr double kCurveMaxMm = 10;
 } // namespace
 
 BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
-    : QWidget(parent), m_summary(new SummaryModel(this)), m_summaryTable(new QTableView(this)), m_pairs(new PairTableModel(this)),
-      m_sortedPairs(new QSortFilterProxyModel(this)), m_pairTable(new QTableView(this)), m_curves(new CurvePlot(this)),
-      m_jointMethod(new QComboBox(this)), m_jointErrors(new JointErrorDiagram(this)) {
+    : QWidget(parent)
+    , m_summary(new SummaryModel(this))
+    , m_summaryTable(new QTableView(this))
+    , m_pairs(new PairTableModel(this))
+    , m_sortedPairs(new QSortFilterProxyModel(this))
+    , m_pairTable(new QTableView(this))
+    , m_curves(new CurvePlot(this))
+    , m_jointMethod(new QComboBox(this))
+    , m_jointErrors(new JointErrorDiagram(this)) {
     m_summaryTable->setModel(m_summary);
     m_summaryTable->setItemDelegateForColumn(0, new MethodDelegate(SummaryModel::ValueRole, m_summaryTable));
     m_sortedPairs->setSourceModel(m_pairs);
     m_sortedPairs->setSortRole(PairTableModel::ValueRole);
     m_pairTable->setModel(m_sortedPairs);
-    m_pairTable->setItemDelegateForColumn(PairTableModel::Method, new MethodDelegate(PairTableModel::ValueRole, m_pairTable));
+    m_pairTable->setItemDelegateForColumn(PairTableModel::Method,
+                                          new MethodDelegate(PairTableModel::ValueRole, m_pairTable));
     for (QTableView* table : {m_summaryTable, m_pairTable}) {
         styleTable(*table);
         table->setFocusPolicy(Qt::NoFocus);
@@ -40,8 +47,8 @@ BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
     m_pairTable->setSortingEnabled(true);
     m_pairTable->sortByColumn(PairTableModel::ErrorMm, Qt::DescendingOrder);
     m_pairTable->setToolTip(tr("Double-click a pair to inspect it with every method"));
-    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0, 100, false,
-                           tr("Run the benchmark to compare the methods.")});
+    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0,
+                           100, false, tr("Run the benchmark to compare the methods.")});
     auto* pictures = new QSplitter(Qt::Horizontal, this);
     pictures->addWidget(m_curves);
     pictures->addWidget(makeJointPart());
@@ -78,7 +85,8 @@ QWidget* BenchmarkResultsView::makeJointPart() {
     row->addWidget(m_jointMethod);
     column->addLayout(row);
     column->addWidget(m_jointErrors, 1);
-    connect(m_jointMethod, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkResultsView::showJointErrors);
+    connect(m_jointMethod, qOverload<int>(&QComboBox::currentIndexChanged), this,
+            &BenchmarkResultsView::showJointErrors);
     return part;
 }
 
@@ -98,7 +106,11 @@ void BenchmarkResultsView::showCurves() {
     if (m_results && !m_results->rows.empty()) {
         for (const core::ErrorCurve& found : core::errorCurves(*m_results, kCurveStepMm, kCurveMaxMm)) {
             const bool isStart = found.method == "initial";
-            Curve curve{isStart ? tr("start") : QString::fromStdString(found.method), methodColour(isStart ? "start" : found.method), isStart, false, {}};
+            Curve curve{isStart ? tr("start") : QString::fromStdString(found.method),
+                        methodColour(isStart ? "start" : found.method),
+                        isStart,
+                        false,
+                        {}};
             for (std::size_t i = 0; i < found.thresholdsMm.size(); ++i)
                 curve.points.emplace_back(found.thresholdsMm[i], 100 * found.share[i]);
             curves.push_back(std::move(curve));
@@ -112,10 +124,9 @@ void BenchmarkResultsView::showJointMethods() {
     QStringList names, shown;
     for (int i = 0; i < m_jointMethod->count(); ++i)
         shown << m_jointMethod->itemText(i);
-    if (m_results) {
+    if (m_results)
         for (const std::string& method : m_results->methods)
             names << QString::fromStdString(method);
-    }
     if (names != shown) {
         const QSignalBlocker blocker(m_jointMethod);
         m_jointMethod->clear();
@@ -138,7 +149,8 @@ void BenchmarkResultsView::showJointErrors() {
 /// All that can be run here; of a long list the most telling ones, and the one that was clicked.
 std::vector<std::string> BenchmarkResultsView::methodsToInspect(const std::string& clicked) const {
     constexpr std::size_t kMost = 9;
-    std::vector<std::string> wanted = m_results->methods.size() > kMost ? core::headlineMethods(*m_results, kMost) : m_results->methods;
+    std::vector<std::string> wanted =
+        m_results->methods.size() > kMost ? core::headlineMethods(*m_results, kMost) : m_results->methods;
     if (std::find(wanted.begin(), wanted.end(), clicked) == wanted.end())
         wanted.push_back(clicked);
     std::erase_if(wanted, [this](const std::string& method) {

@@ -17,8 +17,8 @@
 
 namespace widgets {
 
-/// What a benchmark found, finished or not: the table in the paper's layout, the share of pairs below each error, the error of every
-/// joint, and every pair.
+/// What a benchmark found, finished or not: the table in the paper's layout, the share of pairs below each error, the
+/// error of every joint, and every pair.
 class BenchmarkResultsView : public QWidget {
     Q_OBJECT
 

@@ -24,10 +24,20 @@ constexpr int kPlotsHeight = 220;
 } // namespace
 
 InspectPage::InspectPage(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_frames(workbench.pool), m_job(workbench.pool), m_pages(new QStackedWidget(this)),
-      m_hint(new QLabel(this)), m_fit(new QPushButton(tr("Fit this frame"), this)), m_heading(new QLabel(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)), m_iterationText(new QLabel(this)), m_rows(new QSpinBox(this)),
-      m_grid(new CameraGrid(this)), m_errors(new CurvePlot(this)), m_costs(new CurvePlot(this)) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_frames(workbench.pool)
+    , m_job(workbench.pool)
+    , m_pages(new QStackedWidget(this))
+    , m_hint(new QLabel(this))
+    , m_fit(new QPushButton(tr("Fit this frame"), this))
+    , m_heading(new QLabel(this))
+    , m_slider(new QSlider(Qt::Horizontal, this))
+    , m_iterationText(new QLabel(this))
+    , m_rows(new QSpinBox(this))
+    , m_grid(new CameraGrid(this))
+    , m_errors(new CurvePlot(this))
+    , m_costs(new CurvePlot(this)) {
     build();
     m_frames.setFetchingAhead(false);
     connect(&workbench.fits, &FitRunner::started, this, &InspectPage::showHint);
@@ -41,7 +51,8 @@ InspectPage::InspectPage(Workbench& workbench, QWidget* parent)
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), this, &InspectPage::layOutGrid);
     for (CurvePlot* plot : {m_errors, m_costs})
-        connect(plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(std::lround(x))); });
+        connect(
+            plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(std::lround(x))); });
     connect(m_grid, &CameraGrid::viewAdded, this, [this](int index, CameraView* view) {
         view->setPlacingEnabled(false);
         connect(view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
@@ -127,10 +138,9 @@ std::size_t InspectPage::methodCount() const {
 
 int InspectPage::lastIteration() const {
     int last = 0;
-    if (const auto& outcome = m_workbench.fits.outcome()) {
+    if (const auto& outcome = m_workbench.fits.outcome())
         for (const MethodOutcome& method : outcome->methods)
             last = std::max(last, static_cast<int>(method.result.history.size()));
-    }
     return last;
 }
 
@@ -150,7 +160,8 @@ void InspectPage::takeOutcome() {
         m_slider->setValue(lastIteration());
     }
     m_slider->setEnabled(outcome != nullptr);
-    m_heading->setText(outcome ? tr("Frame %1 from frame %2").arg(outcome->request.test).arg(outcome->request.start) : QString());
+    m_heading->setText(outcome ? tr("Frame %1 from frame %2").arg(outcome->request.test).arg(outcome->request.start)
+                               : QString());
     m_pages->setCurrentIndex(outcome ? 1 : 0);
     m_posed.reset();
     requestPictures();
@@ -197,7 +208,8 @@ void InspectPage::layOutGrid() {
     m_shownCameras = methodCount() > 0 ? rowCameras() : std::vector<int>{};
     std::vector<core::Camera> cameras;
     for (const int camera : m_shownCameras)
-        cameras.insert(cameras.end(), methodCount(), m_workbench.session.dataset()->cameras[static_cast<std::size_t>(camera)]);
+        cameras.insert(cameras.end(), methodCount(),
+                       m_workbench.session.dataset()->cameras[static_cast<std::size_t>(camera)]);
     m_grid->setFixedColumns(static_cast<int>(methodCount()));
     m_grid->setCameras(cameras);
     for (std::size_t index = 0; index < cameras.size(); ++index) {
@@ -231,21 +243,23 @@ void InspectPage::showPicture(int camera, const ImagePyramid& picture) {
 }
 
 void InspectPage::showFailure(int camera, const QString& message) {
-    for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
+    for (std::size_t row = 0; row < m_shownCameras.size(); ++row)
         for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column)
             m_grid->view(static_cast<int>(row * methodCount() + column))->setMessage(message);
-    }
 }
 
 void InspectPage::showTitles() {
     const auto& outcome = m_workbench.fits.outcome();
     for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
-        const core::Camera& camera = m_workbench.session.dataset()->cameras[static_cast<std::size_t>(m_shownCameras[row])];
+        const core::Camera& camera =
+            m_workbench.session.dataset()->cameras[static_cast<std::size_t>(m_shownCameras[row])];
         for (std::size_t column = 0; column < methodCount(); ++column) {
             const MethodOutcome& method = outcome->methods[column];
             const double errorMm = inspectedErrorMm(*outcome, method, iteration());
-            const QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
-            ViewTitle title{QString::fromStdString(method.method), QString::fromStdString(camera.name), method.failure.isEmpty() ? error : tr("failed"), false};
+            const QString error =
+                std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
+            ViewTitle title{QString::fromStdString(method.method), QString::fromStdString(camera.name),
+                            method.failure.isEmpty() ? error : tr("failed"), false};
             title.colour = methodColour(method.method);
             m_grid->view(static_cast<int>(row * methodCount() + column))->setTitle(title);
         }
@@ -263,8 +277,10 @@ void InspectPage::showPoses() {
         return;
     }
     showTitles();
-    m_job.start([this, outcome, dataset = m_workbench.session.dataset(), iteration = iteration()](const JobContext& context) -> Job::Delivery {
-        auto posed = std::make_shared<const InspectedPoses>(inspectedPoses(*dataset, *outcome, iteration, context.stop));
+    m_job.start([this, outcome, dataset = m_workbench.session.dataset(),
+                 iteration = iteration()](const JobContext& context) -> Job::Delivery {
+        auto posed =
+            std::make_shared<const InspectedPoses>(inspectedPoses(*dataset, *outcome, iteration, context.stop));
         if (posed->methods.size() < outcome->methods.size())
             return {}; // stopped
         return [this, posed] {
@@ -284,8 +300,8 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 
 void InspectPage::showLayers() {
     for (int index = 0; m_posed && index < m_grid->count(); ++index)
-        m_grid->view(index)->setMeshLayers(
-            inspectedColumn(*m_posed, static_cast<std::size_t>(index) % methodCount(), m_look, m_startShown, m_recordedShown));
+        m_grid->view(index)->setMeshLayers(inspectedColumn(*m_posed, static_cast<std::size_t>(index) % methodCount(),
+                                                           m_look, m_startShown, m_recordedShown));
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {
@@ -326,7 +342,8 @@ void InspectPage::syncRow(int index) {
     const CameraView* source = m_grid->view(index);
     const QPointF centre = source->viewportToImage(QRectF(source->viewport()->rect()).center());
     const int columns = static_cast<int>(methodCount());
-    for (int other = index / columns * columns; other < (index / columns + 1) * columns && other < m_grid->count(); ++other) {
+    for (int other = index / columns * columns; other < (index / columns + 1) * columns && other < m_grid->count();
+         ++other) {
         if (other == index)
             continue;
         if (source->isFitted())

@@ -11,15 +11,16 @@
 #include <QStackedWidget>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
 #include "widgets/presenters/inspected_poses.h"
+#include "widgets/session/workbench.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/curve_plot.h"
 
 namespace widgets {
 
-/// The fitted pair, methods side by side: a column per method, a row per camera, over the pictures of the pair's own test frame, the
-/// recorded silhouette as a white line, at the iteration that the slider chooses; below, how error and cost fell.
+/// The fitted pair, methods side by side: a column per method, a row per camera, over the pictures of the pair's own
+/// test frame, the recorded silhouette as a white line, at the iteration that the slider chooses; below, how error and
+/// cost fell.
 class InspectPage : public QWidget {
     Q_OBJECT
 

@@ -31,16 +31,29 @@ QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
 } // namespace
 
 Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
-    : QWidget(parent), m_workbench(workbench), m_columns(new QSplitter(Qt::Horizontal, this)), m_middle(new QStackedWidget(this)),
-      m_right(new QSplitter(Qt::Vertical, this)), m_tabs(new QTabWidget(this)),
-      m_joints(new JointsPanel(workbench.joints, workbench.document, workbench.reconstructions, workbench.selection, this)), m_grid(new CameraGrid(this)),
-      m_scene(new SceneView(this)), m_fitting(new FittingPanel(workbench.selection, workbench.fits, this)),
-      m_marks(new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this)),
-      m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this)),
-      m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this)), m_framing(new HandFraming(workbench, *m_grid, this)),
-      m_quality(new QualityPanel(workbench, this)), m_raters(new RatersPanel(workbench, this)), m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this)),
-      m_inspect(new InspectPage(workbench, this)), m_benchmark(new BenchmarkPage(workbench, this)),
-      m_scenePanel(new ScenePanel(m_scene, *m_layers, this)), m_masks(workbench.session, workbench.selection, workbench.pool) {
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_columns(new QSplitter(Qt::Horizontal, this))
+    , m_middle(new QStackedWidget(this))
+    , m_right(new QSplitter(Qt::Vertical, this))
+    , m_tabs(new QTabWidget(this))
+    , m_joints(
+          new JointsPanel(workbench.joints, workbench.document, workbench.reconstructions, workbench.selection, this))
+    , m_grid(new CameraGrid(this))
+    , m_scene(new SceneView(this))
+    , m_fitting(new FittingPanel(workbench.selection, workbench.fits, this))
+    , m_marks(
+          new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this))
+    , m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this))
+    , m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this))
+    , m_framing(new HandFraming(workbench, *m_grid, this))
+    , m_quality(new QualityPanel(workbench, this))
+    , m_raters(new RatersPanel(workbench, this))
+    , m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this))
+    , m_inspect(new InspectPage(workbench, this))
+    , m_benchmark(new BenchmarkPage(workbench, this))
+    , m_scenePanel(new ScenePanel(m_scene, *m_layers, this))
+    , m_masks(workbench.session, workbench.selection, workbench.pool) {
     build();
     connectGrid();
     connectInspect();
@@ -161,7 +174,8 @@ bool Workspaces::inspects() const {
     return m_kind == Kind::Inspect && m_workbench.fits.outcome();
 }
 
-/// The inspected pair's poses at the iteration that is shown, or those of the current frame. Marks of another frame stay out.
+/// The inspected pair's poses at the iteration that is shown, or those of the current frame. Marks of another frame
+/// stay out.
 void Workspaces::showInScene() {
     const auto& outcome = m_workbench.fits.outcome();
     const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
@@ -182,12 +196,15 @@ void Workspaces::connectView(int camera, CameraView* view) {
     connect(view, &CameraView::pointPlaced, &annotator,
             [&annotator, name, vector](QPointF px) { annotator.place(name(), vector(px)); });
     connect(view, &CameraView::pointWithdrawn, &annotator, &Annotator::withdrawPlace);
-    connect(view, &CameraView::markDragged, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
-        annotator.drag(name(), joint, vector(px));
-    });
-    connect(view, &CameraView::markDropped, &annotator, [&annotator, name, vector](const core::JointId& joint, QPointF px) {
-        annotator.drop(name(), joint, vector(px));
-    });
+    connect(
+        view, &CameraView::markDragged, &annotator,
+        [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+            annotator.drag(name(), joint, vector(px));
+        });
+    connect(view, &CameraView::markDropped, &annotator,
+            [&annotator, name, vector](const core::JointId& joint, QPointF px) {
+                annotator.drop(name(), joint, vector(px));
+            });
     connect(view, &CameraView::markDragCancelled, &annotator, &Annotator::cancelDrag);
     connect(view, &CameraView::markSelected, this, [this, name](const core::JointId& joint) {
         m_workbench.selection.setCamera(name());
@@ -282,7 +299,9 @@ void Workspaces::showTabs() {
         m_annotationTab = m_tabs->currentWidget();
     for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_raters})
         m_tabs->setTabVisible(m_tabs->indexOf(panel), annotates);
-    m_tabs->setCurrentWidget(annotates && m_annotationTab ? m_annotationTab : annotates ? m_tabs->currentWidget() : m_fitting);
+    m_tabs->setCurrentWidget(annotates && m_annotationTab ? m_annotationTab
+                             : annotates                  ? m_tabs->currentWidget()
+                                                          : m_fitting);
     if (annotates)
         m_annotationTab = nullptr;
 }

@@ -7,28 +7,28 @@
 #include <QTabWidget>
 #include <QWidget>
 
-#include "widgets/session/mask_attacher.h"
-#include "widgets/session/workbench.h"
-#include "widgets/workspaces/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
-#include "widgets/presenters/hand_framing.h"
-#include "widgets/workspaces/inspect_page.h"
 #include "widgets/panels/joints_panel.h"
-#include "widgets/presenters/layer_presenter.h"
-#include "widgets/presenters/mark_presenter.h"
 #include "widgets/panels/quality_panel.h"
 #include "widgets/panels/raters_panel.h"
 #include "widgets/panels/scene_panel.h"
-#include "widgets/presenters/view_options.h"
 #include "widgets/panels/view_panel.h"
-#include "widgets/workspaces/work_words.h"
+#include "widgets/presenters/hand_framing.h"
+#include "widgets/presenters/layer_presenter.h"
+#include "widgets/presenters/mark_presenter.h"
+#include "widgets/presenters/view_options.h"
+#include "widgets/session/mask_attacher.h"
+#include "widgets/session/workbench.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/scene/scene_view.h"
+#include "widgets/workspaces/benchmark_page.h"
+#include "widgets/workspaces/inspect_page.h"
+#include "widgets/workspaces/work_words.h"
 
 namespace widgets {
 
-/// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the middle shows
-/// depends on the workspace. It turns what happens in the views into the annotator's steps.
+/// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the
+/// middle shows depends on the workspace. It turns what happens in the views into the annotator's steps.
 class Workspaces : public QWidget {
     Q_OBJECT
 
@@ -60,8 +60,8 @@ public:
     WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
-    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views", "inspect", "benchmark" or a
-    /// camera's name; null if there is none.
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view",
+    /// "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
     QByteArray saveState() const;

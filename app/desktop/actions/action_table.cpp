@@ -167,9 +167,10 @@ const std::vector<ActionRow> kRows = {
 };
 // clang-format on
 
-const std::vector<MenuRow> kMenus = {{kFile, nullptr},  {kEdit, nullptr}, {kView, nullptr},   {kMaximise, kView}, {kMarks, kView},
-                                     {kMesh, kView},    {kScene, kView},  {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate},
-                                     {kJoints, kAnnotate}, {kGo, nullptr},  {kFit, nullptr},    {kRaters, nullptr},  {kHelp, nullptr}};
+const std::vector<MenuRow> kMenus = {
+    {kFile, nullptr},     {kEdit, nullptr}, {kView, nullptr},     {kMaximise, kView}, {kMarks, kView},
+    {kMesh, kView},       {kScene, kView},  {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate},
+    {kJoints, kAnnotate}, {kGo, nullptr},   {kFit, nullptr},      {kRaters, nullptr}, {kHelp, nullptr}};
 
 } // namespace
 

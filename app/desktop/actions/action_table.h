@@ -15,11 +15,11 @@ enum class ActionKind {
 /// One action of the window. Texts are English sources for app::ActionTable's translations.
 struct ActionRow {
     const char* id;
-    const char* menu;      ///< menu that holds it
-    const char* text;      ///< with the menu's mnemonic
-    const char* shortcut;  ///< default, portable text; empty for none
-    const char* icon;      ///< of the icon theme; empty for none
-    const char* tip;       ///< one sentence; empty if the text says it all
+    const char* menu;     ///< menu that holds it
+    const char* text;     ///< with the menu's mnemonic
+    const char* shortcut; ///< default, portable text; empty for none
+    const char* icon;     ///< of the icon theme; empty for none
+    const char* tip;      ///< one sentence; empty if the text says it all
     ActionKind kind = ActionKind::Plain;
     bool separatorBefore = false;
     bool inMenu = true; ///< false: it has a key and a place in a window of its own

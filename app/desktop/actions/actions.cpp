@@ -42,7 +42,9 @@ QString plainActionText(const char* source) {
     return withoutMnemonic(translated(source));
 }
 
-Actions::Actions(QWidget* window, QSettings& settings) : QObject(window), m_settings(settings) {
+Actions::Actions(QWidget* window, QSettings& settings)
+    : QObject(window)
+    , m_settings(settings) {
     for (const ActionRow& row : actionTable()) {
         const QString id = QString::fromLatin1(row.id);
         m_rows[id] = &row;
@@ -59,7 +61,8 @@ void Actions::giveWayToKeptShortcuts() {
     for (const auto& [id, row] : m_rows) {
         if (!m_settings.contains(settingOf(id)))
             continue;
-        for (auto other = clash(id, action(id)->shortcut()); other && !m_settings.contains(settingOf(*other)); other = clash(id, action(id)->shortcut()))
+        for (auto other = clash(id, action(id)->shortcut()); other && !m_settings.contains(settingOf(*other));
+             other = clash(id, action(id)->shortcut()))
             action(*other)->setShortcut({});
     }
 }
@@ -73,7 +76,8 @@ QAction* Actions::makeAction(const ActionRow& row, QWidget* window) {
     action->setCheckable(row.kind != ActionKind::Plain);
     action->setAutoRepeat(row.kind == ActionKind::Plain);
     const QVariant kept = m_settings.value(settingOf(id));
-    action->setShortcut(kept.isValid() ? QKeySequence::fromString(kept.toString(), QKeySequence::PortableText) : defaultShortcut(row));
+    action->setShortcut(kept.isValid() ? QKeySequence::fromString(kept.toString(), QKeySequence::PortableText)
+                                       : defaultShortcut(row));
     action->setShortcutContext(Qt::WindowShortcut);
     window->addAction(action);
     return action;
@@ -113,7 +117,8 @@ bool Actions::eventFilter(QObject* watched, QEvent* event) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (!key->isAutoRepeat() && key->key() == m_heldKey)
             endHeld();
-    } else if (m_held && (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::ApplicationDeactivate)) {
+    } else if (m_held &&
+               (event->type() == QEvent::WindowDeactivate || event->type() == QEvent::ApplicationDeactivate)) {
         endHeld();
     }
     return QObject::eventFilter(watched, event);
@@ -122,10 +127,9 @@ bool Actions::eventFilter(QObject* watched, QEvent* event) {
 std::optional<QString> Actions::clash(const QString& id, const QKeySequence& shortcut) const {
     if (shortcut.isEmpty())
         return std::nullopt;
-    for (const auto& [other, action] : m_actions) {
+    for (const auto& [other, action] : m_actions)
         if (other != id && action->shortcut() == shortcut)
             return other;
-    }
     return std::nullopt;
 }
 

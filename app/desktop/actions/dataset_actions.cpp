@@ -21,7 +21,8 @@ constexpr std::array kWindowActions = {"view.light", "view.fullScreen", "view.to
 
 template <class List>
 bool contains(const List& list, const QString& id) {
-    return std::any_of(list.begin(), list.end(), [&](const char* one) { return id == QLatin1String(one); });
+    return std::any_of(
+        list.begin(), list.end(), [&](const char* one) { return id == QLatin1String(one); });
 }
 
 void enableAll(MainWindow& window, bool isOpen) {
@@ -37,12 +38,14 @@ void askWhereFootageIs(MainWindow& window, widgets::FootageFinder& finder) {
     const auto dataset = window.workbench().session.dataset();
     if (!dataset || finder.isRunning())
         return;
-    auto* dialog = new QFileDialog(&window, MainWindow::tr("Where are the videos and images now? Folders below are looked through, too."),
-                                   QString::fromStdString(dataset->folder.parent_path().string()));
+    auto* dialog = new QFileDialog(
+        &window, MainWindow::tr("Where are the videos and images now? Folders below are looked through, too."),
+        QString::fromStdString(dataset->folder.parent_path().string()));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [dataset, &finder](const QString& root) { finder.find(dataset, root); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window,
+                     [dataset, &finder](const QString& root) { finder.find(dataset, root); });
     dialog->open();
 }
 
@@ -52,35 +55,43 @@ void reopen(MainWindow& window, const QString& folder, int pieces, const QString
     if (QString::fromStdString(bench.session.dataset()->folder.string()) != folder)
         return; // another one was opened meanwhile
     if (pieces == 0) {
-        window.showMessage(MainWindow::tr("Nothing of the missing footage lies in that folder.") + (notes.isEmpty() ? QString() : QLatin1Char('\n') + notes));
+        window.showMessage(MainWindow::tr("Nothing of the missing footage lies in that folder.") +
+                           (notes.isEmpty() ? QString() : QLatin1Char('\n') + notes));
         return;
     }
-    window.openDataset(folder, QString::fromStdString(bench.session.sequence()->name),
-                       bench.selection.frame());
-    window.statusLine().sayBriefly(MainWindow::tr("%n piece(s) of footage found; the dataset keeps the new places.", nullptr, pieces));
+    window.openDataset(folder, QString::fromStdString(bench.session.sequence()->name), bench.selection.frame());
+    window.statusLine().sayBriefly(
+        MainWindow::tr("%n piece(s) of footage found; the dataset keeps the new places.", nullptr, pieces));
     if (!notes.isEmpty())
         window.showMessage(notes);
 }
 
 void bindFinder(MainWindow& window) {
     auto* finder = new widgets::FootageFinder(window.workbench().pool, &window);
-    QObject::connect(&window.workspaces(), &widgets::Workspaces::footageWanted, &window, [&window, finder] { askWhereFootageIs(window, *finder); });
-    QObject::connect(finder, &widgets::FootageFinder::started, &window, [&window] { window.statusLine().showWork(MainWindow::tr("Looking for footage"), -1); });
+    QObject::connect(
+        &window.workspaces(), &widgets::Workspaces::footageWanted, &window,
+        [&window, finder] { askWhereFootageIs(window, *finder); });
+    QObject::connect(finder, &widgets::FootageFinder::started, &window,
+                     [&window] { window.statusLine().showWork(MainWindow::tr("Looking for footage"), -1); });
     QObject::connect(finder, &widgets::FootageFinder::idle, &window.statusLine(), &widgets::StatusLine::hideWork);
     QObject::connect(&window.statusLine(), &widgets::StatusLine::stopRequested, finder, &widgets::FootageFinder::stop);
     QObject::connect(finder, &widgets::FootageFinder::failed, &window, &MainWindow::showMessage);
-    QObject::connect(finder, &widgets::FootageFinder::found, &window, [&window](const QString& folder, int pieces, const QString& notes) { reopen(window, folder, pieces, notes); });
+    QObject::connect(
+        finder, &widgets::FootageFinder::found, &window,
+        [&window](const QString& folder, int pieces, const QString& notes) { reopen(window, folder, pieces, notes); });
 }
 
 } // namespace
 
 bool needsDataset(const QString& actionId) {
-    const bool isAboutIt = std::any_of(kDatasetGroups.begin(), kDatasetGroups.end(), [&](const char* group) { return actionId.startsWith(QLatin1String(group)); });
+    const bool isAboutIt = std::any_of(kDatasetGroups.begin(), kDatasetGroups.end(),
+                                       [&](const char* group) { return actionId.startsWith(QLatin1String(group)); });
     return contains(kDatasetActions, actionId) || (isAboutIt && !contains(kWindowActions, actionId));
 }
 
 void bindDatasetActions(MainWindow& window) {
-    window.actions().bind(QStringLiteral("file.new"), [&window] { NewDatasetWindow::open(window, {}); });
+    window.actions().bind(
+        QStringLiteral("file.new"), [&window] { NewDatasetWindow::open(window, {}); });
     QObject::connect(&window.workbench(), &widgets::Workbench::ready, &window, [&window] { enableAll(window, true); });
     enableAll(window, false);
     bindFinder(window);

@@ -9,9 +9,9 @@
 #include <QDir>
 #include <QFileDialog>
 
+#include "app/desktop/main_window.h"
 #include "app/desktop/windows/annotation_format_text.h"
 #include "app/desktop/windows/export_window.h"
-#include "app/desktop/main_window.h"
 #include "core/io/formats/annotation_formats.h"
 
 namespace app {
@@ -27,9 +27,10 @@ struct FileKind {
     QString filter, suffix;
 };
 
-/// Shows a file dialog that does not block, to save a file if a name is proposed; `chosen` gets the path and which of the kinds it is.
-void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds, const QString& proposedName,
-                const std::function<void(const QString& path, std::size_t kind)>& chosen) {
+/// Shows a file dialog that does not block, to save a file if a name is proposed; `chosen` gets the path and which of
+/// the kinds it is.
+void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds,
+                const QString& proposedName, const std::function<void(const QString& path, std::size_t kind)>& chosen) {
     auto* dialog = new QFileDialog(&window, title);
     QStringList filters;
     for (const FileKind& kind : kinds)
@@ -39,16 +40,20 @@ void askForFile(MainWindow& window, const QString& title, const std::vector<File
     dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const auto kindOf = [filters](const QString& filter) { return static_cast<std::size_t>(std::max(0, filters.indexOf(filter))); };
-    const auto setSuffix = [dialog, kinds, kindOf](const QString& filter) { // before the dialog asks whether to overwrite
+    const auto kindOf = [filters](const QString& filter) {
+        return static_cast<std::size_t>(std::max(0, filters.indexOf(filter)));
+    };
+    const auto setSuffix = [dialog, kinds,
+                            kindOf](const QString& filter) { // before the dialog asks whether to overwrite
         dialog->setDefaultSuffix(kinds[kindOf(filter)].suffix);
     };
     setSuffix(filters.front());
     if (toSave)
         dialog->selectFile(proposedName);
     QObject::connect(dialog, &QFileDialog::filterSelected, dialog, setSuffix);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window,
-                     [dialog, chosen, kindOf](const QString& path) { chosen(path, kindOf(dialog->selectedNameFilter())); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [dialog, chosen, kindOf](const QString& path) {
+        chosen(path, kindOf(dialog->selectedNameFilter()));
+    });
     dialog->open();
 }
 
@@ -87,8 +92,10 @@ void exportAnnotations(MainWindow& window) {
     QObject::connect(dialog, &ExportWindow::chosen, &window, [&window, setting](const QString& kind) {
         window.settings().setValue(setting, kind);
         const core::AnnotationFormat& format = core::annotationFormat(kind.toStdString());
-        askForFile(window, MainWindow::tr("Export annotations"), {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
-                   [&window, kind](const QString& path, std::size_t) { window.workbench().files.exportTo(kind, path); });
+        askForFile(
+            window, MainWindow::tr("Export annotations"),
+            {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
+            [&window, kind](const QString& path, std::size_t) { window.workbench().files.exportTo(kind, path); });
     });
     dialog->open();
 }
@@ -96,30 +103,46 @@ void exportAnnotations(MainWindow& window) {
 void importAnnotations(MainWindow& window) {
     const FormatChoice choice = importChoice();
     askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
-               [&window, choice](const QString& path, std::size_t kind) { window.workbench().files.importFrom(text(choice.kinds[kind]), path); });
+               [&window, choice](const QString& path, std::size_t kind) {
+                   window.workbench().files.importFrom(text(choice.kinds[kind]), path);
+               });
 }
 
 } // namespace
 
 void bindFileActions(MainWindow& window) {
     Actions& actions = window.actions();
-    actions.bind(id("file.export"), [&window] { exportAnnotations(window); });
-    actions.bind(id("file.import"), [&window] { importAnnotations(window); });
-    actions.bind(id("file.report"), [&window] {
-        askForFile(window, MainWindow::tr("Report on the annotations"), {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, MainWindow::tr("report"),
-                   [&window](const QString& path, std::size_t) { window.workbench().files.report(path, window.workbench().coverage.badRmsPx()); });
-    });
-    actions.bind(id("file.savePicture"), [&window] {
-        askForFile(window, MainWindow::tr("Save the views as a picture"), {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, sequenceName(window),
-                   [&window](const QString& path, std::size_t) {
-                       if (window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
-                           window.statusLine().sayBriefly(MainWindow::tr("Saved to %1").arg(QDir::toNativeSeparators(path)));
-                       else
-                           window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
-                   });
-    });
+    actions.bind(
+        id("file.export"), [&window] { exportAnnotations(window); });
+    actions.bind(
+        id("file.import"), [&window] { importAnnotations(window); });
+    actions.bind(
+        id("file.report"),
+        [&window] {
+            askForFile(
+                window, MainWindow::tr("Report on the annotations"),
+                {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, MainWindow::tr("report"),
+                [&window](const QString& path, std::size_t) {
+                    window.workbench().files.report(path, window.workbench().coverage.badRmsPx());
+                });
+        });
+    actions.bind(
+        id("file.savePicture"),
+        [&window] {
+            askForFile(
+                window, MainWindow::tr("Save the views as a picture"),
+                {{MainWindow::tr("Pictures (*.png)"), QStringLiteral("png")}}, sequenceName(window),
+                [&window](const QString& path, std::size_t) {
+                    if (window.workspaces().grid()->grabPicture(2).save(path, "PNG"))
+                        window.statusLine().sayBriefly(
+                            MainWindow::tr("Saved to %1").arg(QDir::toNativeSeparators(path)));
+                    else
+                        window.showMessage(MainWindow::tr("%1 could not be written.").arg(path));
+                });
+        });
     actions.bind(id("annotation.jointsFile"), [&window] {
-        askForFile(window, MainWindow::tr("Joints from a file"), {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, {},
+        askForFile(window, MainWindow::tr("Joints from a file"),
+                   {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, {},
                    [&window](const QString& path, std::size_t) { window.workbench().files.readJoints(path); });
     });
 }

@@ -22,11 +22,25 @@ constexpr int kToolIcon = 16; // logical pixels
 const QString kToolbarSetting = QStringLiteral("window/toolbar");
 
 /// What a newcomer needs, from making a mark to exporting it; null is a gap.
-constexpr const char* kTools[] = {"edit.undo", "edit.redo", nullptr,
-                                  "annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove", nullptr,
-                                  "view.frameHands", "view.fitAll", "view.loupe", nullptr,
-                                  "annotation.propose", "view.modelOfMarks", "fit.run", nullptr,
-                                  "go.nextBad", "file.export", "help.shortcuts"};
+constexpr const char* kTools[] = {"edit.undo",
+                                  "edit.redo",
+                                  nullptr,
+                                  "annotation.accept",
+                                  "annotation.occluded",
+                                  "annotation.unplaceable",
+                                  "annotation.remove",
+                                  nullptr,
+                                  "view.frameHands",
+                                  "view.fitAll",
+                                  "view.loupe",
+                                  nullptr,
+                                  "annotation.propose",
+                                  "view.modelOfMarks",
+                                  "fit.run",
+                                  nullptr,
+                                  "go.nextBad",
+                                  "file.export",
+                                  "help.shortcuts"};
 
 /// Recent datasets, made anew each time the menu opens.
 void addRecentMenu(QMenu& file, QAction* before, MainWindow& window) {
@@ -35,7 +49,8 @@ void addRecentMenu(QMenu& file, QAction* before, MainWindow& window) {
     QObject::connect(recent, &QMenu::aboutToShow, recent, [recent, &window] {
         recent->clear();
         for (const QString& folder : window.settings().value(QStringLiteral("recentDatasets")).toStringList())
-            recent->addAction(QDir::toNativeSeparators(folder), recent, [folder, &window] { window.openDataset(folder); });
+            recent->addAction(QDir::toNativeSeparators(folder), recent,
+                              [folder, &window] { window.openDataset(folder); });
         if (recent->isEmpty())
             recent->addAction(MainWindow::tr("None yet"))->setEnabled(false);
     });
@@ -45,12 +60,11 @@ void addRecentMenu(QMenu& file, QAction* before, MainWindow& window) {
 class MenuTree {
 public:
     explicit MenuTree(QMenuBar& bar) {
-        for (const MenuRow& row : menuTable()) {
+        for (const MenuRow& row : menuTable())
             if (row.parent)
                 m_parents[row.title] = row.parent;
             else
                 m_menus[row.title] = bar.addMenu(translated(row.title));
-        }
     }
     QMenu* menu(std::string_view title) const { return m_menus.at(title); }
 
@@ -88,12 +102,11 @@ void buildToolbar(MainWindow& window) {
     bar->setObjectName(QStringLiteral("toolbar"));
     bar->setIconSize({kToolIcon, kToolIcon});
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
-    for (const char* name : kTools) {
+    for (const char* name : kTools)
         if (!name)
             bar->addSeparator();
         else
             bar->addAction(window.actions().action(QString::fromLatin1(name)));
-    }
     for (QToolButton* button : bar->findChildren<QToolButton*>())
         button->setFocusPolicy(Qt::NoFocus);
     window.addToolBar(Qt::LeftToolBarArea, bar);

@@ -15,10 +15,12 @@ namespace {
 constexpr quint32 kScanCodeOf1 = 10; // of X11 and Wayland: 1 to 9 and 0 lie side by side
 constexpr int kDigits = 10;
 
-/// What French and Belgian keys give without Shift. "-" (6, and 8 in Belgium) is left out: it is a key of its own elsewhere.
-const std::map<int, int> kFrenchKeys = {{Qt::Key_Ampersand, 1}, {Qt::Key_Eacute, 2},     {Qt::Key_QuoteDbl, 3}, {Qt::Key_Apostrophe, 4},
-                                        {Qt::Key_ParenLeft, 5}, {Qt::Key_section, 6},    {Qt::Key_Egrave, 7},   {Qt::Key_Underscore, 8},
-                                        {Qt::Key_Exclam, 8},    {Qt::Key_Ccedilla, 9},   {Qt::Key_Agrave, 0}};
+/// What French and Belgian keys give without Shift. "-" (6, and 8 in Belgium) is left out: it is a key of its own
+/// elsewhere.
+const std::map<int, int> kFrenchKeys = {{Qt::Key_Ampersand, 1},  {Qt::Key_Eacute, 2},     {Qt::Key_QuoteDbl, 3},
+                                        {Qt::Key_Apostrophe, 4}, {Qt::Key_ParenLeft, 5},  {Qt::Key_section, 6},
+                                        {Qt::Key_Egrave, 7},     {Qt::Key_Underscore, 8}, {Qt::Key_Exclam, 8},
+                                        {Qt::Key_Ccedilla, 9},   {Qt::Key_Agrave, 0}};
 
 bool isDigit(int key) {
     return key >= Qt::Key_0 && key <= Qt::Key_9;
@@ -36,29 +38,32 @@ std::optional<int> digitOfKey(const QKeyEvent& event) {
     return place == 0 && known != kFrenchKeys.end() ? std::optional(known->second) : std::nullopt;
 }
 
-NumberKeys::NumberKeys(QWidget& window) : QObject(&window), m_window(window) {
+NumberKeys::NumberKeys(QWidget& window)
+    : QObject(&window)
+    , m_window(window) {
     qApp->installEventFilter(this);
 }
 
 QAction* NumberKeys::actionFor(const QKeyEvent& event) const {
     const QWidget* focus = QApplication::focusWidget();
     const bool isTyping = focus && focus->testAttribute(Qt::WA_InputMethodEnabled);
-    if (isTyping || QApplication::activePopupWidget() || QApplication::activeModalWidget() || QApplication::activeWindow() != &m_window)
+    if (isTyping || QApplication::activePopupWidget() || QApplication::activeModalWidget() ||
+        QApplication::activeWindow() != &m_window)
         return nullptr;
     const auto digit = digitOfKey(event);
     if (!digit)
         return nullptr;
     const QKeySequence wanted(static_cast<int>(event.modifiers()) | (Qt::Key_0 + *digit));
-    for (QAction* action : m_window.actions()) {
+    for (QAction* action : m_window.actions())
         if (action->shortcut() == wanted)
             return action;
-    }
     return nullptr;
 }
 
 bool NumberKeys::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
-        if (actionFor(*static_cast<QKeyEvent*>(event))) { // comes back as a press of the key, whatever shortcut it would have been
+        if (actionFor(*static_cast<QKeyEvent*>(
+                event))) { // comes back as a press of the key, whatever shortcut it would have been
             event->accept();
             return true;
         }

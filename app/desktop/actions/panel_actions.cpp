@@ -20,19 +20,23 @@ QString id(const char* text) {
 }
 
 void bindNames(MainWindow& window) {
-    window.actions().bind(id("edit.note"), [&window] {
-        window.workspaces().setCurrent(widgets::Workspaces::Kind::Annotate);
-        auto* note = window.workspaces().jointsPanel()->note();
-        note->setFocus(Qt::OtherFocusReason); // a shortcut's would select what is there, and the next key replace it
-        note->end(false);
-    });
+    window.actions().bind(
+        id("edit.note"),
+        [&window] {
+            window.workspaces().setCurrent(widgets::Workspaces::Kind::Annotate);
+            auto* note = window.workspaces().jointsPanel()->note();
+            note->setFocus(
+                Qt::OtherFocusReason); // a shortcut's would select what is there, and the next key replace it
+            note->end(false);
+        });
     window.actions().bind(id("edit.rater"), [&window] {
         auto* dialog = new QInputDialog(&window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
         dialog->setWindowTitle(MainWindow::tr("Your name"));
         dialog->setLabelText(MainWindow::tr("Your marks are kept under this name:"));
         dialog->setTextValue(ownName(window));
-        QObject::connect(dialog, &QInputDialog::textValueSelected, &window, [&window](const QString& name) { keepOwnName(window, name); });
+        QObject::connect(dialog, &QInputDialog::textValueSelected, &window,
+                         [&window](const QString& name) { keepOwnName(window, name); });
         dialog->open();
     });
 }
@@ -44,8 +48,10 @@ void bindIterations(MainWindow& window) {
         window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
         page->setIteration(iteration);
     };
-    actions.bind(id("compare.previousIteration"), [page, show] { show(page->iteration() - 1); });
-    actions.bind(id("compare.nextIteration"), [page, show] { show(page->iteration() + 1); });
+    actions.bind(
+        id("compare.previousIteration"), [page, show] { show(page->iteration() - 1); });
+    actions.bind(
+        id("compare.nextIteration"), [page, show] { show(page->iteration() + 1); });
     actions.bind(id("compare.lastIteration"), [page, show] { show(page->lastIteration()); });
 }
 
@@ -53,11 +59,13 @@ void askForMasks(MainWindow& window) {
     const auto& dataset = window.workbench().session.dataset();
     if (!dataset)
         return;
-    auto* dialog = new QFileDialog(&window, MainWindow::tr("Attach a folder of masks"), QString::fromStdString(dataset->folder.string()));
+    auto* dialog = new QFileDialog(&window, MainWindow::tr("Attach a folder of masks"),
+                                   QString::fromStdString(dataset->folder.string()));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [&window](const QString& folder) { window.workspaces().masks()->attach(folder); });
+    QObject::connect(dialog, &QFileDialog::fileSelected, &window,
+                     [&window](const QString& folder) { window.workspaces().masks()->attach(folder); });
     dialog->open();
 }
 
@@ -66,46 +74,60 @@ void bindComparing(MainWindow& window) {
     widgets::Workspaces& spaces = window.workspaces();
     widgets::BenchmarkPage* page = spaces.benchmarkPage();
     actions.bind(id("compare.nextMethod"), [&spaces] { spaces.scenePanel()->showNext(); });
-    actions.bind(id("benchmark.run"), [&spaces, page] {
-        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
-        page->runOrStop();
-    });
-    actions.bind(id("file.saveResults"), [page] { page->askToSave(); });
-    actions.bind(id("file.openResults"), [page] { page->askToOpen(); });
-    actions.bind(id("file.attachMasks"), [&window] { askForMasks(window); });
-    QObject::connect(spaces.fittingPanel(), &widgets::FittingPanel::masksRequested, &window, [&window] { askForMasks(window); });
+    actions.bind(
+        id("benchmark.run"),
+        [&spaces, page] {
+            spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+            page->runOrStop();
+        });
+    actions.bind(
+        id("file.saveResults"), [page] { page->askToSave(); });
+    actions.bind(
+        id("file.openResults"), [page] { page->askToOpen(); });
+    actions.bind(
+        id("file.attachMasks"), [&window] { askForMasks(window); });
+    QObject::connect(spaces.fittingPanel(), &widgets::FittingPanel::masksRequested, &window,
+                     [&window] { askForMasks(window); });
 }
 
 void bindPanels(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::Workspaces& spaces = window.workspaces();
     actions.bind(id("view.adjust"), [&spaces] { spaces.raisePanel(spaces.viewPanel()); });
-    actions.bind(id("view.cameras"), [&spaces] {
-        spaces.raisePanel(spaces.viewPanel());
-        spaces.viewPanel()->askForCameras();
-    });
+    actions.bind(
+        id("view.cameras"),
+        [&spaces] {
+            spaces.raisePanel(spaces.viewPanel());
+            spaces.viewPanel()->askForCameras();
+        });
     actions.bind(id("fit.show"), [&spaces] { spaces.raisePanel(spaces.fittingPanel()); });
-    actions.bind(id("go.threshold"), [&spaces] {
-        spaces.raisePanel(spaces.qualityPanel());
-        spaces.qualityPanel()->askForThreshold();
-    });
-    actions.bind(id("edit.preferences"), [&window] { showPreferences(window); });
+    actions.bind(
+        id("go.threshold"),
+        [&spaces] {
+            spaces.raisePanel(spaces.qualityPanel());
+            spaces.qualityPanel()->askForThreshold();
+        });
+    actions.bind(
+        id("edit.preferences"), [&window] { showPreferences(window); });
     actions.bind(id("edit.shortcuts"), [&window] { showPreferences(window).showKeys(); });
-    actions.bind(id("help.shortcuts"), [&window] {
-        auto* page = window.findChild<ShortcutWindow*>();
-        if (!page)
-            page = new ShortcutWindow(window.actions(), &window);
-        page->show();
-        page->raise();
-        page->activateWindow();
-    });
+    actions.bind(
+        id("help.shortcuts"),
+        [&window] {
+            auto* page = window.findChild<ShortcutWindow*>();
+            if (!page)
+                page = new ShortcutWindow(window.actions(), &window);
+            page->show();
+            page->raise();
+            page->activateWindow();
+        });
     actions.bind(id("help.hints"), [&window] { window.showHints(); });
     actions.bind(id("help.about"), [&window] {
-        auto* about = new QMessageBox(QMessageBox::NoIcon, MainWindow::tr("About Handlens"),
-                                      MainWindow::tr("<h3>Handlens %1</h3><p>3D hand ground truth in calibrated multi-camera footage.</p>"
-                                                     "<p>MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.</p>")
-                                          .arg(QStringLiteral(HANDLENS_VERSION)),
-                                      QMessageBox::Close, &window);
+        auto* about = new QMessageBox(
+            QMessageBox::NoIcon, MainWindow::tr("About Handlens"),
+            MainWindow::tr("<h3>Handlens %1</h3><p>3D hand ground truth in calibrated multi-camera footage.</p>"
+                           "<p>MIT licence. Built with Qt, VTK, Eigen, OpenCV, SQLite and others.</p>")
+                .arg(QStringLiteral(HANDLENS_VERSION)),
+            QMessageBox::Close, &window);
         about->setAttribute(Qt::WA_DeleteOnClose);
         about->setModal(false);
         about->show();
@@ -134,7 +156,8 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
 void showListMenu(MainWindow& window, const QPoint& position) {
     auto* menu = new QMenu(&window);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    for (const char* name : {"annotation.jointsFourteen", "annotation.jointsTwentyOne", "annotation.jointsAll", "annotation.jointsFile"})
+    for (const char* name :
+         {"annotation.jointsFourteen", "annotation.jointsTwentyOne", "annotation.jointsAll", "annotation.jointsFile"})
         menu->addAction(window.actions().action(id(name)));
     menu->addSeparator();
     for (const char* name : {"annotation.jointUp", "annotation.jointDown"})
@@ -161,8 +184,9 @@ void bindPanelActions(MainWindow& window) {
     bindPanels(window);
     bindIterations(window);
     bindComparing(window);
-    QObject::connect(window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,
-                     [&window](const QPoint& position) { showListMenu(window, position); });
+    QObject::connect(
+        window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,
+        [&window](const QPoint& position) { showListMenu(window, position); });
     QObject::connect(&window.workspaces(), &widgets::Workspaces::viewMenuRequested, &window,
                      [&window](int camera, QPointF, const core::JointId& joint, const QPoint& position) {
                          showViewMenu(window, camera, joint, position);

@@ -31,7 +31,9 @@ void showName(MainWindow& window) {
     name->setObjectName(QStringLiteral("rater"));
     name->setAutoRaise(true);
     name->setFocusPolicy(Qt::NoFocus);
-    name->setToolTip(MainWindow::tr("The name that your marks are kept under (%1)").arg(window.actions().action(id("edit.rater"))->shortcut().toString(QKeySequence::NativeText)));
+    name->setToolTip(
+        MainWindow::tr("The name that your marks are kept under (%1)")
+            .arg(window.actions().action(id("edit.rater"))->shortcut().toString(QKeySequence::NativeText)));
     window.statusLine().layout()->addWidget(name);
     const auto refresh = [&window, name] {
         QString text = QString::fromStdString(window.workbench().document.rater());
@@ -52,7 +54,8 @@ void askForName(MainWindow& window) {
         window.settings().setValue(kRaterSetting, name);
         window.workbench().document.setRater(name.toStdString());
     });
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, bar, &QWidget::hide); // answered elsewhere
+    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, bar,
+                     &QWidget::hide); // answered elsewhere
     bar->ask(QString::fromStdString(window.workbench().document.rater()));
 }
 
@@ -63,18 +66,22 @@ void announceOthers(MainWindow& window) {
     addBar(window, bar);
     QAction* action = window.actions().action(id("view.otherRaters"));
     auto* marks = new widgets::OtherMarks(window.workbench(), *window.workspaces().grid(), &window);
-    window.actions().bindToggle(id("view.otherRaters"), [&window, marks, bar](bool on) {
-        marks->setShown(on);
-        if (on)
-            bar->setMessage({});
-        if (on && widgets::workOfOthers(window.workbench().document).empty())
-            window.statusLine().sayBriefly(MainWindow::tr("Nobody else has marks in this sequence."));
-    });
+    window.actions().bindToggle(
+        id("view.otherRaters"),
+        [&window, marks, bar](bool on) {
+            marks->setShown(on);
+            if (on)
+                bar->setMessage({});
+            if (on && widgets::workOfOthers(window.workbench().document).empty())
+                window.statusLine().sayBriefly(MainWindow::tr("Nobody else has marks in this sequence."));
+        });
     const auto announce = [&window, bar, action] {
         const widgets::Workbench& bench = window.workbench();
         const bool mustNotKnow = bench.raters.isRepeating();
-        const QString text = mustNotKnow || action->isChecked() ? QString() : widgets::othersText(widgets::workOfOthers(bench.document));
-        bar->offer(text, {{MainWindow::tr("Show"), [action] { action->setChecked(true); }}}, widgets::MessageBar::Tone::Notice);
+        const QString text =
+            mustNotKnow || action->isChecked() ? QString() : widgets::othersText(widgets::workOfOthers(bench.document));
+        bar->offer(text, {{MainWindow::tr("Show"), [action] { action->setChecked(true); }}},
+                   widgets::MessageBar::Tone::Notice);
     };
     QObject::connect(&window.workbench(), &widgets::Workbench::ready, &window, announce);
     QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, &window, announce);
@@ -90,7 +97,9 @@ QString conflictText(const core::ImportConflicts& conflicts) {
         parts << MainWindow::tr("%n mark(s) of %1", nullptr, conflicts.marks).arg(names.join(QStringLiteral(", ")));
     if (conflicts.notes > 0)
         parts << MainWindow::tr("%n note(s)", nullptr, conflicts.notes);
-    return MainWindow::tr("%1 in %2").arg(parts.join(MainWindow::tr(" and ")), MainWindow::tr("%n frame(s)", nullptr, static_cast<int>(conflicts.frames.size())));
+    return MainWindow::tr("%1 in %2")
+        .arg(parts.join(MainWindow::tr(" and ")),
+             MainWindow::tr("%n frame(s)", nullptr, static_cast<int>(conflicts.frames.size())));
 }
 
 /// What an import would replace, and labels that are of other videos, are asked about in place.
@@ -101,30 +110,37 @@ void askAboutImports(MainWindow& window) {
     addBar(window, bar);
     widgets::AnnotationFiles& files = window.workbench().files;
     const widgets::MessageAction cancel{MainWindow::tr("Cancel"), [&files] { files.cancelImport(); }};
-    QObject::connect(&files, &widgets::AnnotationFiles::importConflicts, &window,
-                     [bar, &files, cancel](const QString& path, const core::ImportConflicts& conflicts) {
-                         bar->offer(MainWindow::tr("%1 would replace %2.").arg(QFileInfo(path).fileName(), conflictText(conflicts)),
-                                    {{MainWindow::tr("Replace"), [&files] { files.finishImport(core::ImportMode::Replace); }},
-                                     {MainWindow::tr("Keep what is there"), [&files] { files.finishImport(core::ImportMode::Keep); }},
-                                     cancel},
-                                    widgets::MessageBar::Tone::Notice);
-                     });
-    QObject::connect(&files, &widgets::AnnotationFiles::otherVideosFound, &window,
-                     [bar, &files, cancel](const QString& kind, const QString& path, const QStringList& videos) {
-                         std::vector<widgets::MessageAction> actions;
-                         for (const QString& video : videos.mid(0, kMostVideos))
-                             actions.push_back({MainWindow::tr("Import %1").arg(video), [&files, kind, path, video] { files.importFrom(kind, path, {video}); }});
-                         actions.push_back(cancel);
-                         bar->offer(MainWindow::tr("%1 has labels of %2, but none of this sequence. Import them all the same?")
-                                        .arg(QFileInfo(path).fileName(), videos.join(QStringLiteral(", "))),
-                                    actions, widgets::MessageBar::Tone::Notice);
-                     });
+    QObject::connect(
+        &files, &widgets::AnnotationFiles::importConflicts, &window,
+        [bar, &files, cancel](const QString& path, const core::ImportConflicts& conflicts) {
+            bar->offer(
+                MainWindow::tr("%1 would replace %2.").arg(QFileInfo(path).fileName(), conflictText(conflicts)),
+                {{MainWindow::tr("Replace"), [&files] { files.finishImport(core::ImportMode::Replace); }},
+                 {MainWindow::tr("Keep what is there"), [&files] { files.finishImport(core::ImportMode::Keep); }},
+                 cancel},
+                widgets::MessageBar::Tone::Notice);
+        });
+    QObject::connect(
+        &files, &widgets::AnnotationFiles::otherVideosFound, &window,
+        [bar, &files, cancel](const QString& kind, const QString& path, const QStringList& videos) {
+            std::vector<widgets::MessageAction> actions;
+            for (const QString& video : videos.mid(0, kMostVideos))
+                actions.push_back({MainWindow::tr("Import %1").arg(video),
+                                   [&files, kind, path, video] { files.importFrom(kind, path, {video}); }});
+            actions.push_back(cancel);
+            bar->offer(MainWindow::tr("%1 has labels of %2, but none of this sequence. Import them all the same?")
+                           .arg(QFileInfo(path).fileName(), videos.join(QStringLiteral(", "))),
+                       actions, widgets::MessageBar::Tone::Notice);
+        });
     QObject::connect(bar, &widgets::MessageBar::dismissed, &files, &widgets::AnnotationFiles::cancelImport);
-    QObject::connect(&files, &widgets::AnnotationFiles::importCancelled, bar, [&window, bar] {
-        bar->setMessage({});
-        window.statusLine().sayBriefly(MainWindow::tr("Nothing was imported."));
-    });
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::aboutToClose, bar, [bar] { bar->setMessage({}); });
+    QObject::connect(
+        &files, &widgets::AnnotationFiles::importCancelled, bar,
+        [&window, bar] {
+            bar->setMessage({});
+            window.statusLine().sayBriefly(MainWindow::tr("Nothing was imported."));
+        });
+    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::aboutToClose, bar,
+                     [bar] { bar->setMessage({}); });
 }
 
 } // namespace

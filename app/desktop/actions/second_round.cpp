@@ -38,19 +38,23 @@ void toggle(MainWindow& window) {
     } else if (!window.mayAsk()) {
         begin(window);
     } else {
-        const QString question = study.openTasks() > 0
-                                     ? MainWindow::tr("Go on with the second round? Your first marks are hidden until you end it.")
-                                     : MainWindow::tr("Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well "
-                                                      "you repeat yourself. Your first marks are kept, and hidden until you end the round.");
-        window.ask(question, {{MainWindow::tr("Begin the second round"), [&window] { begin(window); }}, {MainWindow::tr("Not now"), [] {}}});
+        const QString question =
+            study.openTasks() > 0
+                ? MainWindow::tr("Go on with the second round? Your first marks are hidden until you end it.")
+                : MainWindow::tr("Start a repeat round? A random tenth of your finished joints is asked for once more, "
+                                 "to see how well "
+                                 "you repeat yourself. Your first marks are kept, and hidden until you end the round.");
+        window.ask(question, {{MainWindow::tr("Begin the second round"), [&window] { begin(window); }},
+                              {MainWindow::tr("Not now"), [] {}}});
     }
 }
 
 void goToNext(MainWindow& window) {
     widgets::RaterStudy& study = window.workbench().raters;
     if (!study.goToNextTask())
-        window.statusLine().sayBriefly(study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
-                                                           : MainWindow::tr("No second round is under way."));
+        window.statusLine().sayBriefly(
+            study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
+                                : MainWindow::tr("No second round is under way."));
 }
 
 /// The banner that says why the first marks are not there.
@@ -65,7 +69,8 @@ void showBanner(MainWindow& window) {
     const QString text = MainWindow::tr("Second round: your first marks are hidden. %1 of %2 joints.")
                              .arg(locale.toString(study.tasks() - study.openTasks()), locale.toString(study.tasks()));
     if (text != banner.message())
-        banner.offer(text, {{MainWindow::tr("Next"), [&window] {
+        banner.offer(text, {{MainWindow::tr("Next"),
+                             [&window] {
                                  goToNext(window);
                                  showBanner(window);
                              }},
@@ -85,7 +90,8 @@ void bindSecondRound(MainWindow& window) {
     actions.bind(id("annotation.repeatNext"), next);
     QObject::connect(panel, &widgets::RatersPanel::roundRequested, &window, toggleRound);
     QObject::connect(panel, &widgets::RatersPanel::nextTaskRequested, &window, next);
-    QObject::connect(&study, &widgets::RaterStudy::roundChanged, &window, [&window] { showBanner(window); });
+    QObject::connect(
+        &study, &widgets::RaterStudy::roundChanged, &window, [&window] { showBanner(window); });
     QObject::connect(&study, &widgets::RaterStudy::nothingToRepeat, &window, [&window] {
         window.statusLine().sayBriefly(MainWindow::tr("Finish some joints first: there is nothing to mark again."));
     });

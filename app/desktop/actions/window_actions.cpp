@@ -24,8 +24,10 @@ QString id(const char* text) {
 
 void bindFile(MainWindow& window) {
     Actions& actions = window.actions();
-    actions.bind(id("file.open"), [&window] { window.askForDataset(); });
-    actions.bind(id("file.demo"), [&window] { window.openDemo(); });
+    actions.bind(
+        id("file.open"), [&window] { window.askForDataset(); });
+    actions.bind(
+        id("file.demo"), [&window] { window.openDemo(); });
     actions.bind(id("file.quit"), [&window] { window.close(); });
 }
 
@@ -34,7 +36,8 @@ void bindUndo(MainWindow& window) {
     QUndoStack* stack = window.workbench().document.undoStack();
     QAction* undo = actions.action(id("edit.undo"));
     QAction* redo = actions.action(id("edit.redo"));
-    actions.bind(id("edit.undo"), [stack] { stack->undo(); });
+    actions.bind(
+        id("edit.undo"), [stack] { stack->undo(); });
     actions.bind(id("edit.redo"), [stack] { stack->redo(); });
     const auto refresh = [stack, undo, redo] {
         undo->setEnabled(stack->canUndo());
@@ -58,12 +61,12 @@ void bindWorkspaces(MainWindow& window) {
         action->setChecked(kind == Workspaces::Kind::Annotate);
         window.actions().bind(id(name), [&window, kind = kind] { window.workspaces().setCurrent(kind); });
     }
-    QObject::connect(&window.workspaces(), &Workspaces::currentChanged, &window, [&window, kinds](Workspaces::Kind current) {
-        for (const auto& [name, kind] : kinds) {
-            if (kind == current)
-                window.actions().action(id(name))->setChecked(true);
-        }
-    });
+    QObject::connect(&window.workspaces(), &Workspaces::currentChanged, &window,
+                     [&window, kinds](Workspaces::Kind current) {
+                         for (const auto& [name, kind] : kinds)
+                             if (kind == current)
+                                 window.actions().action(id(name))->setChecked(true);
+                     });
 }
 
 void bindOverlays(MainWindow& window) {
@@ -72,22 +75,32 @@ void bindOverlays(MainWindow& window) {
     widgets::MarkPresenter* marks = window.workspaces().marks();
     for (const char* name : {"view.skeleton", "view.guides", "view.proposals"})
         actions.action(id(name))->setChecked(true);
-    actions.bindToggle(id("view.hideOverlays"), [&options](bool on) { options.setOverlaysHidden(on); });
-    actions.bindToggle(id("view.longErrors"), [&options](bool on) { options.setLongErrors(on); });
-    actions.bindToggle(id("view.loupe"), [&options](bool on) { options.setLoupeShown(on); });
-    actions.bindToggle(id("view.labels"), [&options](bool on) { options.setLabelsShown(on); });
-    actions.bindToggle(id("view.followJoint"), [&options](bool on) { options.setFollowingJoint(on); });
-    actions.bindToggle(id("view.skeleton"), [marks](bool on) { marks->setSkeletonShown(on); });
-    actions.bindToggle(id("view.guides"), [marks](bool on) { marks->setGuidesShown(on); });
+    actions.bindToggle(
+        id("view.hideOverlays"), [&options](bool on) { options.setOverlaysHidden(on); });
+    actions.bindToggle(
+        id("view.longErrors"), [&options](bool on) { options.setLongErrors(on); });
+    actions.bindToggle(
+        id("view.loupe"), [&options](bool on) { options.setLoupeShown(on); });
+    actions.bindToggle(
+        id("view.labels"), [&options](bool on) { options.setLabelsShown(on); });
+    actions.bindToggle(
+        id("view.followJoint"), [&options](bool on) { options.setFollowingJoint(on); });
+    actions.bindToggle(
+        id("view.skeleton"), [marks](bool on) { marks->setSkeletonShown(on); });
+    actions.bindToggle(
+        id("view.guides"), [marks](bool on) { marks->setGuidesShown(on); });
     actions.bindToggle(id("view.proposals"), [marks](bool on) { marks->setProposalsShown(on); });
     widgets::HandFraming* framing = window.workspaces().framing();
     actions.bind(id("view.frameHands"), [&window, framing] {
         if (!framing->frameHands())
-            window.statusLine().sayBriefly(MainWindow::tr("Nothing tells yet where the hands are: mark some joints, then frame them."));
+            window.statusLine().sayBriefly(
+                MainWindow::tr("Nothing tells yet where the hands are: mark some joints, then frame them."));
     });
     actions.action(id("view.handLabels"))->setChecked(framing->labelsShown());
-    actions.bindToggle(id("view.handLabels"), [framing](bool on) { framing->setLabelsShown(on); });
-    actions.bind(id("view.fitAll"), [&options] { options.showWholeImages(); });
+    actions.bindToggle(
+        id("view.handLabels"), [framing](bool on) { framing->setLabelsShown(on); });
+    actions.bind(
+        id("view.fitAll"), [&options] { options.showWholeImages(); });
     actions.bind(id("view.zoomJoint"), [&options] { options.zoomToJoint(); });
 }
 
@@ -99,8 +112,9 @@ void setMeshStyle(MainWindow& window, widgets::MeshStyle style) {
 
 void bindMeshStyles(MainWindow& window) {
     using widgets::MeshStyle;
-    const std::pair<const char*, MeshStyle> styles[] = {
-        {"view.meshShaded", MeshStyle::Shaded}, {"view.meshWireframe", MeshStyle::Wireframe}, {"view.meshOff", MeshStyle::Off}};
+    const std::pair<const char*, MeshStyle> styles[] = {{"view.meshShaded", MeshStyle::Shaded},
+                                                        {"view.meshWireframe", MeshStyle::Wireframe},
+                                                        {"view.meshOff", MeshStyle::Off}};
     auto* group = new QActionGroup(&window);
     for (const auto& [name, style] : styles) {
         QAction* action = window.actions().action(id(name));
@@ -109,10 +123,9 @@ void bindMeshStyles(MainWindow& window) {
         window.actions().bind(id(name), [&window, style = style] { setMeshStyle(window, style); });
     }
     QObject::connect(window.workspaces().layers(), &widgets::LayerPresenter::lookChanged, &window, [&window, styles] {
-        for (const auto& [name, style] : styles) {
+        for (const auto& [name, style] : styles)
             if (style == window.workspaces().layers()->look().style)
                 window.actions().action(id(name))->setChecked(true);
-        }
     });
     window.actions().bind(id("view.meshNext"), [&window] {
         const MeshStyle style = window.workspaces().layers()->look().style;
@@ -131,13 +144,20 @@ void bindMeshLook(MainWindow& window) {
         layers->setLook(look);
     };
     constexpr double kStep = 0.1;
-    actions.bind(id("view.meshMore"), [change] { change([](auto& look) { look.opacity = std::min(1.0, look.opacity + kStep); }); });
-    actions.bind(id("view.meshLess"), [change] { change([](auto& look) { look.opacity = std::max(0.05, look.opacity - kStep); }); });
+    actions.bind(
+        id("view.meshMore"),
+        [change] { change([](auto& look) { look.opacity = std::min(1.0, look.opacity + kStep); }); });
+    actions.bind(id("view.meshLess"),
+                 [change] { change([](auto& look) { look.opacity = std::max(0.05, look.opacity - kStep); }); });
     actions.action(id("view.recordedMesh"))->setChecked(true);
     layers->setLayerShown(id(widgets::LayerPresenter::kStart), false);
-    actions.bindToggle(id("view.recordedMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kRecorded), on); });
-    actions.bindToggle(id("view.modelOfMarks"), [&window](bool on) { window.workbench().model.setOn(on); });
-    actions.bindToggle(id("view.startMesh"), [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kStart), on); });
+    actions.bindToggle(
+        id("view.recordedMesh"),
+        [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kRecorded), on); });
+    actions.bindToggle(
+        id("view.modelOfMarks"), [&window](bool on) { window.workbench().model.setOn(on); });
+    actions.bindToggle(id("view.startMesh"),
+                       [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kStart), on); });
 }
 
 /// A hand's mesh is shown if the hand is, and its mesh.
@@ -165,49 +185,67 @@ void bindView(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::CameraGrid* grid = window.workspaces().grid();
     for (int number = 1; number <= 8; ++number) {
-        actions.bind(QStringLiteral("view.maximise%1").arg(number), [&window, grid, number] {
-            const auto& shown = window.workbench().shownCameras();
-            if (number > static_cast<int>(shown.size()))
-                return;
-            const int camera = window.workbench().session.dataset()->cameraIndex(shown[static_cast<std::size_t>(number - 1)]);
-            grid->setMaximised(camera);
-            window.workbench().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
-        });
+        actions.bind(
+            QStringLiteral("view.maximise%1").arg(number),
+            [&window, grid, number] {
+                const auto& shown = window.workbench().shownCameras();
+                if (number > static_cast<int>(shown.size()))
+                    return;
+                const int camera =
+                    window.workbench().session.dataset()->cameraIndex(shown[static_cast<std::size_t>(number - 1)]);
+                grid->setMaximised(camera);
+                window.workbench().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
+            });
     }
     actions.bind(id("view.restore"), [&window, grid] {
         if (!window.closeHints()) // what lies on top goes first
             grid->setMaximised(-1);
     });
     widgets::SceneView* scene = window.workspaces().scene();
-    actions.bind(id("view.resetScene"), [scene] { scene->resetView(); });
-    actions.bindToggle(id("view.lookThrough"), [&window, scene, grid](bool on) { scene->lookThrough(on ? grid->current() : -1); });
+    actions.bind(
+        id("view.resetScene"), [scene] { scene->resetView(); });
+    actions.bindToggle(
+        id("view.lookThrough"), [&window, scene, grid](bool on) { scene->lookThrough(on ? grid->current() : -1); });
     QObject::connect(grid, &widgets::CameraGrid::currentChanged, scene, [scene](int camera) {
         if (scene->lookedThrough() >= 0)
             scene->lookThrough(camera);
     });
     QAction* light = actions.action(id("view.light"));
     light->setChecked(lookFromName(window.settings().value(QStringLiteral("look")).toString()) == Look::Light);
-    actions.bindToggle(id("view.light"), [&window](bool on) {
-        const Look look = on ? Look::Light : Look::Dark;
-        window.settings().setValue(QStringLiteral("look"), lookName(look));
-        applyLook(*qApp, look);
-    });
-    actions.bindToggle(id("view.fullScreen"), [&window](bool on) { on ? window.showFullScreen() : window.showNormal(); });
+    actions.bindToggle(
+        id("view.light"),
+        [&window](bool on) {
+            const Look look = on ? Look::Light : Look::Dark;
+            window.settings().setValue(QStringLiteral("look"), lookName(look));
+            applyLook(*qApp, look);
+        });
+    actions.bindToggle(id("view.fullScreen"),
+                       [&window](bool on) { on ? window.showFullScreen() : window.showNormal(); });
 }
 
 void bindMarks(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::Annotator& annotator = window.workbench().annotator;
-    actions.bind(id("annotation.accept"), [&annotator] { annotator.accept(); });
-    actions.bind(id("annotation.acceptAll"), [&annotator] { annotator.acceptAllViews(); });
-    actions.bind(id("annotation.acceptFrame"), [&annotator] { annotator.acceptFrame(); });
-    actions.bind(id("annotation.remove"), [&annotator] { annotator.remove(); });
-    actions.bind(id("annotation.removeAll"), [&annotator] { annotator.removeInAllViews(); });
-    actions.bind(id("annotation.occluded"), [&annotator] { annotator.toggleOccluded(); });
-    actions.bind(id("annotation.unplaceable"), [&annotator] { annotator.toggleUnplaceable(); });
-    actions.bind(id("annotation.previousJoint"), [&annotator] { annotator.stepJoint(-1); });
-    actions.bind(id("annotation.nextJoint"), [&annotator] { annotator.stepJoint(1); });
-    actions.bind(id("annotation.previousView"), [&annotator] { annotator.stepCamera(-1); });
+    actions.bind(
+        id("annotation.accept"), [&annotator] { annotator.accept(); });
+    actions.bind(
+        id("annotation.acceptAll"), [&annotator] { annotator.acceptAllViews(); });
+    actions.bind(
+        id("annotation.acceptFrame"), [&annotator] { annotator.acceptFrame(); });
+    actions.bind(
+        id("annotation.remove"), [&annotator] { annotator.remove(); });
+    actions.bind(
+        id("annotation.removeAll"), [&annotator] { annotator.removeInAllViews(); });
+    actions.bind(
+        id("annotation.occluded"), [&annotator] { annotator.toggleOccluded(); });
+    actions.bind(
+        id("annotation.unplaceable"), [&annotator] { annotator.toggleUnplaceable(); });
+    actions.bind(
+        id("annotation.previousJoint"), [&annotator] { annotator.stepJoint(-1); });
+    actions.bind(
+        id("annotation.nextJoint"), [&annotator] { annotator.stepJoint(1); });
+    actions.bind(
+        id("annotation.previousView"), [&annotator] { annotator.stepCamera(-1); });
     actions.bind(id("annotation.nextView"), [&annotator] { annotator.stepCamera(1); });
     const std::pair<const char*, Eigen::Vector2d> nudges[] = {{"annotation.nudgeLeft", {-1, 0}},
                                                               {"annotation.nudgeRight", {1, 0}},
@@ -215,7 +253,8 @@ void bindMarks(MainWindow& window) {
                                                               {"annotation.nudgeDown", {0, 1}}};
     constexpr double kFinePx = 0.25;
     for (const auto& [name, way] : nudges) {
-        actions.bind(id(name), [&annotator, by = Eigen::Vector2d(way * kFinePx)] { annotator.nudge(by); });
+        actions.bind(
+            id(name), [&annotator, by = Eigen::Vector2d(way * kFinePx)] { annotator.nudge(by); });
         actions.bind(id(name) + QStringLiteral("Far"), [&annotator, by = way] { annotator.nudge(by); });
     }
     actions.action(id("annotation.autoAdvance"))->setChecked(annotator.autoAdvance());
@@ -235,15 +274,20 @@ void bindFrames(MainWindow& window) {
     const std::pair<const char*, int> steps[] = {
         {"go.previousFrame", -1}, {"go.nextFrame", 1}, {"go.back10", -10}, {"go.forward10", 10}};
     for (const auto& [name, frames] : steps)
-        actions.bind(id(name), [&bench, frames = frames] { bench.annotator.stepFrame(frames); });
-    actions.bind(id("go.firstFrame"), [&bench] { bench.selection.setFrame(0); });
-    actions.bind(id("go.lastFrame"), [&bench] { bench.selection.setFrame(bench.selection.frameCount() - 1); });
-    actions.bind(id("go.frame"), [&window] { window.framesBar().askForFrame(); });
+        actions.bind(
+            id(name), [&bench, frames = frames] { bench.annotator.stepFrame(frames); });
+    actions.bind(
+        id("go.firstFrame"), [&bench] { bench.selection.setFrame(0); });
+    actions.bind(
+        id("go.lastFrame"), [&bench] { bench.selection.setFrame(bench.selection.frameCount() - 1); });
+    actions.bind(
+        id("go.frame"), [&window] { window.framesBar().askForFrame(); });
     actions.bindToggle(id("go.play"), [&window](bool on) { on ? window.playback().play() : window.playback().stop(); });
     QAction* play = actions.action(id("go.play"));
     QObject::connect(&window.playback(), &widgets::Playback::playingChanged, play, [play](bool playing) {
         play->setChecked(playing);
-        play->setIcon(QIcon::fromTheme(playing ? QStringLiteral("media-playback-pause") : QStringLiteral("media-playback-start")));
+        play->setIcon(QIcon::fromTheme(playing ? QStringLiteral("media-playback-pause")
+                                               : QStringLiteral("media-playback-start")));
     });
 }
 
@@ -251,36 +295,50 @@ void bindJumps(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::Workbench& bench = window.workbench();
     const auto bind = [&](const char* name, auto find, const QString& otherwise) {
-        actions.bind(id(name), [&window, find, otherwise] { goTo(window, find(), otherwise); });
+        actions.bind(
+            id(name), [&window, find, otherwise] { goTo(window, find(), otherwise); });
     };
     const auto frame = [&bench] { return bench.selection.frame(); };
     const auto frames = [&bench] { return bench.coverage.frames(); };
     const QString noBad = MainWindow::tr("No bad joint in that direction.");
-    bind("go.nextBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Forward); }, noBad);
-    bind("go.previousBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Back); }, noBad);
+    bind(
+        "go.nextBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Forward); }, noBad);
+    bind(
+        "go.previousBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Back); }, noBad);
     const auto unlabelled = [&bench](Direction way) {
         return widgets::nextUnlabelledFrame(bench.coverage.frames(), bench.joints, bench.selection.frameCount(),
                                             bench.selection.frame(), way);
     };
     const QString allDone = MainWindow::tr("Every frame in that direction is done.");
-    bind("go.nextUnlabelled", [=] { return unlabelled(Direction::Forward); }, allDone);
-    bind("go.previousUnlabelled", [=] { return unlabelled(Direction::Back); }, allDone);
+    bind(
+        "go.nextUnlabelled", [=] { return unlabelled(Direction::Forward); }, allDone);
+    bind(
+        "go.previousUnlabelled", [=] { return unlabelled(Direction::Back); }, allDone);
     const QString noMarks = MainWindow::tr("No frame with marks in that direction.");
-    bind("go.nextAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Direction::Forward); }, noMarks);
-    bind("go.previousAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Direction::Back); }, noMarks);
+    bind(
+        "go.nextAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Direction::Forward); },
+        noMarks);
+    bind(
+        "go.previousAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Direction::Back); },
+        noMarks);
     const auto test = [&window, &bench](Direction way) -> std::optional<int> {
         return widgets::nextOf(window.workspaces().benchmarkPage()->testFrames(), bench.selection.frame(), way);
     };
     const QString noTest = MainWindow::tr("No test frame in that direction, as the benchmark is set.");
-    bind("go.nextTest", [=] { return test(Direction::Forward); }, noTest);
-    bind("go.previousTest", [=] { return test(Direction::Back); }, noTest);
-    bind("go.lastEdited", [&bench] { return bench.document.lastEditedFrame(); }, MainWindow::tr("Nothing was edited yet."));
+    bind(
+        "go.nextTest", [=] { return test(Direction::Forward); }, noTest);
+    bind(
+        "go.previousTest", [=] { return test(Direction::Back); }, noTest);
+    bind(
+        "go.lastEdited", [&bench] { return bench.document.lastEditedFrame(); },
+        MainWindow::tr("Nothing was edited yet."));
 }
 
 void bindFit(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::FittingPanel* panel = window.workspaces().fittingPanel();
-    actions.bind(id("fit.run"), [panel] { panel->fitCurrentFrame(); });
+    actions.bind(
+        id("fit.run"), [panel] { panel->fitCurrentFrame(); });
     actions.bind(id("fit.stop"), [&window] { window.workbench().fits.stop(); });
 }
 

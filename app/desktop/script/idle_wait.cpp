@@ -35,7 +35,8 @@ bool waitFor(MainWindow& window, const std::function<bool()>& condition, int tim
     QObject::connect(&limit, &QTimer::timeout, &loop, [&loop] { loop.exit(1); });
     limit.start(timeoutMs);
     QObject::connect(&window.workbench().pool, &widgets::JobPool::becameIdle, &loop, look, Qt::QueuedConnection);
-    QObject::connect(&window.workbench().frames, &widgets::FrameLoader::frameCompleted, &loop, look, Qt::QueuedConnection);
+    QObject::connect(&window.workbench().frames, &widgets::FrameLoader::frameCompleted, &loop, look,
+                     Qt::QueuedConnection);
     QTimer again; // not everything that can be waited for says so
     QObject::connect(&again, &QTimer::timeout, &loop, look);
     again.start(kLookAgainMs);

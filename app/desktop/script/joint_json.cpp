@@ -41,7 +41,8 @@ QJsonObject jointJson(const core::JointReconstruction& found) {
     }
     const auto& point = found.result.point;
     object[QStringLiteral("xyz")] =
-        point ? QJsonValue(QJsonArray{point->pointInWorld.x(), point->pointInWorld.y(), point->pointInWorld.z()}) : QJsonValue();
+        point ? QJsonValue(QJsonArray{point->pointInWorld.x(), point->pointInWorld.y(), point->pointInWorld.z()})
+              : QJsonValue();
     object[QStringLiteral("covariance")] = point ? QJsonValue(rows(point->covariance)) : QJsonValue();
     object[QStringLiteral("rmsPx")] = point ? QJsonValue(point->rmsPx) : QJsonValue();
     object[QStringLiteral("views")] = views;

@@ -12,7 +12,8 @@
 #include "app/desktop/script/idle_wait.h"
 #include "core/error.h"
 
-// Delivers a key as the window system does: shortcuts first, then the widget with the keyboard. Exported by Qt for its test library.
+// Delivers a key as the window system does: shortcuts first, then the widget with the keyboard. Exported by Qt for its
+// test library.
 Q_GUI_EXPORT void qt_handleKeyEvent(QWindow* window, QEvent::Type type, int key, Qt::KeyboardModifiers modifiers,
                                     const QString& text = QString(), bool autoRepeat = false, ushort count = 1);
 
@@ -33,8 +34,8 @@ QPointF inWindow(const QWidget& widget, QPointF position) {
     return position + origin;
 }
 
-QMouseEvent mouseEvent(QEvent::Type type, const QWidget& receiver, QPointF position, Qt::MouseButton button, Qt::MouseButtons buttons,
-                       Qt::KeyboardModifiers modifiers) {
+QMouseEvent mouseEvent(QEvent::Type type, const QWidget& receiver, QPointF position, Qt::MouseButton button,
+                       Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers) {
     const QPointF windowPosition = inWindow(receiver, position);
     const QPointF screenPosition = windowPosition + receiver.window()->mapToGlobal(QPoint(0, 0));
     return {type, position, windowPosition, screenPosition, button, buttons, modifiers};
@@ -74,8 +75,8 @@ void RealInput::click(widgets::CameraView& view, QPointF px, Qt::MouseButton but
     send(*viewport, release);
 }
 
-void RealInput::drag(widgets::CameraView& view, QPointF fromPx, QPointF toPx, Qt::MouseButton button, Qt::KeyboardModifiers modifiers,
-                     int moves) {
+void RealInput::drag(widgets::CameraView& view, QPointF fromPx, QPointF toPx, Qt::MouseButton button,
+                     Qt::KeyboardModifiers modifiers, int moves) {
     QWidget* viewport = target(view, fromPx);
     const QPointF from = view.imageToViewport(fromPx);
     const QPointF to = view.imageToViewport(toPx);
@@ -96,9 +97,11 @@ void RealInput::doubleClick(widgets::CameraView& view, QPointF px) {
     click(view, px, Qt::LeftButton, Qt::NoModifier);
     QWidget* viewport = target(view, px);
     const QPointF position = view.imageToViewport(px);
-    QMouseEvent twice = mouseEvent(QEvent::MouseButtonDblClick, *viewport, position, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
+    QMouseEvent twice =
+        mouseEvent(QEvent::MouseButtonDblClick, *viewport, position, Qt::LeftButton, Qt::LeftButton, Qt::NoModifier);
     send(*viewport, twice);
-    QMouseEvent release = mouseEvent(QEvent::MouseButtonRelease, *viewport, position, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
+    QMouseEvent release =
+        mouseEvent(QEvent::MouseButtonRelease, *viewport, position, Qt::LeftButton, Qt::NoButton, Qt::NoModifier);
     send(*viewport, release);
 }
 
@@ -107,8 +110,8 @@ void RealInput::wheel(widgets::CameraView& view, QPointF px, int steps) {
     const QPointF position = view.imageToViewport(px);
     const QPointF screen = inWindow(*viewport, position) + viewport->window()->mapToGlobal(QPoint(0, 0));
     for (int i = 0; i < std::abs(steps); ++i) {
-        QWheelEvent turn(position, screen, QPoint(), QPoint(0, steps > 0 ? kWheelStep : -kWheelStep), Qt::NoButton, Qt::NoModifier,
-                         Qt::NoScrollPhase, false);
+        QWheelEvent turn(position, screen, QPoint(), QPoint(0, steps > 0 ? kWheelStep : -kWheelStep), Qt::NoButton,
+                         Qt::NoModifier, Qt::NoScrollPhase, false);
         send(*viewport, turn);
     }
 }
@@ -122,9 +125,11 @@ void RealInput::key(const QString& keys, int holdMs) {
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
     const QChar letter = modifiers & Qt::ShiftModifier ? QChar(key) : QChar(key).toLower();
     const QString text = printable ? QString(letter) : QString();
-    if (!QApplication::activePopupWidget() && !QApplication::activeWindow()) { // no window manager gives the keyboard back after a dialog
+    if (!QApplication::activePopupWidget() &&
+        !QApplication::activeWindow()) { // no window manager gives the keyboard back after a dialog
         m_window.activateWindow();
-        waitFor(m_window, [] { return QApplication::activeWindow() != nullptr; }, kActivationMs);
+        waitFor(
+            m_window, [] { return QApplication::activeWindow() != nullptr; }, kActivationMs);
     }
     const QWidget* popup = QApplication::activePopupWidget();
     const QWidget* active = popup ? popup : QApplication::activeWindow() ? QApplication::activeWindow() : &m_window;

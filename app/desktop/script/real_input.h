@@ -18,16 +18,18 @@ namespace app {
 
 class MainWindow;
 
-/// Pointer and keyboard of a script: real events, delivered where a person's would be, through the same hit tests. Every
-/// function throws core::Error(Usage) if the place cannot be reached.
+/// Pointer and keyboard of a script: real events, delivered where a person's would be, through the same hit tests.
+/// Every function throws core::Error(Usage) if the place cannot be reached.
 class RealInput {
 public:
-    explicit RealInput(MainWindow& window) : m_window(window) {}
+    explicit RealInput(MainWindow& window)
+        : m_window(window) {}
 
     /// Press and release at an image pixel of a view.
     void click(widgets::CameraView& view, QPointF px, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
     /// Press, `moves` moves on the straight line, release.
-    void drag(widgets::CameraView& view, QPointF fromPx, QPointF toPx, Qt::MouseButton button, Qt::KeyboardModifiers modifiers, int moves);
+    void drag(widgets::CameraView& view, QPointF fromPx, QPointF toPx, Qt::MouseButton button,
+              Qt::KeyboardModifiers modifiers, int moves);
     void doubleClick(widgets::CameraView& view, QPointF px);
     void wheel(widgets::CameraView& view, QPointF px, int steps);
     /// A key or a combination such as "Ctrl+Z", held for a time; goes through the shortcuts like any key.

@@ -30,7 +30,8 @@ void say(std::ostream& stream, const QJsonObject& answer) {
 }
 
 /// Does one line; false if it could not be done.
-bool playLine(ScriptSteps& steps, const QByteArray& line, int number, const QString& script, std::ostream& answers, std::ostream& errors) {
+bool playLine(ScriptSteps& steps, const QByteArray& line, int number, const QString& script, std::ostream& answers,
+              std::ostream& errors) {
     QJsonObject answer;
     QString name;
     QElapsedTimer timer;
@@ -57,7 +58,8 @@ bool playLine(ScriptSteps& steps, const QByteArray& line, int number, const QStr
 
 } // namespace
 
-int playScript(MainWindow& window, const QString& script, const QString& outFolder, std::ostream& answers, std::ostream& errors) {
+int playScript(MainWindow& window, const QString& script, const QString& outFolder, std::ostream& answers,
+               std::ostream& errors) {
     QFile file(script);
     if (!file.open(QIODevice::ReadOnly)) {
         errors << "handlens: " << script.toStdString() << ": " << file.errorString().toStdString() << std::endl;

@@ -46,23 +46,33 @@ QString outcomeOf(MainWindow& window, Sender* sender, Done done, Failed failed, 
 
 QJsonObject ScriptSteps::run(const QJsonObject& step) {
     using Handler = QJsonObject (ScriptSteps::*)(const QJsonObject&);
-    static const std::map<QString, Handler> kHandlers = {
-        {QStringLiteral("goto"), &ScriptSteps::goTo},     {QStringLiteral("select"), &ScriptSteps::select},
-        {QStringLiteral("click"), &ScriptSteps::click},   {QStringLiteral("doubleclick"), &ScriptSteps::doubleClick},
-        {QStringLiteral("drag"), &ScriptSteps::drag},     {QStringLiteral("wheel"), &ScriptSteps::wheel},
-        {QStringLiteral("key"), &ScriptSteps::key},       {QStringLiteral("action"), &ScriptSteps::action},
-        {QStringLiteral("fit"), &ScriptSteps::fit},       {QStringLiteral("print"), &ScriptSteps::print},
-        {QStringLiteral("export"), &ScriptSteps::exportAnnotations}, {QStringLiteral("shot"), &ScriptSteps::shot},
-        {QStringLiteral("resize"), &ScriptSteps::resize}, {QStringLiteral("timing"), &ScriptSteps::timing}};
+    static const std::map<QString, Handler> kHandlers = {{QStringLiteral("goto"), &ScriptSteps::goTo},
+                                                         {QStringLiteral("select"), &ScriptSteps::select},
+                                                         {QStringLiteral("click"), &ScriptSteps::click},
+                                                         {QStringLiteral("doubleclick"), &ScriptSteps::doubleClick},
+                                                         {QStringLiteral("drag"), &ScriptSteps::drag},
+                                                         {QStringLiteral("wheel"), &ScriptSteps::wheel},
+                                                         {QStringLiteral("key"), &ScriptSteps::key},
+                                                         {QStringLiteral("action"), &ScriptSteps::action},
+                                                         {QStringLiteral("fit"), &ScriptSteps::fit},
+                                                         {QStringLiteral("print"), &ScriptSteps::print},
+                                                         {QStringLiteral("export"), &ScriptSteps::exportAnnotations},
+                                                         {QStringLiteral("shot"), &ScriptSteps::shot},
+                                                         {QStringLiteral("resize"), &ScriptSteps::resize},
+                                                         {QStringLiteral("timing"), &ScriptSteps::timing}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
         throw refused("do", QStringLiteral("unknown step \"%1\"").arg(name));
     QString said, refusal;
     QObject scope;
-    QObject::connect(&m_window.statusLine(), &widgets::StatusLine::said, &scope, [&said](const QString& text) { said = text; });
-    QObject::connect(&m_window.workbench().annotator, &widgets::Annotator::nothingDone, &scope, [&refusal](const QString& why) { refusal = why; });
-    QObject::connect(&m_window.workbench().document, &widgets::AnnotationDocument::refused, &scope, [&](const QString& why) { said = refusal = why; });
+    QObject::connect(
+        &m_window.statusLine(), &widgets::StatusLine::said, &scope, [&said](const QString& text) { said = text; });
+    QObject::connect(
+        &m_window.workbench().annotator, &widgets::Annotator::nothingDone, &scope,
+        [&refusal](const QString& why) { refusal = why; });
+    QObject::connect(&m_window.workbench().document, &widgets::AnnotationDocument::refused, &scope,
+                     [&](const QString& why) { said = refusal = why; });
     QJsonObject answer = (this->*handler->second)(step);
     settle();
     if (!refusal.isEmpty() && (name == QLatin1String("click") || name == QLatin1String("drag")))
@@ -105,16 +115,19 @@ QJsonObject ScriptSteps::goTo(const QJsonObject& step) {
     if (!bench.session.dataset())
         throw refused("do", QStringLiteral("no dataset is open"));
     const int frame = intField(step, "frame", 0);
-    const QString sequence = step.contains(QLatin1String("sequence")) ? textField(step, "sequence")
-                                                                      : QString::fromStdString(bench.session.sequence()->name);
+    const QString sequence = step.contains(QLatin1String("sequence"))
+                                 ? textField(step, "sequence")
+                                 : QString::fromStdString(bench.session.sequence()->name);
     if (sequence != QString::fromStdString(bench.session.sequence()->name)) {
-        const QString error = outcomeOf(m_window, &bench.session, &widgets::DatasetSession::sequenceOpened,
-                                        &widgets::DatasetSession::openFailed, [&] { bench.session.openSequence(sequence, frame); });
+        const QString error =
+            outcomeOf(m_window, &bench.session, &widgets::DatasetSession::sequenceOpened,
+                      &widgets::DatasetSession::openFailed, [&] { bench.session.openSequence(sequence, frame); });
         if (!error.isEmpty())
             throw refused("sequence", error);
     }
     if (frame < 0 || frame >= bench.selection.frameCount())
-        throw refused("frame", QStringLiteral("%1 is not within 0..%2").arg(frame).arg(bench.selection.frameCount() - 1));
+        throw refused("frame",
+                      QStringLiteral("%1 is not within 0..%2").arg(frame).arg(bench.selection.frameCount() - 1));
     bench.selection.setFrame(frame);
     return {};
 }
@@ -126,7 +139,8 @@ QJsonObject ScriptSteps::select(const QJsonObject& step) {
     const auto inModel = [&](const core::HandModel& hand) {
         return hand.side == joint.hand && hand.skeleton.boneIndex(joint.joint) >= 0;
     };
-    if (!dataset || (!bench.joints.contains(joint) && std::none_of(dataset->hands.begin(), dataset->hands.end(), inModel)))
+    if (!dataset ||
+        (!bench.joints.contains(joint) && std::none_of(dataset->hands.begin(), dataset->hands.end(), inModel)))
         throw refused("joint", QStringLiteral("unknown joint \"%1\"").arg(QString::fromStdString(joint.joint)));
     bench.selection.setJoint(joint);
     return {};
@@ -147,8 +161,8 @@ QJsonObject ScriptSteps::doubleClick(const QJsonObject& step) {
 QJsonObject ScriptSteps::drag(const QJsonObject& step) {
     constexpr int kMoves = 12;
     bringIntoSight(step, "from");
-    m_input.drag(cameraView(step), pointField(step, "from"), pointField(step, "to"), buttonField(step), modifiersField(step),
-                 std::clamp(intField(step, "moves", kMoves), 1, 10000));
+    m_input.drag(cameraView(step), pointField(step, "from"), pointField(step, "to"), buttonField(step),
+                 modifiersField(step), std::clamp(intField(step, "moves", kMoves), 1, 10000));
     return {};
 }
 
@@ -189,10 +203,9 @@ QJsonObject ScriptSteps::fit(const QJsonObject& step) {
                                     [&] { m_window.workspaces().fittingPanel()->fit(request); });
     if (!error.isEmpty())
         throw refused("do", error);
-    for (const widgets::MethodOutcome& method : fits.outcome()->methods) {
+    for (const widgets::MethodOutcome& method : fits.outcome()->methods)
         if (!method.failure.isEmpty())
             throw refused("methods", method.failure);
-    }
     m_window.workbench().selection.setFrame(request.test);
     return {};
 }
@@ -231,15 +244,17 @@ QJsonObject ScriptSteps::printResults() {
         row[QStringLiteral("termination")] = QString::fromUtf8(core::terminationName(method.result.termination).data());
         rows.append(row);
     }
-    return {{QStringLiteral("start"), outcome->request.start}, {QStringLiteral("test"), outcome->request.test}, {QStringLiteral("results"), rows}};
+    return {{QStringLiteral("start"), outcome->request.start},
+            {QStringLiteral("test"), outcome->request.test},
+            {QStringLiteral("results"), rows}};
 }
 
 QJsonObject ScriptSteps::exportAnnotations(const QJsonObject& step) {
     const QString kind = textField(step, "to");
     const QString path = outPath(step);
     widgets::AnnotationFiles& files = m_window.workbench().files;
-    const QString error = outcomeOf(m_window, &files, &widgets::AnnotationFiles::exported, &widgets::AnnotationFiles::failed,
-                                    [&] { files.exportTo(kind, path); });
+    const QString error = outcomeOf(m_window, &files, &widgets::AnnotationFiles::exported,
+                                    &widgets::AnnotationFiles::failed, [&] { files.exportTo(kind, path); });
     if (!error.isEmpty())
         throw refused("do", error);
     return {{QStringLiteral("path"), path}};

@@ -14,10 +14,13 @@ class MainWindow;
 class ScriptSteps {
 public:
     /// Relative paths in steps resolve against `out`.
-    ScriptSteps(MainWindow& window, const QDir& out) : m_window(window), m_out(out), m_input(window) {}
+    ScriptSteps(MainWindow& window, const QDir& out)
+        : m_window(window)
+        , m_out(out)
+        , m_input(window) {}
 
-    /// Does a step and returns when its effect is complete, with what it has to say; "said" holds what the window said about it. Throws
-    /// core::Error if it cannot be done: also if a click or a drag was refused.
+    /// Does a step and returns when its effect is complete, with what it has to say; "said" holds what the window said
+    /// about it. Throws core::Error if it cannot be done: also if a click or a drag was refused.
     QJsonObject run(const QJsonObject& step);
 
 private:

@@ -78,7 +78,8 @@ Qt::MouseButton buttonField(const QJsonObject& step) {
 Qt::KeyboardModifiers modifiersField(const QJsonObject& step) {
     if (!step.contains(QLatin1String("modifiers")))
         return Qt::NoModifier;
-    const QKeySequence sequence = QKeySequence::fromString(textField(step, "modifiers") + QStringLiteral("+A"), QKeySequence::PortableText);
+    const QKeySequence sequence =
+        QKeySequence::fromString(textField(step, "modifiers") + QStringLiteral("+A"), QKeySequence::PortableText);
     if (sequence.count() != 1)
         throw wrong("modifiers", "a text such as \"Shift\" or \"Ctrl+Alt\"");
     return Qt::KeyboardModifiers(sequence[0] & static_cast<int>(Qt::KeyboardModifierMask));

@@ -33,8 +33,12 @@ QLabel* wrappedLabel(QWidget* parent) {
 } // namespace
 
 ExportWindow::ExportWindow(const QString& kind, QWidget* parent)
-    : QDialog(parent), m_kinds(new QListWidget(this)), m_holds(wrappedLabel(this)), m_readBy(wrappedLabel(this)), m_lost(wrappedLabel(this)),
-      m_whose(wrappedLabel(this)) {
+    : QDialog(parent)
+    , m_kinds(new QListWidget(this))
+    , m_holds(wrappedLabel(this))
+    , m_readBy(wrappedLabel(this))
+    , m_lost(wrappedLabel(this))
+    , m_whose(wrappedLabel(this)) {
     setWindowTitle(tr("Export annotations"));
     setAttribute(Qt::WA_DeleteOnClose);
     for (const core::AnnotationFormat& format : core::annotationFormats()) {
@@ -82,8 +86,9 @@ void ExportWindow::explain() {
     m_holds->setText(format.holds);
     m_readBy->setText(format.readBy);
     m_lost->setText(format.lost);
-    m_whose->setText(core::annotationFormat(chosenKind).namesRaters ? tr("Everybody's annotations of this sequence, with their names")
-                                                                    : tr("Your own annotations of this sequence"));
+    m_whose->setText(core::annotationFormat(chosenKind).namesRaters
+                         ? tr("Everybody's annotations of this sequence, with their names")
+                         : tr("Your own annotations of this sequence"));
 }
 
 void ExportWindow::choose() {

@@ -83,7 +83,9 @@ void NewDatasetWindow::build() {
     m_table->horizontalHeader()->setSectionResizeMode(kFootage, QHeaderView::Stretch);
     m_table->verticalHeader()->hide();
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    auto* introduction = new QLabel(tr("A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is."), this);
+    auto* introduction = new QLabel(tr("A calibration and the videos (or folders of numbered images) of its cameras. "
+                                       "Nothing is copied: the footage stays where it is."),
+                                    this);
     introduction->setWordWrap(true);
     auto* form = new QFormLayout;
     auto* calibrationRow = new QWidget(this);
@@ -110,7 +112,8 @@ void NewDatasetWindow::addButtons(QFormLayout& form) {
     auto* videos = new QPushButton(tr("Add videos..."), this);
     auto* images = new QPushButton(tr("Add a folder of images..."), this);
     auto* remove = new QPushButton(tr("Remove"), this);
-    connect(videos, &QPushButton::clicked, this, [this] { askForFootage(false); });
+    connect(
+        videos, &QPushButton::clicked, this, [this] { askForFootage(false); });
     connect(images, &QPushButton::clicked, this, [this] { askForFootage(true); });
     connect(remove, &QPushButton::clicked, this, [this] {
         m_table->removeRow(m_table->currentRow());
@@ -147,7 +150,8 @@ QWidget* NewDatasetWindow::withChooser(QLineEdit* field, const QString& title, b
 }
 
 void NewDatasetWindow::askForFootage(bool isFolder) {
-    auto* dialog = new QFileDialog(this, isFolder ? tr("A folder of numbered images of one camera") : tr("Videos of the cameras"));
+    auto* dialog =
+        new QFileDialog(this, isFolder ? tr("A folder of numbered images of one camera") : tr("Videos of the cameras"));
     dialog->setFileMode(isFolder ? QFileDialog::Directory : QFileDialog::ExistingFiles);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::filesSelected, this, &NewDatasetWindow::addFootage);
@@ -249,7 +253,8 @@ widgets::NewDatasetRequest NewDatasetWindow::request() const {
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const QComboBox* choice = choiceIn(row);
         if (choice->currentIndex() > 0)
-            request.footage.push_back({choice->currentText().toStdString(), m_table->item(row, kFootage)->text().toStdString(), 0});
+            request.footage.push_back(
+                {choice->currentText().toStdString(), m_table->item(row, kFootage)->text().toStdString(), 0});
     }
     request.sequence = m_sequence->text().trimmed().toStdString();
     request.folder = QDir::cleanPath(m_folder->text().trimmed()).toStdString();

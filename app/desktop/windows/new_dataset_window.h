@@ -17,8 +17,8 @@ namespace app {
 
 class MainWindow;
 
-/// Asks for a calibration, videos or folders of images, and a folder, and makes a dataset of them, which is then opened. Footage is
-/// given to the cameras by name.
+/// Asks for a calibration, videos or folders of images, and a folder, and makes a dataset of them, which is then
+/// opened. Footage is given to the cameras by name.
 class NewDatasetWindow : public QDialog {
     Q_OBJECT
 

@@ -13,10 +13,10 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "app/desktop/actions/panel_actions.h"
 #include "app/desktop/language.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/palettes.h"
-#include "app/desktop/actions/panel_actions.h"
 #include "app/desktop/windows/shortcut_page.h"
 #include "widgets/panels/state_colours.h"
 
@@ -42,7 +42,10 @@ QString languageName(const QString& code) {
 
 } // namespace
 
-PreferencesWindow::PreferencesWindow(MainWindow& window) : QDialog(&window), m_window(window), m_pages(new QTabWidget(this)) {
+PreferencesWindow::PreferencesWindow(MainWindow& window)
+    : QDialog(&window)
+    , m_window(window)
+    , m_pages(new QTabWidget(this)) {
     setWindowTitle(tr("Preferences"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(720, 480);
@@ -121,7 +124,8 @@ QWidget* PreferencesWindow::makeMemory() {
     memory->setSingleStep(kMemoryStepMb);
     memory->setSuffix(tr(" MB"));
     memory->setValue(m_window.settings().value(kMemory, kDefaultMemoryMb).toInt());
-    memory->setToolTip(tr("Pictures of recent frames are kept in so much memory: stepping back then needs no reading."));
+    memory->setToolTip(
+        tr("Pictures of recent frames are kept in so much memory: stepping back then needs no reading."));
     connect(memory, qOverload<int>(&QSpinBox::valueChanged), this, [this](int megabytes) {
         m_window.settings().setValue(kMemory, megabytes);
         m_window.workbench().frames.setBudget(bytes(megabytes));

@@ -10,7 +10,8 @@ namespace app {
 
 class MainWindow;
 
-/// What a person sets once: language, name, colours, memory, hints, and the keys. Everything is kept when it is changed.
+/// What a person sets once: language, name, colours, memory, hints, and the keys. Everything is kept when it is
+/// changed.
 class PreferencesWindow : public QDialog {
     Q_OBJECT
 

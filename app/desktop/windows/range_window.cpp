@@ -10,7 +10,8 @@
 
 namespace app {
 
-RangeWindow::RangeWindow(const QString& title, const QString& button, int frame, int frameCount, QWidget* parent) : QDialog(parent) {
+RangeWindow::RangeWindow(const QString& title, const QString& button, int frame, int frameCount, QWidget* parent)
+    : QDialog(parent) {
     setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
     auto* form = new QFormLayout(this);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/windows/shortcut_model.h"
 
-
 namespace app {
 
 namespace {
@@ -12,9 +11,12 @@ const ActionRow& rowAt(int row) {
 
 } // namespace
 
-ShortcutModel::ShortcutModel(Actions& actions, QObject* parent) : QAbstractTableModel(parent), m_actions(actions) {
-    connect(&actions, &Actions::shortcutsChanged, this,
-            [this] { emit dataChanged(index(0, Shortcut), index(rowCount() - 1, Shortcut)); });
+ShortcutModel::ShortcutModel(Actions& actions, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_actions(actions) {
+    connect(
+        &actions, &Actions::shortcutsChanged, this,
+        [this] { emit dataChanged(index(0, Shortcut), index(rowCount() - 1, Shortcut)); });
 }
 
 QString ShortcutModel::id(int row) const {

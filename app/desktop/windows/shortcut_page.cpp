@@ -47,7 +47,8 @@ public:
 
 } // namespace
 
-ShortcutPage::ShortcutPage(Actions& actions, QWidget* parent) : QWidget(parent) {
+ShortcutPage::ShortcutPage(Actions& actions, QWidget* parent)
+    : QWidget(parent) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::kSpacing);

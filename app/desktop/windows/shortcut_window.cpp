@@ -9,7 +9,8 @@
 
 namespace app {
 
-ShortcutWindow::ShortcutWindow(Actions& actions, QWidget* parent) : QDialog(parent) {
+ShortcutWindow::ShortcutWindow(Actions& actions, QWidget* parent)
+    : QDialog(parent) {
     setWindowTitle(tr("Shortcuts"));
     setAttribute(Qt::WA_DeleteOnClose);
     resize(980, 640);

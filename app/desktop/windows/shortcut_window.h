@@ -7,7 +7,8 @@ namespace app {
 
 class Actions;
 
-/// The page of all actions and their shortcuts: to read, to search, and to change by a double click. It does not block the window.
+/// The page of all actions and their shortcuts: to read, to search, and to change by a double click. It does not block
+/// the window.
 class ShortcutWindow : public QDialog {
     Q_OBJECT
 

@@ -27,9 +27,8 @@ bool sameRun(BenchmarkRunInfo a, const BenchmarkRunInfo& b) {
 /// Fits that a shard still owes: with external estimates, those of the methods that are run.
 std::size_t missingFits(const BenchmarkFolder& folder) {
     std::set<std::pair<FramePair, std::string>> finished;
-    for (const PairResult& row : folder.results.rows) {
+    for (const PairResult& row : folder.results.rows)
         finished.emplace(row.pair, row.method);
-    }
     std::size_t missing = 0;
     for (const FramePair& pair : pairsOfShard(folder.info.pairs, folder.info.shard)) {
         for (const std::string& method : folder.info.methods) {
@@ -50,29 +49,24 @@ void requireAllShards(const std::vector<BenchmarkFolder>& parts, const std::vect
             throw Error(ErrorCode::Usage, folders[i].string(), "run.json",
                         "belongs to another run than " + folders.front().string());
         }
-        if (!seen.insert(parts[i].info.shard.index).second) {
+        if (!seen.insert(parts[i].info.shard.index).second)
             throw Error(ErrorCode::Usage, folders[i].string(), "shard", shard + " is named twice");
-        }
         if (const std::size_t missing = missingFits(parts[i]); missing > 0) {
             throw Error(ErrorCode::Usage, folders[i].string(), "shard",
                         shard + " is not finished: " + std::to_string(missing) + " fits are missing; run it again");
         }
     }
-    for (int i = 0; i < count; ++i) {
-        if (!seen.contains(i)) {
-            throw Error(ErrorCode::Usage, "", "shard",
-                        std::to_string(i) + "/" + std::to_string(count) + " is missing");
-        }
-    }
+    for (int i = 0; i < count; ++i)
+        if (!seen.contains(i))
+            throw Error(ErrorCode::Usage, "", "shard", std::to_string(i) + "/" + std::to_string(count) + " is missing");
 }
 
 std::string reportOf(const BenchmarkFolder& content) {
     ReportContent report{content.info.dataset, content.info.setup, content.info.sweep, &content.results, {}, {}};
     report.figures = reportFigures(content.results, content.info.sweep);
     std::vector<std::string> programs;
-    for (const Figure& figure : report.figures) {
+    for (const Figure& figure : report.figures)
         programs.push_back(figure.gnuplot);
-    }
     report.pictures = drawWithGnuplot(programs);
     return reportHtml(report);
 }
@@ -89,11 +83,9 @@ BenchmarkFolder readBenchmarkFolder(const fs::path& folder) {
     content.results.papersHands = content.info.papersHands;
     const std::set<std::string> methods(content.info.methods.begin(), content.info.methods.end());
     const std::set<FramePair> pairs(content.info.pairs.begin(), content.info.pairs.end());
-    for (PairResult& row : readFinishedRows(folder, content.info.joints.size())) {
-        if (methods.contains(row.method) && pairs.contains(row.pair)) {
+    for (PairResult& row : readFinishedRows(folder, content.info.joints.size()))
+        if (methods.contains(row.method) && pairs.contains(row.pair))
             content.results.rows.push_back(std::move(row));
-        }
-    }
     sortRows(content.results);
     content.results.stopped = missingFits(content) > 0;
     return content;
@@ -101,12 +93,10 @@ BenchmarkFolder readBenchmarkFolder(const fs::path& folder) {
 
 BenchmarkFolder mergedBenchmarkFolders(const std::vector<fs::path>& folders) {
     std::vector<BenchmarkFolder> parts;
-    for (const fs::path& folder : folders) {
+    for (const fs::path& folder : folders)
         parts.push_back(readBenchmarkFolder(folder));
-    }
-    if (parts.empty()) {
+    if (parts.empty())
         throw Error(ErrorCode::Usage, "", "merge", "needs at least one folder");
-    }
     requireAllShards(parts, folders);
     BenchmarkFolder merged = parts.front();
     for (std::size_t i = 1; i < parts.size(); ++i) {
@@ -125,7 +115,8 @@ void writeBenchmarkTables(const fs::path& folder, const BenchmarkFolder& content
     writeFileAtomically(folder / "joints.csv", jointsCsv(content.results));
     writeFileAtomically(folder / "curves.csv", curvesCsv(content.results));
     const std::size_t missing = missingFits(content);
-    const std::string note = missing > 0 ? "\nNot finished: " + std::to_string(missing) + " fits are missing.\n" : std::string();
+    const std::string note =
+        missing > 0 ? "\nNot finished: " + std::to_string(missing) + " fits are missing.\n" : std::string();
     writeFileAtomically(folder / "table.md", markdownTable(table) + note);
     writeFileAtomically(folder / "table.tex", latexTable(table));
     writeFileAtomically(folder / "report.html", reportOf(content));

@@ -18,8 +18,8 @@ struct BenchmarkFolder {
 /// Reads what a run has written, finished or not: the rows of the methods that it was last asked for.
 BenchmarkFolder readBenchmarkFolder(const std::filesystem::path& folder);
 
-/// Brings the folders of all shards of a run together, in the order of a run without shards. Throws Error(Usage) if they
-/// belong to different runs, or if a shard is missing, named twice, or not finished.
+/// Brings the folders of all shards of a run together, in the order of a run without shards. Throws Error(Usage) if
+/// they belong to different runs, or if a shard is missing, named twice, or not finished.
 BenchmarkFolder mergedBenchmarkFolders(const std::vector<std::filesystem::path>& folders);
 
 /// Writes results.csv, joints.csv, curves.csv, table.md, table.tex and report.html, each atomically.

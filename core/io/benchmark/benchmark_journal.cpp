@@ -10,9 +10,9 @@
 #include "core/benchmark/paper_results.h"
 #include "core/benchmark/scene_fingerprint.h"
 #include "core/error.h"
+#include "core/io/benchmark/pairs_file.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/json_file.h"
-#include "core/io/benchmark/pairs_file.h"
 #include "core/io/files/text_file.h"
 
 namespace core {
@@ -37,9 +37,8 @@ double numberFrom(const json& value) {
 
 std::string lineOf(const PairResult& row) {
     ordered_json joints = ordered_json::array();
-    for (const double error : row.jointErrorsMm) {
+    for (const double error : row.jointErrorsMm)
         joints.push_back(numberOrNull(error));
-    }
     const ordered_json line = {{"sequence", row.pair.sequence},
                                {"start", row.pair.start},
                                {"test", row.pair.test},
@@ -62,26 +61,21 @@ PairResult rowFrom(const json& line) {
     row.iterations = line.at("iterations").get<int>();
     row.costRises = line.at("costRises").get<int>();
     row.seconds = line.at("seconds").get<double>();
-    for (const json& error : line.at("jointErrorsMm")) {
+    for (const json& error : line.at("jointErrorsMm"))
         row.jointErrorsMm.push_back(numberFrom(error));
-    }
     return row;
 }
 
 /// What keeps the work of `now` from going on where `before` ended; empty if nothing does.
 std::string obstacle(const BenchmarkRunInfo& before, const BenchmarkRunInfo& now) {
-    if (before.fingerprint != now.fingerprint) {
+    if (before.fingerprint != now.fingerprint)
         return "another dataset, one that has changed since, or an earlier revision of the methods";
-    }
-    if (before.setup != now.setup) {
+    if (before.setup != now.setup)
         return "the other setup";
-    }
-    if (before.pairs != now.pairs || before.joints != now.joints) {
+    if (before.pairs != now.pairs || before.joints != now.joints)
         return "other frame pairs (sequences, fraction, differences or seed)";
-    }
-    if (before.shard != now.shard) {
+    if (before.shard != now.shard)
         return "another shard";
-    }
     return "";
 }
 
@@ -111,10 +105,10 @@ BenchmarkRunInfo readRunInfo(const fs::path& folder) {
     info.external = document["external"].get<std::vector<std::string>>();
     info.shard = {document["shard"]["index"].get<int>(), document["shard"]["count"].get<int>()};
     info.sweep = document["sweep"].get<bool>();
-    for (const json& joint : document["joints"]) {
+    for (const json& joint : document["joints"])
         info.joints.push_back({*sideFromName(joint["hand"].get<std::string>()), joint["name"].get<std::string>()});
-    }
-    const bool mayBePapers = std::all_of(info.joints.begin(), info.joints.end(), [](const JointId& id) { return isPapersJoint(id.joint); });
+    const bool mayBePapers =
+        std::all_of(info.joints.begin(), info.joints.end(), [](const JointId& id) { return isPapersJoint(id.joint); });
     info.papersHands = document.value("papersHands", mayBePapers); // earlier runs do not say
     info.pairs = readPairs(folder / kPairsFile);
     return info;
@@ -122,22 +116,20 @@ BenchmarkRunInfo readRunInfo(const fs::path& folder) {
 
 void writeRunInfo(const fs::path& folder, const BenchmarkRunInfo& info) {
     ordered_json joints = ordered_json::array();
-    for (const JointId& id : info.joints) {
+    for (const JointId& id : info.joints)
         joints.push_back({{"hand", sideName(id.hand)}, {"name", id.joint}});
-    }
     writePairs(folder / kPairsFile, info.pairs);
-    writeJsonFile(folder / kRunFile,
-                  {{"format", "handlens-benchmark-run"},
-                   {"version", 1},
-                   {"dataset", info.dataset},
-                   {"fingerprint", info.fingerprint},
-                   {"setup", info.setup == BenchmarkSetup::Realistic ? "realistic" : "synthetic"},
-                   {"methods", info.methods},
-                   {"external", info.external},
-                   {"shard", {{"index", info.shard.index}, {"count", info.shard.count}}},
-                   {"sweep", info.sweep},
-                   {"papersHands", info.papersHands},
-                   {"joints", joints}});
+    writeJsonFile(folder / kRunFile, {{"format", "handlens-benchmark-run"},
+                                      {"version", 1},
+                                      {"dataset", info.dataset},
+                                      {"fingerprint", info.fingerprint},
+                                      {"setup", info.setup == BenchmarkSetup::Realistic ? "realistic" : "synthetic"},
+                                      {"methods", info.methods},
+                                      {"external", info.external},
+                                      {"shard", {{"index", info.shard.index}, {"count", info.shard.count}}},
+                                      {"sweep", info.sweep},
+                                      {"papersHands", info.papersHands},
+                                      {"joints", joints}});
 }
 
 std::vector<PairResult> readFinishedRows(const fs::path& folder, std::size_t jointCount) {
@@ -165,9 +157,8 @@ std::vector<PairResult> readFinishedRows(const fs::path& folder, std::size_t joi
 
 void writeFinishedRows(const fs::path& folder, const std::vector<PairResult>& rows) {
     std::string text;
-    for (const PairResult& row : rows) {
+    for (const PairResult& row : rows)
         text += lineOf(row);
-    }
     writeFileAtomically(folder / kFinishedFile, text);
 }
 
@@ -190,22 +181,19 @@ BenchmarkJournal::BenchmarkJournal(const fs::path& folder, const BenchmarkRunInf
     writeRunInfo(folder, info);
     writeFinishedRows(folder, m_finished); // without a last line that was cut off
     m_stream = std::fopen(m_file.c_str(), "ab");
-    if (m_stream == nullptr) {
+    if (m_stream == nullptr)
         throw Error(ErrorCode::Io, m_file.string(), "", "cannot be written");
-    }
 }
 
 BenchmarkJournal::~BenchmarkJournal() {
-    if (m_stream != nullptr) {
+    if (m_stream != nullptr)
         std::fclose(m_stream);
-    }
 }
 
 void BenchmarkJournal::append(const PairResult& row) {
     const std::string line = lineOf(row);
-    if (std::fwrite(line.data(), 1, line.size(), m_stream) != line.size() || std::fflush(m_stream) != 0) {
+    if (std::fwrite(line.data(), 1, line.size(), m_stream) != line.size() || std::fflush(m_stream) != 0)
         throw Error(ErrorCode::Io, m_file.string(), "", "cannot be written");
-    }
 }
 
 } // namespace core

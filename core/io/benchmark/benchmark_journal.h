@@ -33,8 +33,8 @@ BenchmarkRunInfo describeRun(const std::string& dataset, const BenchmarkScene& s
 BenchmarkRunInfo readRunInfo(const std::filesystem::path& folder);
 void writeRunInfo(const std::filesystem::path& folder, const BenchmarkRunInfo& info);
 
-/// The rows of `finished.jsonl`, in the order in which they were finished. A last line that was cut off is left out; any
-/// other line that makes no sense throws Error(BadInput). Each row must have `jointCount` joint errors.
+/// The rows of `finished.jsonl`, in the order in which they were finished. A last line that was cut off is left out;
+/// any other line that makes no sense throws Error(BadInput). Each row must have `jointCount` joint errors.
 std::vector<PairResult> readFinishedRows(const std::filesystem::path& folder, std::size_t jointCount);
 /// Rewrites that file, atomically.
 void writeFinishedRows(const std::filesystem::path& folder, const std::vector<PairResult>& rows);

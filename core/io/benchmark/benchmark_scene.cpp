@@ -16,15 +16,12 @@ namespace {
 
 std::vector<const Sequence*> chosenSequences(const Dataset& dataset, const std::vector<std::string>& names) {
     std::vector<const Sequence*> chosen;
-    for (const std::string& name : names) {
+    for (const std::string& name : names)
         chosen.push_back(&dataset.sequence(name));
-    }
     if (names.empty()) {
-        for (const Sequence& sequence : dataset.sequences) {
-            if (!sequence.motion.empty()) {
+        for (const Sequence& sequence : dataset.sequences)
+            if (!sequence.motion.empty())
                 chosen.push_back(&sequence);
-            }
-        }
     }
     return chosen;
 }
@@ -38,24 +35,21 @@ std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const 
     const AnnotationSet annotations = readAnnotations(dataset, sequence);
     for (const int frame : annotatedFrames(annotations)) {
         JointPositions found = meanJointPoints(annotations, dataset.cameras, frame);
-        if (!found.empty()) {
+        if (!found.empty())
             joints.emplace(frame, std::move(found));
-        }
     }
     return joints;
 }
 
 void addRealisticParts(const Dataset& dataset, const Sequence& sequence, BenchmarkSequence& result) {
-    if (!hasMasks(sequence)) {
+    if (!hasMasks(sequence))
         throwLacks(dataset, sequence, "has no masks, which the realistic setup takes its silhouettes from");
-    }
     result.masks = [folder = dataset.folder, sequence, cameras = dataset.cameras](int frame) {
         return readFrameMasks(folder, sequence, cameras, frame);
     };
     result.annotatedJoints = readAnnotatedJoints(dataset, sequence);
-    if (result.annotatedJoints.empty()) {
+    if (result.annotatedJoints.empty())
         throwLacks(dataset, sequence, "has no annotated 3D joints, which the realistic setup measures errors against");
-    }
 }
 
 } // namespace
@@ -65,17 +59,14 @@ BenchmarkScene readBenchmarkScene(const Dataset& dataset, const std::vector<std:
     BenchmarkScene scene{dataset.hands, dataset.cameras, {}};
     for (const Sequence* sequence : chosenSequences(dataset, sequences)) {
         BenchmarkSequence result{sequence->name, readMotion(dataset, *sequence), {}, {}};
-        if (result.motion.empty()) {
+        if (result.motion.empty())
             throwLacks(dataset, *sequence, "has no recorded motion to take start poses from");
-        }
-        if (setup == BenchmarkSetup::Realistic) {
+        if (setup == BenchmarkSetup::Realistic)
             addRealisticParts(dataset, *sequence, result);
-        }
         scene.sequences.push_back(std::move(result));
     }
-    if (scene.sequences.empty()) {
+    if (scene.sequences.empty())
         throw Error(ErrorCode::NotFound, dataset.folder.string(), "sequences", "none has a recorded motion");
-    }
     return scene;
 }
 

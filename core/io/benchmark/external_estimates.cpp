@@ -25,39 +25,37 @@ struct RowPlace {
     const std::string& file;
     std::size_t row; ///< from 1, the header included
 
-    Error error(const std::string& what) const { return {ErrorCode::BadInput, file, "row " + std::to_string(row), what}; }
+    Error error(const std::string& what) const {
+        return {ErrorCode::BadInput, file, "row " + std::to_string(row), what};
+    }
 };
 
 int frameFrom(const RowPlace& place, const std::string& text, const char* column) {
     int frame = -1;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), frame);
-    if (code != std::errc() || end != text.data() + text.size() || frame < 0) {
+    if (code != std::errc() || end != text.data() + text.size() || frame < 0)
         throw place.error(std::string(column) + " '" + text + "' is not a frame number");
-    }
     return frame;
 }
 
 double lengthFrom(const RowPlace& place, const std::string& text) {
     double value = 0;
-    if (!parseNumber(text, value)) {
+    if (!parseNumber(text, value))
         throw place.error("'" + text + "' is not a finite number");
-    }
     return value;
 }
 
 void readRow(const RowPlace& place, const CsvRow& fields, ExternalEstimates& estimates) {
-    if (fields.size() != kHeader.size()) {
+    if (fields.size() != kHeader.size())
         throw place.error("has " + std::to_string(fields.size()) + " columns, not " + std::to_string(kHeader.size()));
-    }
     const std::optional<Side> hand = sideFromName(fields[3]);
-    if (!hand) {
+    if (!hand)
         throw place.error("hand '" + fields[3] + "' is neither left nor right");
-    }
     const FramePair pair{fields[0], frameFrom(place, fields[1], "start"), frameFrom(place, fields[2], "test")};
-    const Eigen::Vector3d position(lengthFrom(place, fields[5]), lengthFrom(place, fields[6]), lengthFrom(place, fields[7]));
-    if (!estimates.joints[pair].emplace(JointId{*hand, fields[4]}, position).second) {
+    const Eigen::Vector3d position(lengthFrom(place, fields[5]), lengthFrom(place, fields[6]),
+                                   lengthFrom(place, fields[7]));
+    if (!estimates.joints[pair].emplace(JointId{*hand, fields[4]}, position).second)
         throw place.error(jointLabel({*hand, fields[4]}) + " is listed twice for this pair");
-    }
 }
 
 ExternalEstimates readTable(const std::string& name, const fs::path& path) {
@@ -68,9 +66,8 @@ ExternalEstimates readTable(const std::string& name, const fs::path& path) {
         const std::string header = csvLine(kHeader);
         throw Error(ErrorCode::BadInput, file, "header", "must be " + header.substr(0, header.size() - 1));
     }
-    for (std::size_t i = 1; i < rows.size(); ++i) {
+    for (std::size_t i = 1; i < rows.size(); ++i)
         readRow({file, i + 1}, rows[i], estimates);
-    }
     return estimates;
 }
 
@@ -79,18 +76,16 @@ JointPositions jointsFromJson(const json& list, const std::string& file, const s
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string where = field + ".joints[" + std::to_string(i) + "]";
         const JointId id{*sideFromName(list[i]["hand"].get<std::string>()), list[i]["name"].get<std::string>()};
-        if (!joints.emplace(id, jsonVector(list[i]["xyz"], file, where + ".xyz")).second) {
+        if (!joints.emplace(id, jsonVector(list[i]["xyz"], file, where + ".xyz")).second)
             throw Error(ErrorCode::BadInput, file, where, jointLabel(id) + " is listed twice");
-        }
     }
     return joints;
 }
 
 HandPoses posesFromJson(const json& list, const std::vector<HandModel>& hands, const std::string& file,
                         const std::string& field) {
-    if (list.size() != hands.size()) {
+    if (list.size() != hands.size())
         throw Error(ErrorCode::BadInput, file, field + ".poses", "must hold one pose per hand of the dataset");
-    }
     HandPoses poses;
     for (std::size_t h = 0; h < hands.size(); ++h) {
         const auto size = static_cast<std::size_t>(hands[h].skeleton.poseSize());
@@ -114,9 +109,8 @@ ExternalEstimates readJson(const std::string& name, const fs::path& file, const 
             list[i].contains("joints")
                 ? jointsFromJson(list[i]["joints"], file.string(), field)
                 : namedJointPositions(hands, posesFromJson(list[i]["poses"], hands, file.string(), field));
-        if (!estimates.joints.emplace(pair, std::move(joints)).second) {
+        if (!estimates.joints.emplace(pair, std::move(joints)).second)
             throw Error(ErrorCode::BadInput, file.string(), field, "is a pair that is listed twice");
-        }
     }
     return estimates;
 }

@@ -18,12 +18,10 @@ std::vector<FramePair> readPairs(const std::filesystem::path& file) {
     for (const nlohmann::json& entry : document["pairs"]) {
         const std::string field = "pairs[" + std::to_string(pairs.size()) + "]";
         const FramePair pair{entry["sequence"].get<std::string>(), entry["start"].get<int>(), entry["test"].get<int>()};
-        if (entry.contains("difference") && entry["difference"].get<int>() != pair.difference()) {
+        if (entry.contains("difference") && entry["difference"].get<int>() != pair.difference())
             throw Error(ErrorCode::BadInput, file.string(), field + ".difference", "must be test - start");
-        }
-        if (!seen.insert(pair).second) {
+        if (!seen.insert(pair).second)
             throw Error(ErrorCode::BadInput, file.string(), field, "is listed twice");
-        }
         pairs.push_back(pair);
     }
     return pairs;

@@ -27,23 +27,22 @@ struct Section {
     }
     const toml::array& array(const std::string& key) const {
         const toml::array* found = table[key].as_array();
-        if (found == nullptr) {
+        if (found == nullptr)
             throw bad(key, "a list is expected");
-        }
         return *found;
     }
 };
 
-void appendNumbers(std::vector<double>& numbers, const toml::array& list, const Section& section, const std::string& key) {
+void appendNumbers(std::vector<double>& numbers, const toml::array& list, const Section& section,
+                   const std::string& key) {
     for (const toml::node& node : list) {
         if (const toml::array* inner = node.as_array()) {
             appendNumbers(numbers, *inner, section, key);
             continue;
         }
         const std::optional<double> value = node.value<double>();
-        if (!value || !std::isfinite(*value)) {
+        if (!value || !std::isfinite(*value))
             throw section.bad(key, "holds a value that is not a finite number");
-        }
         numbers.push_back(*value);
     }
 }
@@ -59,15 +58,15 @@ Camera cameraOf(const Section& section) {
     Camera camera;
     camera.name = section.table["name"].value<std::string>().value_or(section.name);
     const std::vector<double> size = numbersOf(section, "size");
-    if (size.size() != 2 || size[0] < 1 || size[1] < 1 || size[0] > 1e5 || size[1] > 1e5) {
+    if (size.size() != 2 || size[0] < 1 || size[1] < 1 || size[0] > 1e5 || size[1] > 1e5)
         throw section.bad("size", "width and height are expected");
-    }
     camera.size = {static_cast<int>(size[0]), static_cast<int>(size[1])};
     camera.intrinsics = rowMajorMatrix(numbersOf(section, "matrix"), section.file, field("matrix"));
     camera.distortion = numbersOf(section, "distortions");
     camera.fisheye = section.table["fisheye"].value<bool>().value_or(false);
     camera.cameraFromWorld.rotation = rotationOf(numbersOf(section, "rotation"), section.file, field("rotation"));
-    camera.cameraFromWorld.translation = vectorOf(numbersOf(section, "translation"), section.file, field("translation"));
+    camera.cameraFromWorld.translation =
+        vectorOf(numbersOf(section, "translation"), section.file, field("translation"));
     return camera;
 }
 
@@ -79,9 +78,8 @@ std::string tomlFloat(double value) {
 template <typename List>
 std::string numberList(const List& values) {
     std::string text = "[ ";
-    for (const double value : values) {
+    for (const double value : values)
         text += tomlFloat(value) + ", ";
-    }
     return text + "]";
 }
 
@@ -100,9 +98,11 @@ std::string formatCamera(const Camera& camera, std::size_t index) {
         rows += numberList(row) + ", ";
     }
     const Eigen::Vector3d rotation = rotationLog(camera.cameraFromWorld.rotation);
-    return "[cam_" + std::to_string(index) + "]\nname = " + tomlString(camera.name) + "\nsize = [ " + std::to_string(camera.size.width) + ", " +
-           std::to_string(camera.size.height) + ",]\nmatrix = [ " + rows + "]\ndistortions = " + numberList(lens) + "\nrotation = " + numberList(rotation) +
-           "\ntranslation = " + numberList(Eigen::Vector3d(camera.cameraFromWorld.translation)) + "\nfisheye = " + (camera.fisheye ? "true" : "false") + "\n\n";
+    return "[cam_" + std::to_string(index) + "]\nname = " + tomlString(camera.name) + "\nsize = [ " +
+           std::to_string(camera.size.width) + ", " + std::to_string(camera.size.height) + ",]\nmatrix = [ " + rows +
+           "]\ndistortions = " + numberList(lens) + "\nrotation = " + numberList(rotation) +
+           "\ntranslation = " + numberList(Eigen::Vector3d(camera.cameraFromWorld.translation)) +
+           "\nfisheye = " + (camera.fisheye ? "true" : "false") + "\n\n";
 }
 
 } // namespace
@@ -119,18 +119,16 @@ std::vector<Camera> readAnipose(const fs::path& file) {
     std::vector<Camera> cameras;
     for (const auto& [key, node] : document) {
         const std::string name(key.str());
-        if (const toml::table* table = node.as_table(); table != nullptr && name != "metadata") {
+        if (const toml::table* table = node.as_table(); table != nullptr && name != "metadata")
             cameras.push_back(cameraOf({*table, name, file.string()}));
-        }
     }
     return cameras;
 }
 
 std::string formatAnipose(const std::vector<Camera>& cameras) {
     std::string text;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
+    for (std::size_t i = 0; i < cameras.size(); ++i)
         text += formatCamera(cameras[i], i);
-    }
     return text + "[metadata]\nadjusted = false\nerror = 0.0\n";
 }
 

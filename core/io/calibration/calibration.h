@@ -31,19 +31,22 @@ struct CalibrationOptions {
 /// Which kind of calibration a file or folder holds. Throws Error(Unsupported) if it is none of the known ones.
 std::string sniffCalibration(const std::filesystem::path& path);
 
-/// Reads cameras from a file, or from a folder for kinds that have a file per camera, and brings them to our conventions: x_cam = R x_world + t
-/// in mm, pixel centres from 0, matrices not transposed. Cameras are named by the file and sorted by name, numbers in names by value.
-/// Throws Error naming file and field, also if an image size is needed and not given.
+/// Reads cameras from a file, or from a folder for kinds that have a file per camera, and brings them to our
+/// conventions: x_cam = R x_world + t in mm, pixel centres from 0, matrices not transposed. Cameras are named by the
+/// file and sorted by name, numbers in names by value. Throws Error naming file and field, also if an image size is
+/// needed and not given.
 std::vector<Camera> readCalibration(const std::filesystem::path& path, const CalibrationOptions& options = {});
 
 /// Writes all cameras into one file of that kind (mm). Throws Error(Usage) for a kind that cannot be written.
 void writeCalibration(const std::filesystem::path& file, std::string_view kind, const std::vector<Camera>& cameras);
 
-/// What is odd about the length unit of cameras that were read with `mmPerUnit` (readCalibration's, resolved), with the --mm-per-unit that would
-/// mend it, English; empty if nothing is. Cameras that are less than 100 mm (or more than 200 m) from where they look are of another unit.
+/// What is odd about the length unit of cameras that were read with `mmPerUnit` (readCalibration's, resolved), with the
+/// --mm-per-unit that would mend it, English; empty if nothing is. Cameras that are less than 100 mm (or more than 200
+/// m) from where they look are of another unit.
 std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit = 1);
 
 /// unitNote for cameras that readCalibration made of `path`, and a word on kinds whose files do not say their unit.
-std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options, const std::vector<Camera>& cameras);
+std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options,
+                                          const std::vector<Camera>& cameras);
 
 } // namespace core

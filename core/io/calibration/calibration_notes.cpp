@@ -15,7 +15,8 @@ constexpr double kFarMm = 200e3; ///< farther than any room is wide
 constexpr double kCentimetresBelowMm = 100;
 constexpr double kSideBySideMm = 5; ///< no two cameras with parallel axes stand closer
 
-/// The middle one of the cameras' distances from where they look or, if they look past each other, from each other; 0 for a single camera.
+/// The middle one of the cameras' distances from where they look or, if they look past each other, from each other; 0
+/// for a single camera.
 double usualDistanceMm(const std::vector<Camera>& cameras) {
     const std::optional<Eigen::Vector3d> target = commonTarget(cameras);
     std::vector<double> distances;
@@ -37,36 +38,35 @@ std::string number(double value, const char* format) {
 
 std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit) {
     const double distance = usualDistanceMm(cameras);
-    if (cameras.size() < 2 || distance == 0) {
+    if (cameras.size() < 2 || distance == 0)
         return "";
-    }
-    const std::string where = "the cameras are " + number(distance, "%.3g") + " mm from " + (commonTarget(cameras) ? "where they look" : "each other");
+    const std::string where = "the cameras are " + number(distance, "%.3g") + " mm from " +
+                              (commonTarget(cameras) ? "where they look" : "each other");
     const bool hasTarget = commonTarget(cameras).has_value();
-    if (distance < (hasTarget ? kNearMm : kSideBySideMm)) {
+    if (distance < (hasTarget ? kNearMm : kSideBySideMm))
         return where + ": is the calibration in metres? Then give --mm-per-unit " + number(mmPerUnit * 1000, "%g");
-    }
-    if (hasTarget && distance < kCentimetresBelowMm) {
+    if (hasTarget && distance < kCentimetresBelowMm)
         return where + ": is the calibration in centimetres? Then give --mm-per-unit " + number(mmPerUnit * 10, "%g");
-    }
-    if (distance > kFarMm) {
+    if (distance > kFarMm)
         return where + ": is the calibration in millimetres? Then give --mm-per-unit " + number(mmPerUnit / 1000, "%g");
-    }
     return "";
 }
 
-std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options, const std::vector<Camera>& cameras) {
+std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options,
+                                          const std::vector<Camera>& cameras) {
     const std::string kind = options.kind.empty() ? sniffCalibration(path) : options.kind;
     const std::vector<CalibrationKind>& kinds = calibrationKinds();
-    const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const CalibrationKind& one) { return one.name == kind; });
+    const auto known =
+        std::find_if(kinds.begin(), kinds.end(), [&](const CalibrationKind& one) { return one.name == kind; });
     std::vector<std::string> notes;
     if (kind == "handpose3d" && !options.mmPerUnit) {
-        notes.push_back("these files do not say their unit of length: centimetres are assumed (--mm-per-unit 10); compare a length that you know, such as "
+        notes.push_back("these files do not say their unit of length: centimetres are assumed (--mm-per-unit 10); "
+                        "compare a length that you know, such as "
                         "a palm's width. (In handpose3d's own example a unit is about 45 mm.)");
     }
     const std::string unit = unitNote(cameras, options.mmPerUnit.value_or(known == kinds.end() ? 1 : known->mmPerUnit));
-    if (!unit.empty()) {
+    if (!unit.empty())
         notes.push_back(unit);
-    }
     return notes;
 }
 

@@ -9,8 +9,8 @@
 
 namespace core {
 
-// One function per kind of file, for calibration.cpp. They undo transpositions and offsets but keep the file's unit of length;
-// cameras whose file holds no image size have size 0 x 0. All throw Error naming file and field.
+// One function per kind of file, for calibration.cpp. They undo transpositions and offsets but keep the file's unit of
+// length; cameras whose file holds no image size have size 0 x 0. All throw Error naming file and field.
 
 /// calibration.toml of Anipose.
 std::vector<Camera> readAnipose(const std::filesystem::path& file);
@@ -32,14 +32,16 @@ std::vector<Camera> readInterHand(const std::filesystem::path& file, const std::
 /// HanCo / FreiHAND JSON: K and M, lists of matrices.
 std::vector<Camera> readHanCo(const std::filesystem::path& file);
 
-/// Text files of TemugeB/handpose3d, two per camera: c0.dat (intrinsic, distortion) and rot_trans_c0.dat (R, T, world to camera; the first block
-/// of each), or camera0_intrinsics.dat and camera0_rot_trans.dat. `path`: their folder, or one of the files, which stands for its folder.
+/// Text files of TemugeB/handpose3d, two per camera: c0.dat (intrinsic, distortion) and rot_trans_c0.dat (R, T, world
+/// to camera; the first block of each), or camera0_intrinsics.dat and camera0_rot_trans.dat. `path`: their folder, or
+/// one of the files, which stands for its folder.
 std::vector<Camera> readHandpose3d(const std::filesystem::path& path);
 /// True if there is such a pair.
 bool isHandpose3d(const std::filesystem::path& path);
 
 /// Files of a folder with one of these extensions, sorted by natural order; the path itself if it is a file.
-std::vector<std::filesystem::path> calibrationFiles(const std::filesystem::path& path, const std::vector<std::string>& extensions);
+std::vector<std::filesystem::path> calibrationFiles(const std::filesystem::path& path,
+                                                    const std::vector<std::string>& extensions);
 
 /// cam_2 before cam_10.
 bool naturalLess(std::string_view a, std::string_view b);

@@ -23,9 +23,8 @@ Camera cameraFromJson(const json& value, const std::string& file, const std::str
     camera.name = value["name"].get<std::string>();
     camera.size = {value["size"][0].get<int>(), value["size"][1].get<int>()};
     camera.intrinsics = jsonMatrix(value["K"], file, field + ".K");
-    if (value.contains("distortion")) {
+    if (value.contains("distortion"))
         camera.distortion = jsonNumbers(value["distortion"], value["distortion"].size(), file, field + ".distortion");
-    }
     camera.fisheye = value.value("fisheye", false);
     camera.cameraFromWorld.rotation = jsonMatrix(value["R"], file, field + ".R");
     camera.cameraFromWorld.translation = jsonVector(value["t"], file, field + ".t");
@@ -34,33 +33,28 @@ Camera cameraFromJson(const json& value, const std::string& file, const std::str
 
 /// What is wrong with K, or nothing.
 std::string intrinsicsProblem(const Eigen::Matrix3d& k) {
-    if (!k.allFinite() || k(0, 0) <= 0 || k(1, 1) <= 0) {
+    if (!k.allFinite() || k(0, 0) <= 0 || k(1, 1) <= 0)
         return "focal lengths must be positive";
-    }
-    if (std::abs(k(2, 0)) > 1e-9 || std::abs(k(2, 1)) > 1e-9 || std::abs(k(2, 2) - 1) > 1e-9) {
+    if (std::abs(k(2, 0)) > 1e-9 || std::abs(k(2, 1)) > 1e-9 || std::abs(k(2, 2) - 1) > 1e-9)
         return "the last row must be 0 0 1 (is the matrix transposed?)";
-    }
-    if (std::abs(k(1, 0)) > 1e-9) {
+    if (std::abs(k(1, 0)) > 1e-9)
         return "must be upper triangular";
-    }
     return "";
 }
 
 std::string lensProblem(const Camera& camera) {
     const std::size_t n = camera.distortion.size();
-    if (!std::all_of(camera.distortion.begin(), camera.distortion.end(), [](double d) { return std::isfinite(d); })) {
+    if (!std::all_of(camera.distortion.begin(), camera.distortion.end(), [](double d) { return std::isfinite(d); }))
         return "is not finite";
-    }
-    if (camera.fisheye) {
+    if (camera.fisheye)
         return n == 4 ? "" : "a fisheye camera has 4 coefficients, not " + std::to_string(n);
-    }
-    return n == 0 || n == 4 || n == 5 || n == 8 ? "" : "0, 4, 5 or 8 coefficients are expected, not " + std::to_string(n);
+    return n == 0 || n == 4 || n == 5 || n == 8 ? ""
+                                                : "0, 4, 5 or 8 coefficients are expected, not " + std::to_string(n);
 }
 
 std::string rotationProblem(const Eigen::Matrix3d& rotation) {
-    if (rotation.allFinite() && isRotation(-rotation)) {
+    if (rotation.allFinite() && isRotation(-rotation))
         return "is a reflection (determinant -1), not a rotation";
-    }
     return isRotation(rotation) ? "" : "is not a rotation (orthonormal rows, determinant +1)";
 }
 
@@ -72,9 +66,8 @@ void checkCameras(const std::vector<Camera>& cameras, const std::string& file) {
         const Camera& camera = cameras[i];
         const std::string field = "cameras[" + std::to_string(i) + "]";
         const auto demand = [&](const std::string& member, const std::string& problem) {
-            if (!problem.empty()) {
+            if (!problem.empty())
                 throw Error(ErrorCode::BadInput, file, field + "." + member, problem);
-            }
         };
         demand("name", isFileName(camera.name) ? "" : "must be usable as a file name");
         demand("name", names.insert(camera.name).second ? "" : "the name \"" + camera.name + "\" is used twice");
@@ -89,9 +82,8 @@ void checkCameras(const std::vector<Camera>& cameras, const std::string& file) {
 std::vector<Camera> readCameras(const std::filesystem::path& file) {
     const json value = readOwnFile(file, "cameras");
     std::vector<Camera> cameras;
-    for (const json& item : value["cameras"]) {
+    for (const json& item : value["cameras"])
         cameras.push_back(cameraFromJson(item, file.string(), "cameras[" + std::to_string(cameras.size()) + "]"));
-    }
     checkCameras(cameras, file.string());
     return cameras;
 }

@@ -20,9 +20,9 @@ nlohmann::ordered_json camerasToJson(const std::vector<Camera>& cameras);
 /// The whole content of a cameras file.
 nlohmann::ordered_json camerasDocument(const std::vector<Camera>& cameras);
 
-/// Everything that must hold for cameras of whatever origin: distinct names that can name a file, a positive size, K upper
-/// triangular with positive focal lengths, a known number of lens coefficients, a proper rotation.
-/// Throws Error(BadInput) naming `file` and the camera.
+/// Everything that must hold for cameras of whatever origin: distinct names that can name a file, a positive size, K
+/// upper triangular with positive focal lengths, a known number of lens coefficients, a proper rotation. Throws
+/// Error(BadInput) naming `file` and the camera.
 void checkCameras(const std::vector<Camera>& cameras, const std::string& file);
 
 } // namespace core

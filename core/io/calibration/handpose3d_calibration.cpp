@@ -30,9 +30,8 @@ std::vector<FilePair> pairsOf(const fs::path& folder) {
             pose = folder / (camera + "_rot_trans.dat");
         }
         std::error_code ignored;
-        if (fs::is_regular_file(pose, ignored)) {
+        if (fs::is_regular_file(pose, ignored))
             pairs.push_back({camera, file, pose});
-        }
     }
     return pairs;
 }
@@ -42,16 +41,15 @@ fs::path folderOf(const fs::path& path) {
     return fs::is_directory(path, ignored) ? path : path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// The first block of numbers after a line that reads `title`; what follows (another block of the same title, comments) is not looked at.
+/// The first block of numbers after a line that reads `title`; what follows (another block of the same title, comments)
+/// is not looked at.
 std::vector<std::vector<double>> block(const fs::path& file, std::string_view title, std::size_t rows) {
     LineReader reader(file);
     while (true) {
-        if (reader.atEnd()) {
+        if (reader.atEnd())
             throw Error(ErrorCode::BadInput, file.string(), std::string(title), "is missing");
-        }
-        if (reader.next(title) == std::string(title) + ":") {
+        if (reader.next(title) == std::string(title) + ":")
             break;
-        }
     }
     std::vector<std::vector<double>> values;
     while (values.size() < rows) {
@@ -59,9 +57,8 @@ std::vector<std::vector<double>> block(const fs::path& file, std::string_view ti
         std::vector<double> row;
         for (const std::string_view word : splitWords(line)) {
             row.emplace_back();
-            if (!parseNumber(word, row.back())) {
+            if (!parseNumber(word, row.back()))
                 throw reader.errorHere("'" + std::string(word.substr(0, 40)) + "' is not a finite number");
-            }
         }
         values.push_back(row);
     }
@@ -70,20 +67,22 @@ std::vector<std::vector<double>> block(const fs::path& file, std::string_view ti
 
 Eigen::Matrix3d matrixOf(const fs::path& file, const std::string& title) {
     std::vector<double> all;
-    for (const std::vector<double>& row : block(file, title, 3)) {
+    for (const std::vector<double>& row : block(file, title, 3))
         all.insert(all.end(), row.begin(), row.end());
-    }
     return rowMajorMatrix(all, file.string(), title);
 }
 
 } // namespace
 
-bool isHandpose3d(const fs::path& path) { return !pairsOf(folderOf(path)).empty(); }
+bool isHandpose3d(const fs::path& path) {
+    return !pairsOf(folderOf(path)).empty();
+}
 
 std::vector<Camera> readHandpose3d(const fs::path& path) {
     const std::vector<FilePair> pairs = pairsOf(folderOf(path));
     if (pairs.empty()) {
-        throw Error(ErrorCode::NotFound, path.string(), "", "no pair of files such as c0.dat and rot_trans_c0.dat is there");
+        throw Error(ErrorCode::NotFound, path.string(), "",
+                    "no pair of files such as c0.dat and rot_trans_c0.dat is there");
     }
     std::vector<Camera> cameras;
     for (const FilePair& pair : pairs) {
@@ -93,9 +92,8 @@ std::vector<Camera> readHandpose3d(const fs::path& path) {
         camera.distortion = block(pair.intrinsics, "distortion", 1).front();
         camera.cameraFromWorld.rotation = matrixOf(pair.pose, "R");
         std::vector<double> translation;
-        for (const std::vector<double>& row : block(pair.pose, "T", 3)) {
+        for (const std::vector<double>& row : block(pair.pose, "T", 3))
             translation.insert(translation.end(), row.begin(), row.end());
-        }
         camera.cameraFromWorld.translation = vectorOf(translation, pair.pose.string(), "T");
         cameras.push_back(camera);
     }

@@ -21,25 +21,25 @@ constexpr int kMaxDepth = 32;
 /// A file of cv::FileStorage, opened; errors carry its name.
 class Storage {
 public:
-    explicit Storage(const fs::path& file) : m_file(file.string()) {
+    explicit Storage(const fs::path& file)
+        : m_file(file.string()) {
         const std::string text = readTextFile(file);
-        if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+        if (text.find_first_not_of(" \t\r\n") == std::string::npos)
             throw bad("", "is empty");
-        }
-        if (nestingDepth(text) > kMaxDepth) { // the library's parser is recursive
+        if (nestingDepth(text) > kMaxDepth) // the library's parser is recursive
             throw bad("", "is nested too deep");
-        }
         try {
             m_storage.open(text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
         } catch (const cv::Exception& failure) {
             throw bad("", "is not YAML, XML or JSON as OpenCV writes it: " + failure.err);
         }
-        if (!m_storage.isOpened()) {
+        if (!m_storage.isOpened())
             throw bad("", "is not YAML, XML or JSON as OpenCV writes it");
-        }
     }
 
-    Error bad(const std::string& field, const std::string& detail) const { return Error(ErrorCode::BadInput, m_file, field, detail); }
+    Error bad(const std::string& field, const std::string& detail) const {
+        return Error(ErrorCode::BadInput, m_file, field, detail);
+    }
     cv::FileNode root() const { return m_storage.root(); }
     const std::string& file() const { return m_file; }
 
@@ -52,23 +52,20 @@ public:
     }
     std::vector<double> neededNumbers(const cv::FileNode& parent, const std::string& key) const {
         std::vector<double> values = numbers(parent, key);
-        if (values.empty()) {
+        if (values.empty())
             throw bad(key, "is missing");
-        }
         return values;
     }
 
 private:
     void append(std::vector<double>& values, const cv::FileNode& node, const std::string& key, int depth) const {
         if (node.isSeq() && depth < kMaxDepth) {
-            for (const cv::FileNode item : node) {
+            for (const cv::FileNode item : node)
                 append(values, item, key, depth + 1);
-            }
         } else if (node.isInt() || node.isReal()) {
             const double value = static_cast<double>(node);
-            if (!std::isfinite(value)) {
+            if (!std::isfinite(value))
                 throw bad(key, "holds a number that is not finite");
-            }
             values.push_back(value);
         } else if (!node.empty() && !node.isNone()) {
             throw bad(key, "numbers are expected");
@@ -91,34 +88,31 @@ auto guarded(const Storage& storage, Reader&& reader) {
 
 ImageSize sizeOf(const Storage& storage, const cv::FileNode& node, const char* widthKey, const char* heightKey) {
     const cv::FileNode width = node[widthKey], height = node[heightKey];
-    if (width.empty() || height.empty()) {
+    if (width.empty() || height.empty())
         return {};
-    }
     const double w = static_cast<double>(width), h = static_cast<double>(height);
-    if (!(w >= 1 && w <= 1e5 && h >= 1 && h <= 1e5)) {
+    if (!(w >= 1 && w <= 1e5 && h >= 1 && h <= 1e5))
         throw storage.bad(widthKey, "the image size is not sensible");
-    }
     return {static_cast<int>(w), static_cast<int>(h)};
 }
 
-std::string textOf(const cv::FileNode& node) { return node.isString() ? static_cast<std::string>(node) : std::string(); }
+std::string textOf(const cv::FileNode& node) {
+    return node.isString() ? static_cast<std::string>(node) : std::string();
+}
 
 /// The first of these keys that is there.
 std::string firstKey(const Storage& storage, const cv::FileNode& node, const std::vector<std::string>& keys) {
-    for (const std::string& key : keys) {
-        if (!node[key].empty()) {
+    for (const std::string& key : keys)
+        if (!node[key].empty())
             return key;
-        }
-    }
     throw storage.bad(keys.front(), "is missing");
 }
 
 Camera openCvCamera(const Storage& storage, const cv::FileNode& node, const std::string& fallbackName) {
     Camera camera;
     camera.name = textOf(node[node["name"].empty() ? "camera_name" : "name"]);
-    if (camera.name.empty()) {
+    if (camera.name.empty())
         camera.name = fallbackName;
-    }
     camera.size = sizeOf(storage, node, "image_width", "image_height");
     camera.intrinsics = rowMajorMatrix(storage.neededNumbers(node, "camera_matrix"), storage.file(), "camera_matrix");
     camera.distortion = storage.numbers(node, "distortion_coefficients");
@@ -126,27 +120,29 @@ Camera openCvCamera(const Storage& storage, const cv::FileNode& node, const std:
     const std::string rotation = firstKey(storage, node, {"R", "rvec", "rotation", "rotation_matrix"});
     camera.cameraFromWorld.rotation = rotationOf(storage.neededNumbers(node, rotation), storage.file(), rotation);
     const std::string translation = firstKey(storage, node, {"tvec", "T", "t", "translation", "translation_vector"});
-    camera.cameraFromWorld.translation = vectorOf(storage.neededNumbers(node, translation), storage.file(), translation);
+    camera.cameraFromWorld.translation =
+        vectorOf(storage.neededNumbers(node, translation), storage.file(), translation);
     return camera;
 }
 
 cv::Mat toMat(const Eigen::MatrixXd& matrix) {
     cv::Mat result(static_cast<int>(matrix.rows()), static_cast<int>(matrix.cols()), CV_64F);
-    for (int i = 0; i < result.rows; ++i) {
-        for (int j = 0; j < result.cols; ++j) {
+    for (int i = 0; i < result.rows; ++i)
+        for (int j = 0; j < result.cols; ++j)
             result.at<double>(i, j) = matrix(i, j);
-        }
-    }
     return result;
 }
 
 void writeCamera(cv::FileStorage& storage, const Camera& camera) {
-    storage << "{" << "name" << camera.name << "image_width" << camera.size.width << "image_height" << camera.size.height;
+    storage << "{"
+            << "name" << camera.name << "image_width" << camera.size.width << "image_height" << camera.size.height;
     storage << "camera_matrix" << toMat(camera.intrinsics);
-    Eigen::MatrixXd lens = Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(std::max<std::size_t>(4, camera.distortion.size())));
+    Eigen::MatrixXd lens =
+        Eigen::MatrixXd::Zero(1, static_cast<Eigen::Index>(std::max<std::size_t>(4, camera.distortion.size())));
     std::copy(camera.distortion.begin(), camera.distortion.end(), lens.data());
     storage << "distortion_coefficients" << toMat(lens) << "fisheye" << static_cast<int>(camera.fisheye);
-    storage << "R" << toMat(camera.cameraFromWorld.rotation) << "tvec" << toMat(camera.cameraFromWorld.translation) << "}";
+    storage << "R" << toMat(camera.cameraFromWorld.rotation) << "tvec" << toMat(camera.cameraFromWorld.translation)
+            << "}";
 }
 
 Camera jarvisCamera(const Storage& storage, const std::string& name) {
@@ -155,9 +151,13 @@ Camera jarvisCamera(const Storage& storage, const std::string& name) {
     camera.name = name;
     camera.size = sizeOf(storage, root, "image_width", "image_height");
     // Both matrices are stored transposed: the principal point stands in the last row.
-    camera.intrinsics = rowMajorMatrix(storage.neededNumbers(root, "intrinsicMatrix"), storage.file(), "intrinsicMatrix").transpose().eval();
+    camera.intrinsics =
+        rowMajorMatrix(storage.neededNumbers(root, "intrinsicMatrix"), storage.file(), "intrinsicMatrix")
+            .transpose()
+            .eval();
     camera.distortion = storage.numbers(root, "distortionCoefficients");
-    camera.cameraFromWorld.rotation = rowMajorMatrix(storage.neededNumbers(root, "R"), storage.file(), "R").transpose().eval();
+    camera.cameraFromWorld.rotation =
+        rowMajorMatrix(storage.neededNumbers(root, "R"), storage.file(), "R").transpose().eval();
     camera.cameraFromWorld.translation = vectorOf(storage.neededNumbers(root, "T"), storage.file(), "T");
     return camera;
 }
@@ -171,7 +171,8 @@ Camera easyMocapCamera(const Storage& intrinsics, const Storage& extrinsics, con
     camera.distortion = intrinsics.numbers(in, "dist_" + name);
     const std::string rotation = firstKey(extrinsics, ex, {"Rot_" + name, "R_" + name});
     camera.cameraFromWorld.rotation = rotationOf(extrinsics.neededNumbers(ex, rotation), extrinsics.file(), rotation);
-    camera.cameraFromWorld.translation = vectorOf(extrinsics.neededNumbers(ex, "T_" + name), extrinsics.file(), "T_" + name);
+    camera.cameraFromWorld.translation =
+        vectorOf(extrinsics.neededNumbers(ex, "T_" + name), extrinsics.file(), "T_" + name);
     return camera;
 }
 
@@ -187,9 +188,8 @@ std::vector<Camera> readOpenCv(const fs::path& path) {
                 cameras.push_back(openCvCamera(storage, storage.root(), file.stem().string()));
                 return;
             }
-            for (const cv::FileNode node : list) {
+            for (const cv::FileNode node : list)
                 cameras.push_back(openCvCamera(storage, node, "cam" + std::to_string(cameras.size())));
-            }
         });
     }
     return cameras;
@@ -198,10 +198,10 @@ std::vector<Camera> readOpenCv(const fs::path& path) {
 std::string formatOpenCv(const std::vector<Camera>& cameras, const std::string& extension) {
     const bool isKnown = extension == ".xml" || extension == ".json";
     cv::FileStorage storage(isKnown ? extension : ".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
-    storage << "cameras" << "[";
-    for (const Camera& camera : cameras) {
+    storage << "cameras"
+            << "[";
+    for (const Camera& camera : cameras)
         writeCamera(storage, camera);
-    }
     storage << "]";
     return storage.releaseAndGetString();
 }
@@ -220,13 +220,13 @@ std::vector<Camera> readEasyMocap(const fs::path& path) {
     const Storage intrinsics(folder / "intri.yml"), extrinsics(folder / "extri.yml");
     return guarded(intrinsics, [&] {
         const cv::FileNode names = intrinsics.root()["names"];
-        if (!names.isSeq()) {
+        if (!names.isSeq())
             throw intrinsics.bad("names", "a list of camera names is expected");
-        }
         std::vector<Camera> cameras;
         for (const cv::FileNode node : names) {
             // Names that look like numbers are read as such.
-            cameras.push_back(easyMocapCamera(intrinsics, extrinsics, node.isInt() ? std::to_string(static_cast<int>(node)) : textOf(node)));
+            cameras.push_back(easyMocapCamera(intrinsics, extrinsics,
+                                              node.isInt() ? std::to_string(static_cast<int>(node)) : textOf(node)));
         }
         return cameras;
     });

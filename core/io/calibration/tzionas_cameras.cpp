@@ -25,12 +25,15 @@ std::vector<Camera> readTzionasCameras(const std::filesystem::path& file, std::o
             camera.cameraFromWorld.rotation.row(i) << row[0], row[1], row[2];
             camera.cameraFromWorld.translation[i] = row[3];
         }
-        camera.cameraFromWorld.rotation = nearestRotation(camera.cameraFromWorld.rotation, 1e-2).value_or(camera.cameraFromWorld.rotation);
+        camera.cameraFromWorld.rotation =
+            nearestRotation(camera.cameraFromWorld.rotation, 1e-2).value_or(camera.cameraFromWorld.rotation);
         const Eigen::Vector2d principal = camera.intrinsics.topRightCorner<2, 1>();
         if (!size && (principal.minCoeff() < 0.5 || principal.maxCoeff() > 50000)) {
-            throw Error(ErrorCode::BadInput, file.string(), camera.name + ".K", "the image size does not follow from the principal point; give --size WxH");
+            throw Error(ErrorCode::BadInput, file.string(), camera.name + ".K",
+                        "the image size does not follow from the principal point; give --size WxH");
         }
-        camera.size = size.value_or(ImageSize{static_cast<int>(std::lround(2 * principal.x() + 1)), static_cast<int>(std::lround(2 * principal.y() + 1))});
+        camera.size = size.value_or(ImageSize{static_cast<int>(std::lround(2 * principal.x() + 1)),
+                                              static_cast<int>(std::lround(2 * principal.y() + 1))});
         cameras.push_back(camera);
     }
     checkCameras(cameras, file.string());

@@ -8,9 +8,9 @@
 #include "core/io/dataset/dataset_paths.h"
 #include "core/io/dataset/footage_presence.h"
 #include "core/io/dataset/frames.h"
+#include "core/io/dataset/mask_folder.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/footage/image_orientation.h"
-#include "core/io/dataset/mask_folder.h"
 
 namespace core {
 
@@ -19,19 +19,18 @@ namespace fs = std::filesystem;
 namespace {
 
 ViewSource& viewOf(Sequence& sequence, const std::string& camera) {
-    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(), [&](const ViewSource& one) { return one.camera == camera; });
-    if (view != sequence.views.end()) {
+    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(),
+                                   [&](const ViewSource& one) { return one.camera == camera; });
+    if (view != sequence.views.end())
         return *view;
-    }
     sequence.views.push_back({camera, ViewKind::None, "", 0});
     return sequence.views.back();
 }
 
 std::vector<std::string> namesOf(const std::vector<Camera>& cameras) {
     std::vector<std::string> names;
-    for (const Camera& camera : cameras) {
+    for (const Camera& camera : cameras)
         names.push_back(camera.name);
-    }
     return names;
 }
 
@@ -52,47 +51,50 @@ void setForOne(Sequence& sequence, const std::string& camera, const std::string&
 }
 
 /// Numbers that lead to no frame of the sequence: a shift by one, or masks of another recording.
-void noteNumbers(std::vector<std::string>& notes, const std::string& camera, const std::vector<int>& numbers, int offset, int frameCount) {
+void noteNumbers(std::vector<std::string>& notes, const std::string& camera, const std::vector<int>& numbers,
+                 int offset, int frameCount) {
     const auto isBeyond = [&](int number) { return number < offset || number >= offset + frameCount; };
     const auto beyond = std::count_if(numbers.begin(), numbers.end(), isBeyond);
-    if (beyond == 0) {
+    if (beyond == 0)
         return;
-    }
     const std::string range = std::to_string(offset) + " to " + std::to_string(offset + frameCount - 1);
-    std::string note = camera + ": " + std::to_string(beyond) + (beyond == 1 ? " mask has a number" : " masks have numbers") +
-                       " that the sequence does not need (" + range + "); the masks are numbered " + std::to_string(numbers.front()) + " to " +
-                       std::to_string(numbers.back());
+    std::string note = camera + ": " + std::to_string(beyond) +
+                       (beyond == 1 ? " mask has a number" : " masks have numbers") +
+                       " that the sequence does not need (" + range + "); the masks are numbered " +
+                       std::to_string(numbers.front()) + " to " + std::to_string(numbers.back());
     if (offset == 0 && numbers.front() > 0) {
-        note += ": if number " + std::to_string(numbers.front()) + " is of frame 0, use --offset " + std::to_string(numbers.front());
+        note += ": if number " + std::to_string(numbers.front()) + " is of frame 0, use --offset " +
+                std::to_string(numbers.front());
     }
     notes.push_back(note);
 }
 
-void setFromFolder(const Dataset& dataset, Sequence& sequence, const MaskSource& source, std::vector<std::string>& notes) {
-    const std::vector<std::string> cameras = source.camera.empty() ? namesOf(dataset.cameras) : std::vector<std::string>{source.camera};
+void setFromFolder(const Dataset& dataset, Sequence& sequence, const MaskSource& source,
+                   std::vector<std::string>& notes) {
+    const std::vector<std::string> cameras =
+        source.camera.empty() ? namesOf(dataset.cameras) : std::vector<std::string>{source.camera};
     const std::map<std::string, MaskNaming> found = findMaskNaming(source.from, cameras);
     if (found.empty()) {
         throw Error(ErrorCode::NotFound, source.from, "",
-                    "holds no masks that are named by camera and frame, such as " + cameras.front() + "/000000.png or " + cameras.front() + "_0.png");
+                    "holds no masks that are named by camera and frame, such as " + cameras.front() +
+                        "/000000.png or " + cameras.front() + "_0.png");
     }
     const std::string& first = found.begin()->second.pattern;
-    const bool isOnePattern =
-        source.camera.empty() && std::all_of(found.begin(), found.end(), [&](const auto& one) { return one.second.pattern == first; });
-    if (isOnePattern) {
+    const bool isOnePattern = source.camera.empty() && std::all_of(found.begin(), found.end(), [&](const auto& one) {
+                                  return one.second.pattern == first;
+                              });
+    if (isOnePattern)
         setForAll(sequence, cameras, pathFromDataset(dataset.folder, first), source.offset);
-    }
     for (const auto& [camera, naming] : found) {
-        if (!isOnePattern) {
+        if (!isOnePattern)
             setForOne(sequence, camera, pathFromDataset(dataset.folder, naming.pattern), source.offset);
-        }
         noteNumbers(notes, camera, naming.numbers, source.offset, sequence.frameCount);
     }
 }
 
 void setFrom(const Dataset& dataset, Sequence& sequence, const MaskSource& source, std::vector<std::string>& notes) {
-    if (!source.camera.empty() && dataset.cameraIndex(source.camera) < 0) {
+    if (!source.camera.empty() && dataset.cameraIndex(source.camera) < 0)
         throw Error(ErrorCode::NotFound, source.from, "camera \"" + source.camera + "\"", "unknown camera");
-    }
     if (source.from.find("{frame") == std::string::npos) {
         setFromFolder(dataset, sequence, source, notes);
         return;
@@ -101,7 +103,8 @@ void setFrom(const Dataset& dataset, Sequence& sequence, const MaskSource& sourc
     if (!source.camera.empty()) {
         setForOne(sequence, source.camera, pattern, source.offset);
     } else if (dataset.cameras.size() > 1 && pattern.find("{camera}") == std::string::npos) {
-        throw Error(ErrorCode::Usage, source.from, "{camera}", "is missing: a pattern for all cameras needs it (or give CAMERA=PATTERN for each)");
+        throw Error(ErrorCode::Usage, source.from, "{camera}",
+                    "is missing: a pattern for all cameras needs it (or give CAMERA=PATTERN for each)");
     } else {
         setForAll(sequence, namesOf(dataset.cameras), pattern, source.offset);
     }
@@ -113,14 +116,14 @@ int countMasks(const Dataset& dataset, const Sequence& sequence, const Camera& c
     std::error_code ignored;
     for (int frame = 0; frame < sequence.frameCount; ++frame) {
         const fs::path file = maskFile(dataset.folder, sequence, camera.name, frame);
-        if (file.empty() || !fs::is_regular_file(file, ignored)) {
+        if (file.empty() || !fs::is_regular_file(file, ignored))
             continue;
-        }
         if (count++ == 0) {
             const cv::Mat mask = readMask(file);
             if (mask.cols != camera.size.width || mask.rows != camera.size.height) {
                 throw Error(ErrorCode::BadInput, file.string(), "size",
-                            sizeText({mask.cols, mask.rows}) + ", but " + camera.name + " is calibrated for " + sizeText(camera.size));
+                            sizeText({mask.cols, mask.rows}) + ", but " + camera.name + " is calibrated for " +
+                                sizeText(camera.size));
             }
         }
     }
@@ -128,7 +131,8 @@ int countMasks(const Dataset& dataset, const Sequence& sequence, const Camera& c
 }
 
 /// Puts how many masks there are before the other notes.
-void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::string& asked, std::vector<std::string>& notes) {
+void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::string& asked,
+                std::vector<std::string>& notes) {
     std::vector<std::string> counts;
     int all = 0;
     std::string example;
@@ -136,10 +140,13 @@ void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::str
         example = example.empty() ? maskFile(dataset.folder, sequence, camera.name, 0).string() : example;
         const int count = countMasks(dataset, sequence, camera);
         all += count;
-        counts.push_back(camera.name + ": " + std::to_string(count) + " of " + std::to_string(sequence.frameCount) + " frames have a mask");
+        counts.push_back(camera.name + ": " + std::to_string(count) + " of " + std::to_string(sequence.frameCount) +
+                         " frames have a mask");
     }
     if (all == 0) {
-        throw Error(ErrorCode::NotFound, asked, "", "no mask of any frame of sequence \"" + sequence.name + "\" was found (the first one would be " + example + ")");
+        throw Error(ErrorCode::NotFound, asked, "",
+                    "no mask of any frame of sequence \"" + sequence.name + "\" was found (the first one would be " +
+                        example + ")");
     }
     notes.insert(notes.begin(), counts.begin(), counts.end());
 }
@@ -148,22 +155,20 @@ void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::str
 
 MaskSource parseMaskSource(const Dataset& dataset, const std::string& text) {
     const std::size_t equals = text.find('=');
-    if (equals != std::string::npos && dataset.cameraIndex(text.substr(0, equals)) >= 0) {
+    if (equals != std::string::npos && dataset.cameraIndex(text.substr(0, equals)) >= 0)
         return {text.substr(0, equals), text.substr(equals + 1), 0};
-    }
     return {"", text, 0};
 }
 
-std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequenceName, const std::vector<MaskSource>& sources) {
-    if (sources.empty()) {
+std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequenceName,
+                                     const std::vector<MaskSource>& sources) {
+    if (sources.empty())
         throw Error(ErrorCode::Usage, "", "masks", "no pattern and no folder is given");
-    }
     const auto index = static_cast<std::size_t>(&dataset.sequence(sequenceName) - dataset.sequences.data());
     Sequence sequence = dataset.sequences[index];
     std::vector<std::string> notes;
-    for (const MaskSource& source : sources) {
+    for (const MaskSource& source : sources)
         setFrom(dataset, sequence, source, notes);
-    }
     noteCounts(dataset, sequence, sources.front().from, notes);
     dataset.sequences[index] = sequence;
     return notes;

@@ -11,17 +11,21 @@ namespace core {
 /// Where masks are, as a person names it.
 struct MaskSource {
     std::string camera; ///< empty: the masks of all cameras
-    std::string from;   ///< a pattern with {frame} (and {camera}), or a folder of numbered masks; relative to the working directory
-    int offset = 0;     ///< the number in the mask's name at the sequence's first frame
+    std::string from; ///< a pattern with {frame} (and {camera}), or a folder of numbered masks; relative to the working
+                      ///< directory
+    int offset = 0;   ///< the number in the mask's name at the sequence's first frame
 };
 
-/// Splits "cam0=masks/{frame}.png" if what stands before "=" is a camera of the dataset; else the text is of all cameras.
+/// Splits "cam0=masks/{frame}.png" if what stands before "=" is a camera of the dataset; else the text is of all
+/// cameras.
 MaskSource parseMaskSource(const Dataset& dataset, const std::string& text);
 
-/// Gives a sequence of `dataset` (in memory: rewriteDatasetFile keeps it) its masks. A folder may hold FOLDER/<camera>/<number>.png,
-/// FOLDER/<camera>_<number>.png and the like. Returns notes: how many frames of which cameras have a mask, and numbers that the sequence
-/// does not have. Throws Error, and leaves the dataset as it was, if there is no mask of any frame, or one is unreadable or not of its camera's size.
-std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequence, const std::vector<MaskSource>& sources);
+/// Gives a sequence of `dataset` (in memory: rewriteDatasetFile keeps it) its masks. A folder may hold
+/// FOLDER/<camera>/<number>.png, FOLDER/<camera>_<number>.png and the like. Returns notes: how many frames of which
+/// cameras have a mask, and numbers that the sequence does not have. Throws Error, and leaves the dataset as it was, if
+/// there is no mask of any frame, or one is unreadable or not of its camera's size.
+std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequence,
+                                     const std::vector<MaskSource>& sources);
 /// The same for one pattern or folder that holds the masks of all cameras.
 std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequence, const std::string& from);
 

@@ -8,13 +8,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset_paths.h"
-#include "core/io/hands/hand_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/files/json_file.h"
-#include "core/io/hands/motion_file.h"
 #include "core/io/files/text_file.h"
+#include "core/io/hands/hand_file.h"
+#include "core/io/hands/motion_file.h"
 
 namespace core {
 
@@ -24,33 +24,31 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const std::map<std::string, ViewKind> kViewKinds{
-    {"none", ViewKind::None}, {"rendered", ViewKind::Rendered}, {"images", ViewKind::Images}, {"video", ViewKind::Video}};
+const std::map<std::string, ViewKind> kViewKinds{{"none", ViewKind::None},
+                                                 {"rendered", ViewKind::Rendered},
+                                                 {"images", ViewKind::Images},
+                                                 {"video", ViewKind::Video}};
 
 std::string viewKindName(ViewKind kind) {
-    for (const auto& [name, value] : kViewKinds) {
-        if (value == kind) {
+    for (const auto& [name, value] : kViewKinds)
+        if (value == kind)
             return name;
-        }
-    }
     return "none";
 }
 
 std::vector<InstantRange> missingFromJson(const json& view) {
     std::vector<InstantRange> missing;
-    for (const json& range : view.value("missing", json::array())) {
+    for (const json& range : view.value("missing", json::array()))
         missing.push_back({range[0].get<int>(), range[1].get<int>()});
-    }
     return missing;
 }
 
 ViewSource viewFromJson(const json& value) {
-    ViewSource view{value["camera"].get<std::string>(), kViewKinds.at(value["kind"].get<std::string>()), value.value("path", ""),
-                    value.value("offsetFrames", 0), missingFromJson(value)};
+    ViewSource view{value["camera"].get<std::string>(), kViewKinds.at(value["kind"].get<std::string>()),
+                    value.value("path", ""), value.value("offsetFrames", 0), missingFromJson(value)};
     view.rotateDegrees = value.value("rotate", 0);
-    if (value.contains("white")) {
+    if (value.contains("white"))
         view.levels = GreyLevels{value.value("black", 0), value["white"].get<int>()};
-    }
     view.masks = value.value("masks", "");
     view.masksOffset = value.value("masksOffset", 0);
     return view;
@@ -58,23 +56,22 @@ ViewSource viewFromJson(const json& value) {
 
 /// What is not as usual is written only where it is so.
 ordered_json toJson(const ViewSource& view) {
-    ordered_json value{{"camera", view.camera}, {"kind", viewKindName(view.kind)}, {"path", view.path}, {"offsetFrames", view.offsetFrames}};
-    if (view.rotateDegrees != 0) {
+    ordered_json value{{"camera", view.camera},
+                       {"kind", viewKindName(view.kind)},
+                       {"path", view.path},
+                       {"offsetFrames", view.offsetFrames}};
+    if (view.rotateDegrees != 0)
         value["rotate"] = view.rotateDegrees;
-    }
     if (view.levels) {
         value["black"] = view.levels->black;
         value["white"] = view.levels->white;
     }
-    if (!view.masks.empty()) {
+    if (!view.masks.empty())
         value["masks"] = view.masks;
-    }
-    if (view.masksOffset != 0) {
+    if (view.masksOffset != 0)
         value["masksOffset"] = view.masksOffset;
-    }
-    for (const InstantRange& range : view.missing) {
+    for (const InstantRange& range : view.missing)
         value["missing"].push_back(ordered_json::array({range.first, range.count}));
-    }
     return value;
 }
 
@@ -86,18 +83,16 @@ Sequence sequenceFromJson(const json& value) {
     sequence.masks = value.value("masks", "");
     sequence.motion = value.value("motion", "");
     sequence.annotations = value.value("annotations", "");
-    for (const json& view : value["views"]) {
+    for (const json& view : value["views"])
         sequence.views.push_back(viewFromJson(view));
-    }
     sequence.notes = value.value("notes", std::vector<std::string>());
     return sequence;
 }
 
 ordered_json toJson(const Sequence& sequence) {
     ordered_json views = ordered_json::array();
-    for (const ViewSource& view : sequence.views) {
+    for (const ViewSource& view : sequence.views)
         views.push_back(toJson(view));
-    }
     ordered_json value{{"name", sequence.name},
                        {"frameCount", sequence.frameCount},
                        {"framesPerSecond", sequence.framesPerSecond},
@@ -105,22 +100,19 @@ ordered_json toJson(const Sequence& sequence) {
                        {"annotations", sequence.annotations},
                        {"masks", sequence.masks},
                        {"views", views}};
-    if (!sequence.notes.empty()) {
+    if (!sequence.notes.empty())
         value["notes"] = sequence.notes;
-    }
     return value;
 }
 
 ordered_json toJson(const Dataset& dataset) {
     ordered_json hands = ordered_json::array();
-    for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
+    for (std::size_t h = 0; h < dataset.hands.size(); ++h)
         hands.push_back({{"side", sideName(dataset.hands[h].side)}, {"file", dataset.handFiles[h]}});
-    }
     ordered_json sequences = ordered_json::array();
-    for (const Sequence& sequence : dataset.sequences) {
+    for (const Sequence& sequence : dataset.sequences)
         sequences.push_back(toJson(sequence));
-    }
-    return {{"format", "handlens-dataset"},  {"version", 1},   {"name", dataset.name},
+    return {{"format", "handlens-dataset"},   {"version", 1},   {"name", dataset.name},
             {"cameras", dataset.camerasFile}, {"hands", hands}, {"sequences", sequences}};
 }
 
@@ -129,13 +121,11 @@ void readHands(Dataset& dataset, const json& document, const std::string& file) 
         const std::string field = "hands[" + std::to_string(dataset.hands.size()) + "]";
         dataset.handFiles.push_back(hand["file"].get<std::string>());
         dataset.hands.push_back(readHandModel(pathInside(dataset.folder, dataset.handFiles.back(), field + ".file")));
-        if (hand["side"] != sideName(dataset.hands.back().side)) {
+        if (hand["side"] != sideName(dataset.hands.back().side))
             throw Error(ErrorCode::BadInput, file, field + ".side", "the file holds the other hand");
-        }
     }
-    if (dataset.hands.size() == 2 && dataset.hands[0].side == dataset.hands[1].side) {
+    if (dataset.hands.size() == 2 && dataset.hands[0].side == dataset.hands[1].side)
         throw Error(ErrorCode::BadInput, file, "hands", "the same side is named twice");
-    }
 }
 
 /// The missing instants of a view: increasing, apart, and not beyond the sequence's end.
@@ -145,7 +135,8 @@ void checkMissing(const ViewSource& view, int frameCount, const std::string& fil
         const InstantRange& range = view.missing[i];
         if (range.first < from || range.count < 1 || range.count > frameCount - range.first) {
             throw Error(ErrorCode::BadInput, file, field + ".missing[" + std::to_string(i) + "]",
-                        "must be [first instant, count], after the ranges before it and within the sequence's " + std::to_string(frameCount) + " frames");
+                        "must be [first instant, count], after the ranges before it and within the sequence's " +
+                            std::to_string(frameCount) + " frames");
         }
         from = range.first + range.count;
     }
@@ -153,25 +144,21 @@ void checkMissing(const ViewSource& view, int frameCount, const std::string& fil
 
 /// Throws Error if the view makes no sense in itself.
 void checkView(const ViewSource& view, const Sequence& sequence, const std::string& file, const std::string& field) {
-    if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty()) {
+    if ((view.kind == ViewKind::Images || view.kind == ViewKind::Video) && view.path.empty())
         throw Error(ErrorCode::BadInput, file, field + ".path", "is missing");
-    }
-    if (view.kind == ViewKind::Rendered && sequence.motion.empty()) {
+    if (view.kind == ViewKind::Rendered && sequence.motion.empty())
         throw Error(ErrorCode::BadInput, file, field + ".kind", "there is no motion to render from");
-    }
     checkMissing(view, sequence.frameCount, file, field);
-    if (view.levels && view.levels->white <= view.levels->black) {
+    if (view.levels && view.levels->white <= view.levels->black)
         throw Error(ErrorCode::BadInput, file, field + ".white", "must be above black");
-    }
 }
 
 /// The files of the dataset itself lie in its folder (footage and masks, which are only read, may lie elsewhere).
 void checkPaths(const Dataset& dataset, const fs::path& folder) {
     pathInside(folder, "dataset.json", "");
     pathInside(folder, dataset.camerasFile, "cameras");
-    for (std::size_t h = 0; h < dataset.handFiles.size(); ++h) {
+    for (std::size_t h = 0; h < dataset.handFiles.size(); ++h)
         pathInside(folder, dataset.handFiles[h], "hands[" + std::to_string(h) + "].file");
-    }
     for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
         const std::string field = "sequences[" + std::to_string(s) + "]";
         pathInside(folder, dataset.sequences[s].motion, field + ".motion");
@@ -185,12 +172,10 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
     for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
         const Sequence& sequence = dataset.sequences[s];
         const std::string field = "sequences[" + std::to_string(s) + "]";
-        if (!isFileName(sequence.name)) {
+        if (!isFileName(sequence.name))
             throw Error(ErrorCode::BadInput, file, field + ".name", "must be usable as a file name");
-        }
-        if (!names.insert(sequence.name).second) {
+        if (!names.insert(sequence.name).second)
             throw Error(ErrorCode::BadInput, file, field + ".name", "the name \"" + sequence.name + "\" is used twice");
-        }
         std::set<std::string> seen;
         for (std::size_t v = 0; v < sequence.views.size(); ++v) {
             const ViewSource& view = sequence.views[v];
@@ -209,9 +194,8 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
 const Sequence& Dataset::sequence(const std::string& sequenceName) const {
     std::string known;
     for (const Sequence& candidate : sequences) {
-        if (candidate.name == sequenceName) {
+        if (candidate.name == sequenceName)
             return candidate;
-        }
         known += (known.empty() ? "" : ", ") + candidate.name;
     }
     throw Error(ErrorCode::NotFound, folder.string(), "sequence \"" + sequenceName + "\"",
@@ -219,33 +203,34 @@ const Sequence& Dataset::sequence(const std::string& sequenceName) const {
 }
 
 int Dataset::cameraIndex(const std::string& cameraName) const {
-    for (std::size_t c = 0; c < cameras.size(); ++c) {
-        if (cameras[c].name == cameraName) {
+    for (std::size_t c = 0; c < cameras.size(); ++c)
+        if (cameras[c].name == cameraName)
             return static_cast<int>(c);
-        }
-    }
     return -1;
 }
 
 std::string maskPattern(const Sequence& sequence, const std::string& camera) {
-    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(), [&](const ViewSource& one) { return one.camera == camera; });
+    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(),
+                                   [&](const ViewSource& one) { return one.camera == camera; });
     return view == sequence.views.end() || view->masks.empty() ? sequence.masks : view->masks;
 }
 
 bool hasMasks(const Sequence& sequence) {
-    return !sequence.masks.empty() || std::any_of(sequence.views.begin(), sequence.views.end(), [](const ViewSource& view) { return !view.masks.empty(); });
+    return !sequence.masks.empty() || std::any_of(
+                                          sequence.views.begin(), sequence.views.end(),
+                                          [](const ViewSource& view) { return !view.masks.empty(); });
 }
 
 int countViews(const Sequence& sequence) {
-    return static_cast<int>(
-        std::count_if(sequence.views.begin(), sequence.views.end(), [](const ViewSource& view) { return view.kind != ViewKind::None; }));
+    return static_cast<int>(std::count_if(
+        sequence.views.begin(), sequence.views.end(),
+        [](const ViewSource& view) { return view.kind != ViewKind::None; }));
 }
 
 Dataset readDataset(const fs::path& folder) {
     std::error_code ignored;
-    if (!fs::is_directory(folder, ignored)) {
+    if (!fs::is_directory(folder, ignored))
         throw Error(ErrorCode::NotFound, folder.string(), "", "no such dataset folder");
-    }
     const fs::path file = folder / "dataset.json";
     const json document = readOwnFile(file, "dataset");
     Dataset dataset;
@@ -254,9 +239,8 @@ Dataset readDataset(const fs::path& folder) {
     dataset.camerasFile = document["cameras"].get<std::string>();
     dataset.cameras = readCameras(pathInside(folder, dataset.camerasFile, "cameras"));
     readHands(dataset, document, file.string());
-    for (const json& sequence : document["sequences"]) {
+    for (const json& sequence : document["sequences"])
         dataset.sequences.push_back(sequenceFromJson(sequence));
-    }
     checkSequences(dataset, file.string());
     checkPaths(dataset, folder);
     return dataset;
@@ -278,9 +262,8 @@ void writeDataset(const Dataset& dataset, const std::vector<Motion>& motions, co
             ensureFolder(file.parent_path());
             writeMotionFile(file, dataset.hands, motions[s]);
         }
-        if (!dataset.sequences[s].annotations.empty()) {
+        if (!dataset.sequences[s].annotations.empty())
             ensureFolder((pending.path() / dataset.sequences[s].annotations).parent_path());
-        }
     }
     writeJsonFile(pending.path() / "dataset.json", toJson(dataset));
     pending.commit();
@@ -294,9 +277,8 @@ void rewriteDatasetFile(const Dataset& dataset) {
 }
 
 Motion readMotion(const Dataset& dataset, const Sequence& sequence) {
-    if (sequence.motion.empty()) {
+    if (sequence.motion.empty())
         return {};
-    }
     return readMotionFile(pathInside(dataset.folder, sequence.motion, "motion"), dataset.hands, sequence.frameCount);
 }
 

@@ -30,7 +30,7 @@ struct Dataset {
     std::filesystem::path folder;
     std::string name;
     std::vector<Camera> cameras;
-    std::vector<HandModel> hands;      ///< none, one, or left and right
+    std::vector<HandModel> hands;       ///< none, one, or left and right
     std::vector<std::string> handFiles; ///< relative, parallel to hands
     std::vector<Sequence> sequences;
     std::string camerasFile = "cameras.json"; ///< relative

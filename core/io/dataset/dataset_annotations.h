@@ -8,7 +8,8 @@
 
 namespace core {
 
-/// Where the annotations of a sequence are kept, whether or not there are any yet. Throws Error(BadInput) if that is not inside the dataset's folder.
+/// Where the annotations of a sequence are kept, whether or not there are any yet. Throws Error(BadInput) if that is
+/// not inside the dataset's folder.
 std::filesystem::path annotationFile(const Dataset& dataset, const Sequence& sequence);
 
 /// The annotations of a sequence, without a claim to the file; none if nobody has annotated it yet. Throws as

@@ -12,17 +12,17 @@
 
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
-#include "core/io/store/annotation_store.h"
-#include "core/io/dataset/dataset_annotations.h"
 #include "core/io/calibration/calibration.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset.h"
+#include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_paths.h"
-#include "core/io/dataset/footage_presence.h"
 #include "core/io/dataset/footage_check.h"
-#include "core/io/hands/hand_file.h"
-#include "core/io/footage/image_file.h"
+#include "core/io/dataset/footage_presence.h"
 #include "core/io/files/json_file.h"
+#include "core/io/footage/image_file.h"
+#include "core/io/hands/hand_file.h"
+#include "core/io/store/annotation_store.h"
 
 namespace core {
 
@@ -50,14 +50,12 @@ std::string oneDecimal(double value) {
 /// A closed mesh has a triangle on both sides of every edge.
 void checkSurface(Findings& findings, const HandModel& hand, const std::string& file) {
     std::size_t open = 0;
-    for (const MeshEdge& edge : meshEdges(hand.mesh.triangles)) {
+    for (const MeshEdge& edge : meshEdges(hand.mesh.triangles))
         open += edge.triangleA < 0 || edge.triangleB < 0 ? 1 : 0;
-    }
-    if (open > 0) {
+    if (open > 0)
         findings.push_back({true, file + ": triangles: the surface is open along " + std::to_string(open) + " edges"});
-    } else if (signedVolume(hand.mesh) <= 0) {
+    else if (signedVolume(hand.mesh) <= 0)
         findings.push_back({false, file + ": triangles: the surface is inside out"});
-    }
 }
 
 /// Recorded angles outside the limits, per degree of freedom: the most it leaves them.
@@ -74,8 +72,9 @@ void noteLimits(Findings& findings, const Dataset& dataset, const Sequence& sequ
                 most = std::max(most, excess);
             }
             if (most * 180 / std::numbers::pi > 0.5) {
-                findings.push_back({true, sequence.motion + ": " + std::string(sideName(dataset.hands[h].side)) + " " + dofs[d].name + ": up to " +
-                                              oneDecimal(most * 180 / std::numbers::pi) + " degrees outside its limits in " + std::to_string(frames) + " frames"});
+                findings.push_back({true, sequence.motion + ": " + std::string(sideName(dataset.hands[h].side)) + " " +
+                                              dofs[d].name + ": up to " + oneDecimal(most * 180 / std::numbers::pi) +
+                                              " degrees outside its limits in " + std::to_string(frames) + " frames"});
             }
         }
     }
@@ -95,10 +94,12 @@ void checkVisible(Findings& findings, const Dataset& dataset, const Sequence& se
             }
         }
         if (all > 0 && seen == 0) {
-            findings.push_back({false, "cameras.json: " + camera.name + ": sees nothing of sequence \"" + sequence.name + "\""});
+            findings.push_back(
+                {false, "cameras.json: " + camera.name + ": sees nothing of sequence \"" + sequence.name + "\""});
         } else if (seen < all) {
-            findings.push_back({true, "cameras.json: " + camera.name + ": " + std::to_string(100 * (all - seen) / all) + " % of the joints of sequence \"" +
-                                          sequence.name + "\" lie outside its image"});
+            findings.push_back({true, "cameras.json: " + camera.name + ": " + std::to_string(100 * (all - seen) / all) +
+                                          " % of the joints of sequence \"" + sequence.name +
+                                          "\" lie outside its image"});
         }
     }
 }
@@ -112,18 +113,21 @@ void checkAnnotations(Findings& findings, const Dataset& dataset, const Sequence
         lostFrames += key.frame < 0 || key.frame >= sequence.frameCount ? 1 : 0;
         const int camera = dataset.cameraIndex(key.camera);
         lostCameras += camera < 0 ? 1 : 0;
-        if (camera >= 0 && !mark.isProposal() && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)])) {
+        if (camera >= 0 && !mark.isProposal() && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)]))
             ++outside[key.camera];
-        }
     }
     for (const auto& [camera, count] : outside) {
-        findings.push_back({true, file.string() + ": " + std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") + " outside the picture of " + camera});
+        findings.push_back({true, file.string() + ": " + std::to_string(count) +
+                                      (count == 1 ? " mark lies" : " marks lie") + " outside the picture of " +
+                                      camera});
     }
     if (lostFrames > 0) {
-        findings.push_back({true, file.string() + ": " + std::to_string(lostFrames) + " marks lie in frames that the sequence does not have"});
+        findings.push_back({true, file.string() + ": " + std::to_string(lostFrames) +
+                                      " marks lie in frames that the sequence does not have"});
     }
     if (lostCameras > 0) {
-        findings.push_back({true, file.string() + ": " + std::to_string(lostCameras) + " marks are of cameras that the dataset does not have"});
+        findings.push_back({true, file.string() + ": " + std::to_string(lostCameras) +
+                                      " marks are of cameras that the dataset does not have"});
     }
 }
 
@@ -138,31 +142,30 @@ void checkParts(Findings& findings, const fs::path& folder) {
 }
 
 bool hasProblem(const Findings& findings) {
-    return std::any_of(findings.begin(), findings.end(), [](const CheckFinding& finding) { return !finding.isNote; });
+    return std::any_of(
+        findings.begin(), findings.end(), [](const CheckFinding& finding) { return !finding.isNote; });
 }
 
 void checkDataset(Findings& findings, const fs::path& folder) {
     checkParts(findings, folder);
-    if (hasProblem(findings)) {
+    if (hasProblem(findings))
         return; // the sequences make no sense without cameras and hands
-    }
     const Dataset dataset = readDataset(folder);
-    if (const std::string unit = unitNote(dataset.cameras); !unit.empty()) {
+    if (const std::string unit = unitNote(dataset.cameras); !unit.empty())
         findings.push_back({true, dataset.camerasFile + ": " + unit});
-    }
     for (const Sequence& sequence : dataset.sequences) {
-        attempt(findings, [&] {
-            const Motion motion = readMotion(dataset, sequence);
-            noteLimits(findings, dataset, sequence, motion);
-            checkVisible(findings, dataset, sequence, motion);
-        });
+        attempt(
+            findings,
+            [&] {
+                const Motion motion = readMotion(dataset, sequence);
+                noteLimits(findings, dataset, sequence, motion);
+                checkVisible(findings, dataset, sequence, motion);
+            });
         attempt(findings, [&] { checkAnnotations(findings, dataset, sequence); });
-        for (const std::string& note : orientationNotes(dataset, sequence)) {
+        for (const std::string& note : orientationNotes(dataset, sequence))
             findings.push_back({true, note});
-        }
-        for (const auto& [isNote, text] : checkFootage(dataset, sequence)) {
+        for (const auto& [isNote, text] : checkFootage(dataset, sequence))
             findings.push_back({isNote, text});
-        }
     }
 }
 
@@ -172,27 +175,27 @@ void checkFile(Findings& findings, const fs::path& file) {
         return;
     }
     const nlohmann::json value = readJsonFile(file);
-    const std::string format = value.is_object() && value.contains("format") && value["format"].is_string() ? value["format"].get<std::string>() : "";
-    if (format == "handlens-hand") {
+    const std::string format = value.is_object() && value.contains("format") && value["format"].is_string()
+                                   ? value["format"].get<std::string>()
+                                   : "";
+    if (format == "handlens-hand")
         checkSurface(findings, readHandModel(file), file.string());
-    } else if (format == "handlens-dataset") {
+    else if (format == "handlens-dataset")
         checkDataset(findings, fs::absolute(file).parent_path());
-    } else if (format == "handlens-cameras") {
+    else if (format == "handlens-cameras")
         readCameras(file);
-    } else if (format.starts_with("handlens-")) {
+    else if (format.starts_with("handlens-"))
         readOwnFile(file, format.substr(9));
-    } else {
+    else
         throw Error(ErrorCode::Unsupported, file.string(), "format", "is none of Handlens's own");
-    }
 }
 
 } // namespace
 
 std::vector<CheckFinding> checkPath(const fs::path& path) {
     std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
+    if (!fs::exists(path, ignored))
         throw Error(ErrorCode::NotFound, path.string(), "", "no such file or folder");
-    }
     Findings findings;
     attempt(findings, [&] { fs::is_directory(path) ? checkDataset(findings, path) : checkFile(findings, path); });
     return findings;

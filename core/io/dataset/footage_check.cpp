@@ -5,11 +5,11 @@
 #include <map>
 
 #include "core/error.h"
-#include "core/io/footage/file_pattern.h"
 #include "core/io/dataset/footage_presence.h"
-#include "core/io/footage/image_orientation.h"
 #include "core/io/dataset/instants.h"
 #include "core/io/dataset/measured_footage.h"
+#include "core/io/footage/file_pattern.h"
+#include "core/io/footage/image_orientation.h"
 
 namespace core {
 
@@ -21,16 +21,16 @@ void requireFrames(const Sequence& sequence, const ViewSource& view, const Measu
     const int last = footageFrameAt(view, sequence.frameCount - 1);
     if (view.offsetFrames < 0 || last >= video.frames) {
         throw Error(ErrorCode::BadInput, video.path, "frames",
-                    "the sequence needs frames " + std::to_string(view.offsetFrames) + " to " + std::to_string(last) + ", the video has " + std::to_string(video.frames));
+                    "the sequence needs frames " + std::to_string(view.offsetFrames) + " to " + std::to_string(last) +
+                        ", the video has " + std::to_string(video.frames));
     }
 }
 
 void requireImages(const Sequence& sequence, const ViewSource& view, const std::string& pattern) {
     for (int instant = 0; instant < sequence.frameCount; ++instant) {
         const std::string file = fillPattern(pattern, view.camera, footageFrameAt(view, instant));
-        if (hasPictureAt(view, instant) && !fs::exists(file)) {
+        if (hasPictureAt(view, instant) && !fs::exists(file))
             throw Error(ErrorCode::NotFound, file, "", "no such file");
-        }
     }
 }
 
@@ -46,9 +46,8 @@ MeasuredFootage measureView(const Dataset& dataset, const Sequence& sequence, co
         requireImages(sequence, view, path);
         measured = measureImages(path, view.camera);
     }
-    if (turnedSize(measured.size, view.rotateDegrees) != camera.size) {
+    if (turnedSize(measured.size, view.rotateDegrees) != camera.size)
         throw Error(ErrorCode::BadInput, path, "size", "is not the size that " + camera.name + " is calibrated for");
-    }
     return measured;
 }
 
@@ -58,9 +57,8 @@ std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& s
     std::vector<CheckFinding> findings;
     std::map<std::string, MeasuredFootage> measured;
     for (const ViewSource& view : sequence.views) {
-        if (view.kind != ViewKind::Video && view.kind != ViewKind::Images) {
+        if (view.kind != ViewKind::Video && view.kind != ViewKind::Images)
             continue;
-        }
         try {
             measured[view.camera] = measureView(dataset, sequence, view);
         } catch (const Error& error) {
@@ -68,13 +66,12 @@ std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& s
         }
     }
     std::vector<std::string> notes = sequence.notes;
-    for (const std::string& note : footageNotes(sequence, measured)) {
-        if (std::find(notes.begin(), notes.end(), note) == notes.end()) {
+    for (const std::string& note : footageNotes(sequence, measured))
+        if (std::find(notes.begin(), notes.end(), note) == notes.end())
             notes.push_back(note);
-        }
-    }
     for (const std::string& note : notes) {
-        findings.push_back({true, (dataset.folder / "dataset.json").string() + ": sequence \"" + sequence.name + "\": " + note});
+        findings.push_back(
+            {true, (dataset.folder / "dataset.json").string() + ": sequence \"" + sequence.name + "\": " + note});
     }
     return findings;
 }

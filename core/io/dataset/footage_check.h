@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// Whether the footage of a sequence is there, of the calibrated size and long enough; and every note about it: those that were said when
-/// the sequence was made, and those that the footage gives rise to now.
+/// Whether the footage of a sequence is there, of the calibrated size and long enough; and every note about it: those
+/// that were said when the sequence was made, and those that the footage gives rise to now.
 std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& sequence);
 
 } // namespace core

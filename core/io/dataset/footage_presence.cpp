@@ -4,11 +4,11 @@
 #include <algorithm>
 
 #include "core/error.h"
-#include "core/io/footage/file_pattern.h"
 #include "core/io/dataset/frames.h"
+#include "core/io/dataset/picture_setup.h"
+#include "core/io/footage/file_pattern.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/footage/image_orientation.h"
-#include "core/io/dataset/picture_setup.h"
 #include "core/io/footage/video_file.h"
 
 namespace core {
@@ -23,53 +23,51 @@ fs::path pictureFile(const Dataset& dataset, const ViewSource& view, int instant
 
 int missingInstants(const ViewSource& view) {
     int count = 0;
-    for (const InstantRange& range : view.missing) {
+    for (const InstantRange& range : view.missing)
         count += range.count;
-    }
     return count;
 }
 
 std::string sizeProblem(ImageSize size, const ViewSource& view, const Camera& camera) {
     const ImageSize turned = turnedSize(size, view.rotateDegrees);
-    return turned == camera.size ? "" : "it is " + sizeText(turned) + ", but " + camera.name + " is calibrated for " + sizeText(camera.size);
+    return turned == camera.size
+               ? ""
+               : "it is " + sizeText(turned) + ", but " + camera.name + " is calibrated for " + sizeText(camera.size);
 }
 
-std::string videoProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view, const Camera& camera) {
+std::string videoProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
+                         const Camera& camera) {
     const VideoInfo info = readVideoInfo(dataset.folder / view.path);
     const int needed = view.offsetFrames + sequence.frameCount - missingInstants(view);
-    if (info.frames < needed) {
+    if (info.frames < needed)
         return "it has " + std::to_string(info.frames) + " frames, but the sequence needs " + std::to_string(needed);
-    }
     return sizeProblem(info.size, view, camera);
 }
 
-std::string imagesProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view, const Camera& camera) {
+std::string imagesProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
+                          const Camera& camera) {
     const int needed = sequence.frameCount - missingInstants(view);
     int there = 0;
     fs::path first;
     for (int instant = 0; instant < sequence.frameCount; ++instant) {
         const fs::path file = pictureFile(dataset, view, instant);
-        if (fs::exists(file)) {
+        if (fs::exists(file))
             first = there++ == 0 ? file : first;
-        }
     }
-    if (there < needed) {
+    if (there < needed)
         return "it has " + std::to_string(there) + " pictures, but the sequence needs " + std::to_string(needed);
-    }
     const cv::Mat image = first.empty() ? cv::Mat() : readImage(first);
     return sizeProblem({image.cols, image.rows}, view, camera);
 }
 
 /// As the tag of the video, or of the first picture that exists, says.
 Orientation tagOf(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
-    if (view.kind == ViewKind::Video) {
+    if (view.kind == ViewKind::Video)
         return {readVideoInfo(dataset.folder / view.path).rotationDegrees, false};
-    }
     for (int instant = 0; view.kind == ViewKind::Images && instant < sequence.frameCount; ++instant) {
         const fs::path file = pictureFile(dataset, view, instant);
-        if (fs::exists(file)) {
+        if (fs::exists(file))
             return readOrientation(file);
-        }
     }
     return {};
 }
@@ -81,9 +79,8 @@ std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence
     for (const ViewSource& view : sequence.views) {
         try {
             const std::string note = orientationNote(view.camera, tagOf(dataset, sequence, view), view.rotateDegrees);
-            if (!note.empty() && std::find(sequence.notes.begin(), sequence.notes.end(), note) == sequence.notes.end()) {
+            if (!note.empty() && std::find(sequence.notes.begin(), sequence.notes.end(), note) == sequence.notes.end())
                 notes.push_back(note);
-            }
         } catch (const Error&) { // said where the footage itself is checked
         }
     }
@@ -93,34 +90,32 @@ std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence
 bool hasAnyPicture(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
     std::error_code ignored;
     const int instants = view.kind == ViewKind::Video ? 1 : sequence.frameCount;
-    for (int instant = 0; instant < instants; ++instant) {
-        if (fs::exists(view.kind == ViewKind::Video ? dataset.folder / view.path : pictureFile(dataset, view, instant), ignored)) {
+    for (int instant = 0; instant < instants; ++instant)
+        if (fs::exists(view.kind == ViewKind::Video ? dataset.folder / view.path : pictureFile(dataset, view, instant),
+                       ignored))
             return true;
-        }
-    }
     return false;
 }
 
 bool hasAnyMask(const Dataset& dataset, const Sequence& sequence, const std::string& camera) {
     std::error_code ignored;
     for (int frame = 0; frame < sequence.frameCount; ++frame) {
-        for (const Camera& one : dataset.cameras) {
-            if ((camera.empty() || camera == one.name) && fs::is_regular_file(maskFile(dataset.folder, sequence, one.name, frame), ignored)) {
+        for (const Camera& one : dataset.cameras)
+            if ((camera.empty() || camera == one.name) &&
+                fs::is_regular_file(maskFile(dataset.folder, sequence, one.name, frame), ignored))
                 return true;
-            }
-        }
     }
     return false;
 }
 
 std::string footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
     const int index = dataset.cameraIndex(view.camera);
-    if (index < 0 || (view.kind != ViewKind::Video && view.kind != ViewKind::Images)) {
+    if (index < 0 || (view.kind != ViewKind::Video && view.kind != ViewKind::Images))
         return "";
-    }
     const Camera& camera = dataset.cameras[static_cast<std::size_t>(index)];
     try {
-        return view.kind == ViewKind::Video ? videoProblem(dataset, sequence, view, camera) : imagesProblem(dataset, sequence, view, camera);
+        return view.kind == ViewKind::Video ? videoProblem(dataset, sequence, view, camera)
+                                            : imagesProblem(dataset, sequence, view, camera);
     } catch (const Error& error) {
         return error.detail();
     }

@@ -13,11 +13,12 @@ bool hasAnyPicture(const Dataset& dataset, const Sequence& sequence, const ViewS
 /// True if any mask of that camera, or of any camera if `camera` is empty, exists.
 bool hasAnyMask(const Dataset& dataset, const Sequence& sequence, const std::string& camera);
 
-/// What keeps a view's footage from being what the sequence needs: fewer frames, another size, unreadable. Empty if nothing does.
+/// What keeps a view's footage from being what the sequence needs: fewer frames, another size, unreadable. Empty if
+/// nothing does.
 std::string footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view);
 
-/// What is to be said about views whose files ask for another orientation than the dataset gives them, or than they are stored in, unless the
-/// sequence's own notes say it. Footage that cannot be read is left to others.
+/// What is to be said about views whose files ask for another orientation than the dataset gives them, or than they are
+/// stored in, unless the sequence's own notes say it. Footage that cannot be read is left to others.
 std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence& sequence);
 
 } // namespace core

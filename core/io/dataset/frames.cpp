@@ -9,11 +9,11 @@
 
 #include "core/contour/shaded_image.h"
 #include "core/error.h"
+#include "core/io/dataset/instants.h"
+#include "core/io/dataset/measured_footage.h"
 #include "core/io/footage/file_pattern.h"
 #include "core/io/footage/grey_levels.h"
 #include "core/io/footage/image_file.h"
-#include "core/io/dataset/instants.h"
-#include "core/io/dataset/measured_footage.h"
 #include "core/io/footage/video_file.h"
 
 namespace core {
@@ -38,11 +38,13 @@ struct View {
 
 /// Turned clockwise by a multiple of 90 degrees.
 cv::Mat turned(const cv::Mat& picture, int degrees) {
-    if (degrees == 0 || picture.empty()) {
+    if (degrees == 0 || picture.empty())
         return picture;
-    }
     cv::Mat result;
-    cv::rotate(picture, result, degrees == 90 ? cv::ROTATE_90_CLOCKWISE : degrees == 180 ? cv::ROTATE_180 : cv::ROTATE_90_COUNTERCLOCKWISE);
+    cv::rotate(picture, result,
+               degrees == 90    ? cv::ROTATE_90_CLOCKWISE
+               : degrees == 180 ? cv::ROTATE_180
+                                : cv::ROTATE_90_COUNTERCLOCKWISE);
     return result;
 }
 
@@ -84,7 +86,8 @@ cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
     const std::shared_ptr<const PosedHands> shared = posedAt(frame);
     std::vector<ShadedSurface> surfaces;
     for (std::size_t h = 0; h < hands.size(); ++h) {
-        surfaces.push_back({{&shared->vertices[h], &hands[h].mesh.triangles}, &shared->normals[h], skinColour(hands[h].side)});
+        surfaces.push_back(
+            {{&shared->vertices[h], &hands[h].mesh.triangles}, &shared->normals[h], skinColour(hands[h].side)});
     }
     return renderShaded(camera, surfaces);
 }
@@ -99,15 +102,15 @@ cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
 }
 
 cv::Mat FrameSource::Impl::fromImage(View& view, int frame) const {
-    const cv::Mat picture = readRawImage(folder / fillPattern(view.source.path, view.source.camera, footageFrameAt(view.source, frame)));
+    const cv::Mat picture =
+        readRawImage(folder / fillPattern(view.source.path, view.source.camera, footageFrameAt(view.source, frame)));
     return picture.depth() == CV_8U ? picture : toEightBits(picture, levelsOf(view, picture));
 }
 
 /// Whatever picture is asked for first, all are shown with the levels of the recording's first one.
 GreyLevels FrameSource::Impl::levelsOf(View& view, const cv::Mat& picture) const {
-    if (view.source.levels) {
+    if (view.source.levels)
         return *view.source.levels;
-    }
     const std::lock_guard lock(view.mutex);
     if (!view.guessedLevels) {
         const fs::path first = folder / fillPattern(view.source.path, view.source.camera, view.source.offsetFrames);
@@ -117,7 +120,8 @@ GreyLevels FrameSource::Impl::levelsOf(View& view, const cv::Mat& picture) const
     return *view.guessedLevels;
 }
 
-FrameSource::FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion) : m_impl(std::make_unique<Impl>()) {
+FrameSource::FrameSource(const Dataset& dataset, const Sequence& sequence, Motion motion)
+    : m_impl(std::make_unique<Impl>()) {
     m_impl->folder = dataset.folder;
     m_impl->sequenceName = sequence.name;
     m_impl->frameCount = sequence.frameCount;
@@ -127,11 +131,9 @@ FrameSource::FrameSource(const Dataset& dataset, const Sequence& sequence, Motio
     for (const Camera& camera : dataset.cameras) {
         m_impl->views.push_back(std::make_unique<View>());
         m_impl->views.back()->source = {camera.name, ViewKind::None, "", 0};
-        for (const ViewSource& source : sequence.views) {
-            if (source.camera == camera.name) {
+        for (const ViewSource& source : sequence.views)
+            if (source.camera == camera.name)
                 m_impl->views.back()->source = source;
-            }
-        }
     }
 }
 
@@ -139,11 +141,17 @@ FrameSource::~FrameSource() = default;
 FrameSource::FrameSource(FrameSource&&) noexcept = default;
 FrameSource& FrameSource::operator=(FrameSource&&) noexcept = default;
 
-int FrameSource::frameCount() const { return m_impl->frameCount; }
+int FrameSource::frameCount() const {
+    return m_impl->frameCount;
+}
 
-ViewKind FrameSource::kind(int camera) const { return m_impl->views.at(static_cast<std::size_t>(camera))->source.kind; }
+ViewKind FrameSource::kind(int camera) const {
+    return m_impl->views.at(static_cast<std::size_t>(camera))->source.kind;
+}
 
-bool FrameSource::hasPicture(int camera, int frame) const { return hasPictureAt(m_impl->views.at(static_cast<std::size_t>(camera))->source, frame); }
+bool FrameSource::hasPicture(int camera, int frame) const {
+    return hasPictureAt(m_impl->views.at(static_cast<std::size_t>(camera))->source, frame);
+}
 
 cv::Mat FrameSource::read(int camera, int frame) const {
     const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
@@ -153,16 +161,14 @@ cv::Mat FrameSource::read(int camera, int frame) const {
                     "the sequence has frames 0 to " + std::to_string(m_impl->frameCount - 1));
     }
     cv::Mat image;
-    if (!hasPictureAt(view.source, frame)) {
+    if (!hasPictureAt(view.source, frame))
         return renderShaded(calibrated, {});
-    }
     switch (view.source.kind) {
     case ViewKind::None:
         break; // has no picture
     case ViewKind::Rendered:
-        if (static_cast<std::size_t>(frame) >= m_impl->motion.size()) {
+        if (static_cast<std::size_t>(frame) >= m_impl->motion.size())
             throw Error(ErrorCode::NotFound, m_impl->sequenceName, "motion", "there is none to render from");
-        }
         return m_impl->rendered(calibrated, frame);
     case ViewKind::Images:
         image = m_impl->fromImage(view, frame);
@@ -174,8 +180,9 @@ cv::Mat FrameSource::read(int camera, int frame) const {
     image = turned(image, view.source.rotateDegrees);
     if (image.cols != calibrated.size.width || image.rows != calibrated.size.height) {
         throw Error(ErrorCode::BadInput, (m_impl->folder / view.source.path).string(), "size",
-                    std::to_string(image.cols) + " x " + std::to_string(image.rows) + ", but " + calibrated.name + " is calibrated for " +
-                        std::to_string(calibrated.size.width) + " x " + std::to_string(calibrated.size.height));
+                    std::to_string(image.cols) + " x " + std::to_string(image.rows) + ", but " + calibrated.name +
+                        " is calibrated for " + std::to_string(calibrated.size.width) + " x " +
+                        std::to_string(calibrated.size.height));
     }
     return image;
 }
@@ -183,13 +190,13 @@ cv::Mat FrameSource::read(int camera, int frame) const {
 fs::path maskFile(const fs::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame) {
     const std::string pattern = maskPattern(sequence, camera);
     int number = frame;
-    for (const ViewSource& view : sequence.views) {
+    for (const ViewSource& view : sequence.views)
         number += view.camera == camera ? view.masksOffset : 0;
-    }
     return pattern.empty() ? fs::path() : datasetFolder / fillPattern(pattern, camera, number);
 }
 
-std::vector<cv::Mat> readFrameMasks(const fs::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras, int frame) {
+std::vector<cv::Mat> readFrameMasks(const fs::path& datasetFolder, const Sequence& sequence,
+                                    const std::vector<Camera>& cameras, int frame) {
     std::vector<cv::Mat> masks;
     for (const Camera& camera : cameras) {
         const fs::path file = maskFile(datasetFolder, sequence, camera.name, frame);

@@ -10,8 +10,8 @@
 namespace core {
 
 /// The pictures of one sequence, whatever they come from: videos, image files, or the recorded motion ("rendered").
-/// Nothing is opened before it is asked for. All members may be called from several threads at once; different cameras are
-/// then read side by side.
+/// Nothing is opened before it is asked for. All members may be called from several threads at once; different cameras
+/// are then read side by side.
 class FrameSource {
 public:
     /// Keeps copies of what it needs. `motion` is that of the sequence (readMotion); empty if there is none.
@@ -24,12 +24,14 @@ public:
     /// Where the pictures of this camera (index into the dataset's) come from; None for cameras without a view.
     ViewKind kind(int camera) const;
 
-    /// False for cameras without a view, and where this camera has no picture at this instant (a lost frame, a missing image).
+    /// False for cameras without a view, and where this camera has no picture at this instant (a lost frame, a missing
+    /// image).
     bool hasPicture(int camera, int frame) const;
 
-    /// The picture of that camera at that frame: CV_8UC3 BGR of the camera's size, exactly the recorded pixels, turned and (of more than 8 bits)
-    /// brought to 8 bits as the view says. A plain backdrop where
-    /// hasPicture is false. Throws Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the camera's.
+    /// The picture of that camera at that frame: CV_8UC3 BGR of the camera's size, exactly the recorded pixels, turned
+    /// and (of more than 8 bits) brought to 8 bits as the view says. A plain backdrop where hasPicture is false. Throws
+    /// Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the
+    /// camera's.
     cv::Mat read(int camera, int frame) const;
 
 private:
@@ -38,11 +40,12 @@ private:
 };
 
 /// The mask file of one camera at a frame, whether or not it exists; empty if the camera has no mask pattern.
-std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::string& camera, int frame);
+std::filesystem::path maskFile(const std::filesystem::path& datasetFolder, const Sequence& sequence,
+                               const std::string& camera, int frame);
 
 /// Silhouettes of a frame, one per camera, from the sequence's mask files; empty for a camera without a file.
 /// Throws Error(BadInput) if one cannot be read.
-std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& datasetFolder, const Sequence& sequence, const std::vector<Camera>& cameras,
-                                    int frame);
+std::vector<cv::Mat> readFrameMasks(const std::filesystem::path& datasetFolder, const Sequence& sequence,
+                                    const std::vector<Camera>& cameras, int frame);
 
 } // namespace core

@@ -10,22 +10,24 @@ namespace {
 /// How many of the missing instants lie before this one.
 int missingBefore(const std::vector<InstantRange>& missing, int instant) {
     int count = 0;
-    for (const InstantRange& range : missing) {
+    for (const InstantRange& range : missing)
         count += std::clamp(instant - range.first, 0, range.count);
-    }
     return count;
 }
 
 } // namespace
 
 bool hasPictureAt(const ViewSource& view, int instant) {
-    return view.kind != ViewKind::None && std::none_of(view.missing.begin(), view.missing.end(), [&](const InstantRange& range) {
-               return instant >= range.first && instant - range.first < range.count;
-           });
+    return view.kind != ViewKind::None && std::none_of(
+                                              view.missing.begin(), view.missing.end(),
+                                              [&](const InstantRange& range) {
+                                                  return instant >= range.first && instant - range.first < range.count;
+                                              });
 }
 
 bool hasPictureAt(const Sequence& sequence, const std::string& camera, int instant) {
-    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(), [&](const ViewSource& one) { return one.camera == camera; });
+    const auto view = std::find_if(sequence.views.begin(), sequence.views.end(),
+                                   [&](const ViewSource& one) { return one.camera == camera; });
     return view != sequence.views.end() && hasPictureAt(*view, instant);
 }
 
@@ -35,9 +37,8 @@ int footageFrameAt(const ViewSource& view, int instant) {
 
 int countInstants(const std::vector<InstantRange>& ranges) {
     int count = 0;
-    for (const InstantRange& range : ranges) {
+    for (const InstantRange& range : ranges)
         count += range.count;
-    }
     return count;
 }
 

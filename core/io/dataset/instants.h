@@ -5,7 +5,8 @@
 
 namespace core {
 
-/// Whether the view has a picture at this instant of its sequence: false for views of kind None and for instants that are missing.
+/// Whether the view has a picture at this instant of its sequence: false for views of kind None and for instants that
+/// are missing.
 bool hasPictureAt(const ViewSource& view, int instant);
 /// The same for a camera of the sequence by its name.
 bool hasPictureAt(const Sequence& sequence, const std::string& camera, int instant);

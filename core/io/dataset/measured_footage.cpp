@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 MeasuredFootage measureVideo(const fs::path& file, const fs::path& indexFile) {
     const VideoInfo info = readVideoInfo(file, indexFile);
-    MeasuredFootage measured{ViewKind::Video, file.string(), info.size, info.framesPerSecond, {info.rotationDegrees, false}};
+    MeasuredFootage measured{
+        ViewKind::Video, file.string(), info.size, info.framesPerSecond, {info.rotationDegrees, false}};
     measured.frames = info.frames;
     measured.timing = analyseTimes(info.timesSec);
     return measured;
@@ -42,9 +43,8 @@ FootageLayout layOut(const MeasuredFootage& footage, int first, bool byTime) {
     if (footage.kind == ViewKind::Images) {
         int next = first;
         for (const int number : footage.numbers) {
-            if (number > next) {
+            if (number > next)
                 layout.missing.push_back({next - first, number - next});
-            }
             next = std::max(next, number + 1);
         }
         layout.instants = footage.numbers.back() < first ? 0 : next - first;
@@ -62,11 +62,9 @@ FootageLayout layOut(const MeasuredFootage& footage, int first, bool byTime) {
 
 std::vector<InstantRange> within(const std::vector<InstantRange>& ranges, int count) {
     std::vector<InstantRange> result;
-    for (const InstantRange& range : ranges) {
-        if (range.first < count) {
+    for (const InstantRange& range : ranges)
+        if (range.first < count)
             result.push_back({range.first, std::min(range.count, count - range.first)});
-        }
-    }
     return result;
 }
 

@@ -15,8 +15,8 @@ namespace core {
 /// What the footage of one camera holds.
 struct MeasuredFootage {
     ViewKind kind = ViewKind::Video;
-    std::string path; ///< video or pattern, as given
-    ImageSize size;   ///< as recorded
+    std::string path;           ///< video or pattern, as given
+    ImageSize size;             ///< as recorded
     double framesPerSecond = 0; ///< 0 = unknown
     Orientation orientation{};  ///< as the file's tag says
     int frames = 0;             ///< of a video
@@ -29,20 +29,22 @@ MeasuredFootage measureVideo(const std::filesystem::path& file, const std::files
 MeasuredFootage measureImages(const std::string& pattern, const std::string& camera);
 
 /// Where the index of a view's video is kept.
-std::filesystem::path videoIndexFile(const std::filesystem::path& datasetFolder, const std::string& sequence, const std::string& camera);
+std::filesystem::path videoIndexFile(const std::filesystem::path& datasetFolder, const std::string& sequence,
+                                     const std::string& camera);
 
 /// Footage laid out on a sequence's instants.
 struct FootageLayout {
     int instants = 0;                  ///< from the first one to the footage's last picture
     std::vector<InstantRange> missing; ///< of them
 };
-/// `first`: the footage's frame, or the image's number, at the first instant. `byTime`: a video's lost frames are missing instants.
+/// `first`: the footage's frame, or the image's number, at the first instant. `byTime`: a video's lost frames are
+/// missing instants.
 FootageLayout layOut(const MeasuredFootage& footage, int first, bool byTime);
 /// The ranges within the first `count` instants.
 std::vector<InstantRange> within(const std::vector<InstantRange>& ranges, int count);
 
-/// What a person should know about the footage of a sequence: lost frames, missing pictures, other lengths and rates. The same for a new
-/// sequence and for one that is read again. `measured` by camera.
+/// What a person should know about the footage of a sequence: lost frames, missing pictures, other lengths and rates.
+/// The same for a new sequence and for one that is read again. `measured` by camera.
 std::vector<std::string> footageNotes(const Sequence& sequence, const std::map<std::string, MeasuredFootage>& measured);
 
 } // namespace core

@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
+#include "core/io/dataset/measured_footage.h"
 #include "core/io/footage/file_pattern.h"
 #include "core/io/footage/image_folder.h"
-#include "core/io/dataset/measured_footage.h"
 
 namespace core {
 
@@ -24,38 +24,39 @@ struct Measured : MeasuredFootage {
     FootageLayout layout{};
 };
 
-/// The frame, or the number of the image, that `--offset` names. Images of a folder are counted from its first one; a pattern's offset is
-/// the number itself unless that lies before the first.
+/// The frame, or the number of the image, that `--offset` names. Images of a folder are counted from its first one; a
+/// pattern's offset is the number itself unless that lies before the first.
 int namedStart(const Footage& footage, const MeasuredFootage& measured) {
     const int offset = footage.offsetFrames.value_or(0);
-    if (measured.kind == ViewKind::Video) {
+    if (measured.kind == ViewKind::Video)
         return offset;
-    }
-    const bool isNumber = footage.path.string().find("{frame") != std::string::npos && offset >= measured.numbers.front();
+    const bool isNumber =
+        footage.path.string().find("{frame") != std::string::npos && offset >= measured.numbers.front();
     const int start = isNumber ? offset : measured.numbers.front() + offset;
-    if (start > measured.numbers.back()) {
+    if (start > measured.numbers.back())
         throw Error(ErrorCode::NotFound, fillPattern(measured.path, footage.camera, start), "", "no such file");
-    }
     return start;
 }
 
 Measured measure(const Footage& footage) {
     Measured measured;
-    if (footage.path.string().find("{frame") != std::string::npos) {
+    if (footage.path.string().find("{frame") != std::string::npos)
         static_cast<MeasuredFootage&>(measured) = measureImages(footage.path.string(), footage.camera);
-    } else if (fs::is_directory(footage.path)) {
+    else if (fs::is_directory(footage.path))
         static_cast<MeasuredFootage&>(measured) = measureImages(findImagePattern(footage.path).pattern, footage.camera);
-    } else {
+    else
         static_cast<MeasuredFootage&>(measured) = measureVideo(footage.path);
-    }
     measured.firstFrame = namedStart(footage, measured);
     return measured;
 }
 
-/// True if the images of these cameras are to be aligned by their first ones: none is missing and all have equally many (they may be
-/// numbered from 0 here and from 1 there), or their numbers have nothing in common. Else equal numbers are of the same instant.
+/// True if the images of these cameras are to be aligned by their first ones: none is missing and all have equally many
+/// (they may be numbered from 0 here and from 1 there), or their numbers have nothing in common. Else equal numbers are
+/// of the same instant.
 bool startTogether(const std::vector<Measured*>& images) {
-    const auto hasGap = [](const Measured* one) { return one->numbers.back() - one->numbers.front() + 1 != static_cast<int>(one->numbers.size()); };
+    const auto hasGap = [](const Measured* one) {
+        return one->numbers.back() - one->numbers.front() + 1 != static_cast<int>(one->numbers.size());
+    };
     int latestStart = 0, earliestEnd = INT_MAX;
     bool sameCount = true;
     for (const Measured* one : images) {
@@ -67,7 +68,8 @@ bool startTogether(const std::vector<Measured*>& images) {
 }
 
 /// Cameras whose offset is not given start at the same number, or each at its first image.
-void alignImages(const std::vector<Footage>& footage, std::map<std::string, Measured>& measured, std::vector<std::string>& notes) {
+void alignImages(const std::vector<Footage>& footage, std::map<std::string, Measured>& measured,
+                 std::vector<std::string>& notes) {
     std::vector<Measured*> images;
     int first = INT_MAX, last = 0;
     std::string starts;
@@ -80,91 +82,90 @@ void alignImages(const std::vector<Footage>& footage, std::map<std::string, Meas
             starts += (starts.empty() ? "" : ", ") + one.camera + " at " + std::to_string(found.numbers.front());
         }
     }
-    if (images.empty() || first == last) {
+    if (images.empty() || first == last)
         return;
-    }
     if (startTogether(images)) {
-        notes.push_back("the pictures start at different numbers (" + starts + "): the first ones are taken as the same instant (--offset changes that)");
+        notes.push_back("the pictures start at different numbers (" + starts +
+                        "): the first ones are taken as the same instant (--offset changes that)");
         return;
     }
-    for (Measured* one : images) {
+    for (Measured* one : images)
         one->firstFrame = first;
-    }
 }
 
 /// Why the videos cannot be mapped by time, or nothing.
 std::string timeProblem(const std::map<std::string, Measured>& measured) {
     double rate = 0;
     for (const auto& [camera, one] : measured) {
-        if (one.kind != ViewKind::Video) {
+        if (one.kind != ViewKind::Video)
             continue;
-        }
-        if (!one.timing.isSane) {
+        if (!one.timing.isSane)
             return camera + ": its time stamps are uneven or missing";
-        }
         rate = rate > 0 ? rate : one.framesPerSecond;
-        if (std::abs(one.framesPerSecond - rate) > 0.002 * rate) {
+        if (std::abs(one.framesPerSecond - rate) > 0.002 * rate)
             return camera + " was recorded at another frame rate than the others";
-        }
     }
     return "";
 }
 
 void layOutAll(std::map<std::string, Measured>& measured, FootageSync sync) {
     const std::string problem = timeProblem(measured);
-    if (sync == FootageSync::Time && !problem.empty()) {
+    if (sync == FootageSync::Time && !problem.empty())
         throw Error(ErrorCode::Usage, "", "--sync time", problem);
-    }
-    for (auto& [camera, one] : measured) {
+    for (auto& [camera, one] : measured)
         one.layout = layOut(one, one.firstFrame, sync != FootageSync::Index && problem.empty());
-    }
 }
 
 /// Black and white points: as asked for, or measured in a few pictures of the sequence.
 std::optional<GreyLevels> levelsFor(const Footage& footage, const Measured& measured, int frameCount) {
     if (footage.pictures.levels && measured.kind != ViewKind::Images) {
-        throw Error(ErrorCode::Usage, measured.path, "levels", "black and white points are for images, not for a video");
+        throw Error(ErrorCode::Usage, measured.path, "levels",
+                    "black and white points are for images, not for a video");
     }
-    if (measured.kind != ViewKind::Images || footage.pictures.levels) {
+    if (measured.kind != ViewKind::Images || footage.pictures.levels)
         return footage.pictures.levels;
-    }
     constexpr int kPictures = 5;
     std::vector<fs::path> files;
     for (int i = 0; i < kPictures; ++i) {
         const int number = measured.firstFrame + i * (frameCount - 1) / (kPictures - 1);
         const auto there = std::lower_bound(measured.numbers.begin(), measured.numbers.end(), number);
-        files.push_back(fillPattern(measured.path, footage.camera, there == measured.numbers.end() ? measured.numbers.back() : *there));
+        files.push_back(fillPattern(measured.path, footage.camera,
+                                    there == measured.numbers.end() ? measured.numbers.back() : *there));
     }
     return measureFileLevels(files);
 }
 
 std::string levelsNote(const ViewSource& view) {
-    return view.camera + ": its pictures have more than 8 bits; level " + std::to_string(view.levels->black) + " is shown black, " +
-           std::to_string(view.levels->white) + " white (--levels " + view.camera + "=BLACK,WHITE)";
+    return view.camera + ": its pictures have more than 8 bits; level " + std::to_string(view.levels->black) +
+           " is shown black, " + std::to_string(view.levels->white) + " white (--levels " + view.camera +
+           "=BLACK,WHITE)";
 }
 
 /// How the pictures of each view are read, and what is to be said about it.
-void setPictures(NewSequence& result, const std::vector<Footage>& footage, const std::map<std::string, Measured>& measured) {
+void setPictures(NewSequence& result, const std::vector<Footage>& footage,
+                 const std::map<std::string, Measured>& measured) {
     for (const Footage& one : footage) {
         for (ViewSource& view : result.sequence.views) {
             if (view.camera == one.camera) {
                 view.rotateDegrees = measured.at(one.camera).rotateDegrees;
                 view.levels = levelsFor(one, measured.at(one.camera), result.sequence.frameCount);
-                if (view.levels) {
+                if (view.levels)
                     result.notes.push_back(levelsNote(view));
-                }
             }
         }
     }
 }
 
 /// Measures all footage and fits it to the cameras.
-std::map<std::string, Measured> measureAll(NewSequence& result, const std::vector<Camera>& cameras, const std::vector<Footage>& footage) {
+std::map<std::string, Measured> measureAll(NewSequence& result, const std::vector<Camera>& cameras,
+                                           const std::vector<Footage>& footage) {
     std::map<std::string, Measured> measured;
     for (const Footage& one : footage) {
-        const auto camera = std::find_if(cameras.begin(), cameras.end(), [&](const Camera& candidate) { return candidate.name == one.camera; });
+        const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                         [&](const Camera& candidate) { return candidate.name == one.camera; });
         if (camera == cameras.end() || measured.count(one.camera) > 0) {
-            throw Error(ErrorCode::Usage, one.path.string(), "camera \"" + one.camera + "\"", "is not a camera of the calibration, or is named twice");
+            throw Error(ErrorCode::Usage, one.path.string(), "camera \"" + one.camera + "\"",
+                        "is not a camera of the calibration, or is named twice");
         }
         Measured found = measure(one);
         const PictureSetup setup = setUpPictures(*camera, found.path, found.size, found.orientation, one.pictures);
@@ -173,9 +174,8 @@ std::map<std::string, Measured> measureAll(NewSequence& result, const std::vecto
         found.rotateDegrees = setup.rotateDegrees;
         measured[one.camera] = found;
     }
-    if (measured.empty()) {
+    if (measured.empty())
         throw Error(ErrorCode::Usage, "", "footage", "no video and no images are given");
-    }
     return measured;
 }
 
@@ -187,7 +187,8 @@ ViewSource viewOf(const Measured& measured, const std::string& camera, int frame
 
 } // namespace
 
-NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage, const fs::path& datasetFolder,
+NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras,
+                         const std::vector<Footage>& footage, const fs::path& datasetFolder,
                          std::optional<double> framesPerSecond, FootageSync sync) {
     NewSequence result;
     result.cameras = cameras;
@@ -204,18 +205,19 @@ NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cam
         rate = std::max(rate, one.framesPerSecond);
     }
     if (sequence.frameCount < 1) {
-        throw Error(ErrorCode::BadInput, measured.begin()->second.path, "frames", "no instant is in the footage of all cameras (check the offsets)");
+        throw Error(ErrorCode::BadInput, measured.begin()->second.path, "frames",
+                    "no instant is in the footage of all cameras (check the offsets)");
     }
     sequence.framesPerSecond = framesPerSecond.value_or(rate > 0 ? rate : 50);
     for (const Camera& camera : cameras) {
         const auto found = measured.find(camera.name);
-        sequence.views.push_back(found == measured.end() ? ViewSource{camera.name, ViewKind::None, "", 0}
-                                                         : viewOf(found->second, camera.name, sequence.frameCount, datasetFolder));
+        sequence.views.push_back(found == measured.end()
+                                     ? ViewSource{camera.name, ViewKind::None, "", 0}
+                                     : viewOf(found->second, camera.name, sequence.frameCount, datasetFolder));
     }
     setPictures(result, footage, measured);
-    for (const std::string& note : footageNotes(sequence, {measured.begin(), measured.end()})) {
+    for (const std::string& note : footageNotes(sequence, {measured.begin(), measured.end()}))
         result.notes.push_back(note);
-    }
     sequence.notes = result.notes;
     return result;
 }

@@ -14,9 +14,9 @@ namespace core {
 /// Footage of one camera, as a person names it.
 struct Footage {
     std::string camera;
-    std::filesystem::path path; ///< a video; a pattern of images with {frame}; or a folder of numbered images
+    std::filesystem::path path;        ///< a video; a pattern of images with {frame}; or a folder of numbered images
     std::optional<int> offsetFrames{}; ///< the footage's frame at the sequence's first instant; none: its first one
-    PictureOptions pictures{};  ///< how its pictures are to be read
+    PictureOptions pictures{};         ///< how its pictures are to be read
 };
 
 /// A sequence made of footage, and what a person should know about it.
@@ -33,12 +33,13 @@ enum class FootageSync {
     Time       ///< by time: instants of frames that a camera lost are missing in its view
 };
 
-/// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Missing images,
-/// and frames that a video lost, are instants without a picture. Paths are written relative to
-/// `datasetFolder` (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not given, else 50.
-/// Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size that the camera is calibrated for
-/// (turned, scaled and cropped as `pictures` says).
-NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras, const std::vector<Footage>& footage,
-                         const std::filesystem::path& datasetFolder, std::optional<double> framesPerSecond = {}, FootageSync sync = FootageSync::Automatic);
+/// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Missing
+/// images, and frames that a video lost, are instants without a picture. Paths are written relative to `datasetFolder`
+/// (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not
+/// given, else 50. Throws Error if footage is missing or unreadable, of a camera that is not there, or not of the size
+/// that the camera is calibrated for (turned, scaled and cropped as `pictures` says).
+NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras,
+                         const std::vector<Footage>& footage, const std::filesystem::path& datasetFolder,
+                         std::optional<double> framesPerSecond = {}, FootageSync sync = FootageSync::Automatic);
 
 } // namespace core

@@ -7,8 +7,8 @@
 
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
-#include "core/io/footage/file_pattern.h"
 #include "core/io/dataset/footage_presence.h"
+#include "core/io/footage/file_pattern.h"
 
 namespace core {
 
@@ -25,7 +25,9 @@ struct Place {
 
 std::string& pathAt(Dataset& dataset, const Place& place) {
     Sequence& sequence = dataset.sequences[place.sequence];
-    return !place.view ? sequence.masks : place.isMask ? sequence.views[*place.view].masks : sequence.views[*place.view].path;
+    return !place.view    ? sequence.masks
+           : place.isMask ? sequence.views[*place.view].masks
+                          : sequence.views[*place.view].path;
 }
 
 std::vector<Place> placesOf(const Dataset& dataset) {
@@ -34,21 +36,19 @@ std::vector<Place> placesOf(const Dataset& dataset) {
         const Sequence& sequence = dataset.sequences[s];
         for (std::size_t v = 0; v < sequence.views.size(); ++v) {
             const ViewSource& view = sequence.views[v];
-            if (view.kind == ViewKind::Images || view.kind == ViewKind::Video) {
+            if (view.kind == ViewKind::Images || view.kind == ViewKind::Video)
                 places.push_back({s, v, false});
-            }
-            if (!view.masks.empty()) {
+            if (!view.masks.empty())
                 places.push_back({s, v, true});
-            }
         }
-        if (!sequence.masks.empty()) {
+        if (!sequence.masks.empty())
             places.push_back({s, std::nullopt, true});
-        }
     }
     return places;
 }
 
-/// Footage to be found: its path's parts; those from `tail` on are matched as they stand or with numbers and camera names filled in.
+/// Footage to be found: its path's parts; those from `tail` on are matched as they stand or with numbers and camera
+/// names filled in.
 struct Wanted {
     std::vector<std::string> parts;
     std::size_t tail = 0;
@@ -60,14 +60,15 @@ Wanted wantedFor(const Dataset& dataset, const Place& place, const std::string& 
     wanted.parts = pathParts(path);
     const auto isPattern = [](const std::string& part) { return part.find('{') != std::string::npos; };
     const auto first = std::find_if(wanted.parts.begin(), wanted.parts.end(), isPattern);
-    wanted.tail = std::min(static_cast<std::size_t>(first - wanted.parts.begin()), wanted.parts.size() - (wanted.parts.empty() ? 0 : 1));
+    wanted.tail = std::min(static_cast<std::size_t>(first - wanted.parts.begin()),
+                           wanted.parts.size() - (wanted.parts.empty() ? 0 : 1));
     std::string tail = joinParts(wanted.parts, wanted.tail);
     for (const Camera& camera : dataset.cameras) {
         if (!place.view || dataset.sequences[place.sequence].views[*place.view].camera == camera.name) {
             std::string filled = tail;
-            for (std::size_t at = filled.find("{camera}"); at != std::string::npos; at = filled.find("{camera}", at + camera.name.size())) {
+            for (std::size_t at = filled.find("{camera}"); at != std::string::npos;
+                 at = filled.find("{camera}", at + camera.name.size()))
                 filled.replace(at, 8, camera.name);
-            }
             wanted.tails.push_back(filled);
         }
     }
@@ -83,57 +84,52 @@ struct Candidate {
 /// All files below the root, as parts of their paths.
 std::vector<std::vector<std::string>> filesBelow(const fs::path& root, const std::stop_token& stop) {
     std::error_code failure;
-    if (!fs::is_directory(root, failure)) {
+    if (!fs::is_directory(root, failure))
         throw Error(ErrorCode::NotFound, root.string(), "", "no such folder");
-    }
     std::vector<std::vector<std::string>> files;
     fs::recursive_directory_iterator entry(root, fs::directory_options::skip_permission_denied, failure), end;
     for (; !failure && entry != end && !stop.stop_requested(); entry.increment(failure)) {
         std::error_code ignored;
-        if (entry->is_regular_file(ignored) && !entry->path().filename().string().starts_with("._")) {
+        if (entry->is_regular_file(ignored) && !entry->path().filename().string().starts_with("._"))
             files.push_back(pathParts(entry->path().lexically_relative(root)));
-        }
     }
     return files;
 }
 
-std::size_t commonEnding(const std::vector<std::string>& a, std::size_t aEnd, const std::vector<std::string>& b, std::size_t bEnd) {
+std::size_t commonEnding(const std::vector<std::string>& a, std::size_t aEnd, const std::vector<std::string>& b,
+                         std::size_t bEnd) {
     std::size_t count = 0;
-    while (count < aEnd && count < bEnd && a[aEnd - 1 - count] == b[bEnd - 1 - count]) {
+    while (count < aEnd && count < bEnd && a[aEnd - 1 - count] == b[bEnd - 1 - count])
         ++count;
-    }
     return count;
 }
 
 /// The candidates that agree best, one per folder.
-std::vector<Candidate> candidatesFor(const Wanted& wanted, const fs::path& root, const std::vector<std::string>& rootParts,
+std::vector<Candidate> candidatesFor(const Wanted& wanted, const fs::path& root,
+                                     const std::vector<std::string>& rootParts,
                                      const std::vector<std::vector<std::string>>& files) {
     const std::size_t length = wanted.parts.size() - wanted.tail;
     std::map<fs::path, std::size_t> scores;
     for (const std::vector<std::string>& file : files) {
-        if (file.size() < length) {
+        if (file.size() < length)
             continue;
-        }
         const std::string name = joinParts(file, file.size() - length);
-        if (std::none_of(wanted.tails.begin(), wanted.tails.end(), [&](const std::string& tail) { return numberIn(tail, name).has_value(); })) {
+        if (std::none_of(wanted.tails.begin(), wanted.tails.end(),
+                         [&](const std::string& tail) { return numberIn(tail, name).has_value(); }))
             continue;
-        }
         std::vector<std::string> base = rootParts;
         base.insert(base.end(), file.begin(), file.end() - static_cast<std::ptrdiff_t>(length));
         fs::path folder = root;
-        for (std::size_t i = rootParts.size(); i < base.size(); ++i) {
+        for (std::size_t i = rootParts.size(); i < base.size(); ++i)
             folder /= base[i];
-        }
         scores[folder] = commonEnding(base, base.size(), wanted.parts, wanted.tail);
     }
     std::vector<Candidate> best;
     for (const auto& [folder, score] : scores) {
-        if (!best.empty() && score > best.front().score) {
+        if (!best.empty() && score > best.front().score)
             best.clear();
-        }
-        if (best.empty() || score == best.front().score) {
+        if (best.empty() || score == best.front().score)
             best.push_back({folder, score});
-        }
     }
     return best;
 }
@@ -149,7 +145,8 @@ struct Answer {
 Answer answerFor(const Dataset& dataset, const Wanted& wanted, const std::vector<Candidate>& candidates) {
     Answer answer;
     if (candidates.size() > 1) {
-        answer.note = "several fit: " + candidates[0].base.string() + ", " + candidates[1].base.string() + (candidates.size() > 2 ? ", ..." : "");
+        answer.note = "several fit: " + candidates[0].base.string() + ", " + candidates[1].base.string() +
+                      (candidates.size() > 2 ? ", ..." : "");
     } else if (candidates.size() == 1) {
         answer.to = pathFromDataset(dataset.folder, candidates.front().base / joinParts(wanted.parts, wanted.tail));
         answer.score = candidates.front().score;
@@ -157,7 +154,8 @@ Answer answerFor(const Dataset& dataset, const Wanted& wanted, const std::vector
     return answer;
 }
 
-/// No file is two pieces of footage: of different paths that lead to the same place, only the one that agrees best keeps it.
+/// No file is two pieces of footage: of different paths that lead to the same place, only the one that agrees best
+/// keeps it.
 void dropSharedTargets(std::map<std::string, Answer>& answers) {
     std::map<std::string, std::size_t> best;
     std::map<std::string, int> holders;
@@ -167,12 +165,14 @@ void dropSharedTargets(std::map<std::string, Answer>& answers) {
             taken.insert(fs::path(path).lexically_normal().generic_string());
         } else if (!answer.to.empty()) {
             int& count = holders[answer.to];
-            count = count == 0 || answer.score > best[answer.to] ? 1 : count + (answer.score == best[answer.to] ? 1 : 0);
+            count =
+                count == 0 || answer.score > best[answer.to] ? 1 : count + (answer.score == best[answer.to] ? 1 : 0);
             best[answer.to] = std::max(best[answer.to], answer.score);
         }
     }
     for (auto& [path, answer] : answers) {
-        const bool isShared = !answer.to.empty() && (taken.count(answer.to) > 0 || answer.score < best[answer.to] || holders[answer.to] > 1);
+        const bool isShared = !answer.to.empty() &&
+                              (taken.count(answer.to) > 0 || answer.score < best[answer.to] || holders[answer.to] > 1);
         if (isShared) {
             answer.note = answer.to + " has that name, but is other footage of this dataset";
             answer.to.clear();
@@ -182,9 +182,8 @@ void dropSharedTargets(std::map<std::string, Answer>& answers) {
 
 bool isThere(const Dataset& dataset, const Place& place) {
     const Sequence& sequence = dataset.sequences[place.sequence];
-    if (place.isMask) {
+    if (place.isMask)
         return hasAnyMask(dataset, sequence, place.view ? sequence.views[*place.view].camera : "");
-    }
     return hasAnyPicture(dataset, sequence, sequence.views[*place.view]);
 }
 
@@ -202,23 +201,24 @@ RelinkResult relinkFootage(Dataset& dataset, const fs::path& root, std::stop_tok
     std::map<std::string, Answer> answers;
     for (const Place& place : places) {
         const std::string& path = pathAt(dataset, place);
-        if (answers.count(path) > 0 || stop.stop_requested()) {
+        if (answers.count(path) > 0 || stop.stop_requested())
             continue;
-        }
         const Wanted wanted = wantedFor(dataset, place, path);
         const bool isInPlace = isThere(dataset, place);
-        answers[path] = isInPlace ? Answer{true, "", 0, ""} : answerFor(dataset, wanted, candidatesFor(wanted, root, rootParts, files));
+        answers[path] = isInPlace ? Answer{true, "", 0, ""}
+                                  : answerFor(dataset, wanted, candidatesFor(wanted, root, rootParts, files));
     }
     RelinkResult result;
-    if (stop.stop_requested()) {
+    if (stop.stop_requested())
         return result;
-    }
     dropSharedTargets(answers);
     for (const Place& place : places) {
         const Sequence& sequence = dataset.sequences[place.sequence];
         std::string& path = pathAt(dataset, place);
         const Answer& answer = answers[path];
-        RelinkFinding finding{sequence.name, place.view ? sequence.views[*place.view].camera : "", path, answer.to, answer.note, place.isMask};
+        RelinkFinding finding{sequence.name, place.view ? sequence.views[*place.view].camera : "",
+                              path,          answer.to,
+                              answer.note,   place.isMask};
         if (answer.isThere) {
             finding.to = path;
             result.unchanged.push_back(finding);

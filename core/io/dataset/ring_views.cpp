@@ -30,11 +30,9 @@ std::vector<Eigen::Vector3d> recordedVolume(const std::vector<HandModel>& hands,
 }
 
 void addRenderedViews(Dataset& dataset) {
-    for (Sequence& sequence : dataset.sequences) {
-        for (const Camera& camera : dataset.cameras) {
+    for (Sequence& sequence : dataset.sequences)
+        for (const Camera& camera : dataset.cameras)
             sequence.views.push_back({camera.name, ViewKind::Rendered, "", 0});
-        }
-    }
 }
 
 } // namespace core

@@ -14,9 +14,8 @@ PictureGaps pictureGaps(const Dataset& dataset, const Sequence& sequence) {
             gaps.cameras.insert(camera.name);
             continue;
         }
-        for (const InstantRange& missing : view->missing) {
+        for (const InstantRange& missing : view->missing)
             gaps.framesOf[camera.name].emplace_back(missing.first, missing.count);
-        }
     }
     return gaps;
 }

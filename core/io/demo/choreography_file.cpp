@@ -26,16 +26,13 @@ const std::vector<std::string> kFingers{"thumb", "index", "middle", "ring", "lit
 /// Sets the angles that a shape or key names.
 void setAngles(const json& value, const Skeleton& skeleton, Eigen::VectorXd& anglesRad) {
     for (const std::string& finger : kFingers) {
-        if (!value.contains(finger)) {
+        if (!value.contains(finger))
             continue;
-        }
         const std::vector<std::string>& dofs = finger == "thumb" ? kThumbDofs : kFingerDofs;
         for (std::size_t i = 0; i < value[finger].size() && i < dofs.size(); ++i) {
-            for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
-                if (skeleton.dofs[d].name == finger + "_" + dofs[i]) {
+            for (std::size_t d = 0; d < skeleton.dofs.size(); ++d)
+                if (skeleton.dofs[d].name == finger + "_" + dofs[i])
                     anglesRad[static_cast<Eigen::Index>(d)] = value[finger][i].get<double>() * kRadPerDeg;
-                }
-            }
         }
     }
 }
@@ -55,37 +52,31 @@ public:
         for (std::size_t i = 0; i < list.size(); ++i) {
             const json& key = list[i];
             const std::string here = field + "[" + std::to_string(i) + "]";
-            for (const char* name : {"wrist", "fingers", "dorsal", "shape"}) {
-                if (i == 0 && !key.contains(name)) {
+            for (const char* name : {"wrist", "fingers", "dorsal", "shape"})
+                if (i == 0 && !key.contains(name))
                     throw Error(ErrorCode::BadInput, m_file, here + "." + name, "the first key must say everything");
-                }
-            }
             take(key, "wrist", here, wrist);
             take(key, "fingers", here, fingers);
             take(key, "dorsal", here, dorsal);
-            if (key.contains("shape")) {
+            if (key.contains("shape"))
                 setAngles(shape(key["shape"].get<std::string>(), here), m_hand.skeleton, angles);
-            }
             setAngles(key, m_hand.skeleton, angles);
             keys.push_back(placed(key["at"].get<double>(), anatomicalFrame(wrist, fingers, dorsal), angles));
-            if (i > 0 && keys[i].frame <= keys[i - 1].frame) {
+            if (i > 0 && keys[i].frame <= keys[i - 1].frame)
                 throw Error(ErrorCode::BadInput, m_file, here + ".at", "frames must ascend");
-            }
         }
         return keys;
     }
 
 private:
     void take(const json& key, const char* name, const std::string& field, Eigen::Vector3d& value) const {
-        if (key.contains(name)) {
+        if (key.contains(name))
             value = jsonVector(key[name], m_file, field + "." + name);
-        }
     }
 
     const json& shape(const std::string& name, const std::string& field) const {
-        if (!m_shapes.contains(name)) {
+        if (!m_shapes.contains(name))
             throw Error(ErrorCode::BadInput, m_file, field + ".shape", "there is no shape '" + name + "'");
-        }
         return m_shapes[name];
     }
 
@@ -110,9 +101,8 @@ std::vector<StageKey> stageFrom(const json& list, const std::string& file, const
         const std::string here = field + "[" + std::to_string(i) + "]";
         keys.push_back({list[i]["at"].get<double>(), jsonVector(list[i]["offset"], file, here + ".offset"),
                         kRadPerDeg * jsonVector(list[i]["turnDeg"], file, here + ".turnDeg")});
-        if (i > 0 && keys[i].frame <= keys[i - 1].frame) {
+        if (i > 0 && keys[i].frame <= keys[i - 1].frame)
             throw Error(ErrorCode::BadInput, file, here + ".at", "frames must ascend");
-        }
     }
     return keys;
 }
@@ -122,9 +112,8 @@ ContactRule contactFrom(const json& value, const std::string& file, const std::s
                      value["secondShare"].get<double>(),
                      value["smoothFrames"].get<int>(),
                      {}};
-    for (const json& gap : value["gaps"]) {
+    for (const json& gap : value["gaps"])
         rule.gaps.push_back({gap[0].get<double>(), gap[1].get<double>()});
-    }
     return rule;
 }
 
@@ -146,9 +135,8 @@ std::vector<Choreography> choreographiesFromJson(const json& value, const std::v
                 KeyReader(value["shapes"], hand, file).read(sequence[track], field + "." + track));
         }
         choreography.stage = stageFrom(sequence.value("stage", json::array()), file, field + ".stage");
-        if (sequence.contains("contact")) {
+        if (sequence.contains("contact"))
             choreography.contact = contactFrom(sequence["contact"], file, field + ".contact");
-        }
         result.push_back(std::move(choreography));
     }
     return result;

@@ -3,9 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/geometry/camera_ring.h"
 #include "core/demo_hand/choreography.h"
 #include "core/demo_hand/demo_hand.h"
+#include "core/geometry/camera_ring.h"
 #include "core/io/demo/demo_files.h"
 #include "core/io/files/embedded_resources.h"
 #include "core/io/hands/rig_file.h"

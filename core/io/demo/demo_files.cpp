@@ -15,17 +15,15 @@ Eigen::Vector3d vectorFrom(const json& list) {
 
 std::vector<Eigen::Vector3d> pathFrom(const json& list) {
     std::vector<Eigen::Vector3d> points;
-    for (const json& point : list) {
+    for (const json& point : list)
         points.push_back(vectorFrom(point));
-    }
     return points;
 }
 
 SweptSolidShape sweepFrom(const json& value) {
     SweptSolidShape shape;
-    for (const json& s : value["sections"]) {
+    for (const json& s : value["sections"])
         shape.sections.push_back({s[0].get<double>(), s[1].get<double>(), s[2].get<double>(), s[3].get<double>()});
-    }
     shape.capStartMm = value["capStart"].get<double>();
     shape.capEndMm = value["capEnd"].get<double>();
     return shape;

@@ -32,9 +32,8 @@ fs::path besides(const fs::path& place) {
 struct Descriptor {
     int value;
     ~Descriptor() {
-        if (value >= 0) {
+        if (value >= 0)
             ::close(value);
-        }
     }
 };
 
@@ -42,9 +41,8 @@ struct Descriptor {
 int writeAll(int descriptor, std::string_view content) {
     while (!content.empty()) {
         const ssize_t written = ::write(descriptor, content.data(), content.size());
-        if (written < 0 && errno != EINTR) {
+        if (written < 0 && errno != EINTR)
             return errno;
-        }
         content.remove_prefix(written > 0 ? static_cast<std::size_t>(written) : 0);
     }
     return 0;
@@ -53,29 +51,25 @@ int writeAll(int descriptor, std::string_view content) {
 /// Makes the rename itself last; file systems that cannot do so are left alone.
 void syncFolder(const fs::path& folder) {
     const Descriptor descriptor{::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    if (descriptor.value >= 0) {
+    if (descriptor.value >= 0)
         ::fsync(descriptor.value);
-    }
 }
 
 void writeDirectly(const fs::path& file, std::string_view content) {
     const Descriptor descriptor{::open(file.c_str(), O_WRONLY | O_CLOEXEC)};
     const int failure = descriptor.value < 0 ? errno : writeAll(descriptor.value, content);
-    if (failure != 0) {
+    if (failure != 0)
         throwIo(file, failure);
-    }
 }
 
 /// Writes and flushes a new file; 0 or the errno of what failed.
 int writeNewFile(const fs::path& file, std::string_view content) {
     const Descriptor descriptor{::open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666)};
-    if (descriptor.value < 0) {
+    if (descriptor.value < 0)
         return errno;
-    }
     const int failure = writeAll(descriptor.value, content);
-    if (failure != 0) {
+    if (failure != 0)
         return failure;
-    }
     return ::fsync(descriptor.value) == 0 || errno == EINVAL ? 0 : errno;
 }
 
@@ -84,19 +78,18 @@ int writeNewFile(const fs::path& file, std::string_view content) {
 void writeFileAtomically(const fs::path& file, std::string_view content) {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
-    if (fs::is_directory(status)) {
+    if (fs::is_directory(status))
         throwIo(file, EISDIR);
-    }
     if (fs::exists(status) && !fs::is_regular_file(status)) {
         writeDirectly(file, content);
         return;
     }
-    const fs::path target = fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
+    const fs::path target =
+        fs::is_symlink(fs::symlink_status(file, ignored)) ? fs::weakly_canonical(file, ignored) : file;
     const fs::path pending = besides(target);
     int failure = writeNewFile(pending, content);
-    if (failure == 0 && ::rename(pending.c_str(), target.c_str()) != 0) {
+    if (failure == 0 && ::rename(pending.c_str(), target.c_str()) != 0)
         failure = errno;
-    }
     if (failure != 0) {
         ::unlink(pending.c_str());
         throwIo(file, failure);
@@ -107,20 +100,19 @@ void writeFileAtomically(const fs::path& file, std::string_view content) {
 void ensureFolder(const fs::path& folder) {
     std::error_code failure;
     fs::create_directories(folder, failure);
-    if (failure || !fs::is_directory(folder)) {
+    if (failure || !fs::is_directory(folder))
         throwIo(folder, failure ? failure.value() : ENOTDIR);
-    }
 }
 
-PendingFolder::PendingFolder(fs::path finalPlace) : m_final(std::move(finalPlace)) {
-    if (!m_final.has_filename()) {
+PendingFolder::PendingFolder(fs::path finalPlace)
+    : m_final(std::move(finalPlace)) {
+    if (!m_final.has_filename())
         m_final = m_final.parent_path(); // "name/" and "name" are the same folder
-    }
     std::error_code ignored;
-    const bool isFree = !fs::exists(m_final, ignored) || (fs::is_directory(m_final, ignored) && fs::is_empty(m_final, ignored));
-    if (!isFree) {
+    const bool isFree =
+        !fs::exists(m_final, ignored) || (fs::is_directory(m_final, ignored) && fs::is_empty(m_final, ignored));
+    if (!isFree)
         throw Error(ErrorCode::Io, m_final.string(), "", "is there already and is not empty");
-    }
     m_pending = besides(m_final);
     ensureFolder(m_pending);
 }
@@ -133,9 +125,8 @@ PendingFolder::~PendingFolder() {
 }
 
 void PendingFolder::commit() {
-    if (::rename(m_pending.c_str(), m_final.c_str()) != 0) {
+    if (::rename(m_pending.c_str(), m_final.c_str()) != 0)
         throwIo(m_final, errno);
-    }
     m_committed = true;
     syncFolder(m_final.parent_path());
 }

@@ -7,8 +7,8 @@
 
 namespace core {
 
-/// A 64-bit number that tells one run of bytes from another (FNV-1a over words of eight bytes, with a final mix). No protection
-/// against forgery.
+/// A 64-bit number that tells one run of bytes from another (FNV-1a over words of eight bytes, with a final mix). No
+/// protection against forgery.
 inline std::uint64_t contentHash(const void* data, std::size_t size) {
     constexpr std::uint64_t kPrime = 0x100000001b3;
     std::uint64_t hash = 0xcbf29ce484222325 ^ size;
@@ -19,9 +19,8 @@ inline std::uint64_t contentHash(const void* data, std::size_t size) {
         hash = (hash ^ word) * kPrime;
         hash ^= hash >> 32;
     }
-    for (; size > 0; --size, ++bytes) {
+    for (; size > 0; --size, ++bytes)
         hash = (hash ^ *bytes) * kPrime;
-    }
     return hash ^ hash >> 29;
 }
 

@@ -14,15 +14,15 @@ namespace {
 /// Takes a text apart, cell by cell.
 class CsvParser {
 public:
-    CsvParser(std::string_view text, const std::string& file) : m_text(text), m_file(file) {
+    CsvParser(std::string_view text, const std::string& file)
+        : m_text(text)
+        , m_file(file) {
         constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-        if (m_text.starts_with(kByteOrderMark)) {
+        if (m_text.starts_with(kByteOrderMark))
             m_text.remove_prefix(kByteOrderMark.size());
-        }
         takeSeparatorLine();
-        if (!m_isSeparatorGiven) {
+        if (!m_isSeparatorGiven)
             m_separator = mostLikelySeparator();
-        }
         m_cellEnds[0] = m_separator;
     }
 
@@ -34,12 +34,10 @@ public:
                 row.push_back(cell());
             }
             skipLineEnd();
-            if (m_separator == ';') {
+            if (m_separator == ';')
                 takeDecimalCommas(row);
-            }
-            if (row.size() > 1 || !row[0].empty()) {
+            if (row.size() > 1 || !row[0].empty())
                 m_rows.push_back(std::move(row));
-            }
         }
         return std::move(m_rows);
     }
@@ -49,7 +47,8 @@ private:
     void takeSeparatorLine() {
         constexpr std::string_view kName = "sep=";
         const std::size_t end = std::min(m_text.find_first_of("\r\n"), m_text.size());
-        if (m_text.starts_with(kName) && end == kName.size() + 1 && (m_text[kName.size()] == ',' || m_text[kName.size()] == ';')) {
+        if (m_text.starts_with(kName) && end == kName.size() + 1 &&
+            (m_text[kName.size()] == ',' || m_text[kName.size()] == ';')) {
             m_separator = m_text[kName.size()];
             m_isSeparatorGiven = true;
             m_at = end;
@@ -69,7 +68,8 @@ private:
         return semicolons > commas ? ';' : ',';
     }
 
-    /// Writes "12,5" as 12.5. A table that has numbers of both kinds cannot be understood: 1.234 may be a thousand there.
+    /// Writes "12,5" as 12.5. A table that has numbers of both kinds cannot be understood: 1.234 may be a thousand
+    /// there.
     void takeDecimalCommas(CsvRow& row) {
         for (std::string& cell : row) {
             const std::size_t comma = cell.find(',');
@@ -92,9 +92,8 @@ private:
     }
 
     std::string cell() {
-        if (m_at < m_text.size() && m_text[m_at] == '"') {
+        if (m_at < m_text.size() && m_text[m_at] == '"')
             return quotedCell();
-        }
         const std::size_t end = std::min(m_text.find_first_of(m_cellEnds, m_at), m_text.size());
         const std::string_view content = m_text.substr(m_at, end - m_at);
         m_at = end;
@@ -108,9 +107,8 @@ private:
             const char c = m_text[m_at];
             if (c == '"') {
                 ++m_at;
-                if (m_at >= m_text.size() || m_text[m_at] != '"') {
+                if (m_at >= m_text.size() || m_text[m_at] != '"')
                     return content;
-                }
             }
             m_line += c == '\n';
             content += c;
@@ -119,14 +117,14 @@ private:
     }
 
     void skipLineEnd() {
-        if (m_at < m_text.size() && m_text[m_at] == '\r') {
+        if (m_at < m_text.size() && m_text[m_at] == '\r')
             ++m_at;
-        }
         if (m_at < m_text.size() && m_text[m_at] == '\n') {
             ++m_at;
             ++m_line;
         } else if (m_at < m_text.size() && m_text[m_at - 1] != '\r') {
-            throw Error(ErrorCode::BadInput, m_file, "line " + std::to_string(m_line), "something follows a quoted cell");
+            throw Error(ErrorCode::BadInput, m_file, "line " + std::to_string(m_line),
+                        "something follows a quoted cell");
         }
     }
 
@@ -143,21 +141,23 @@ private:
 
 } // namespace
 
-std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file) { return CsvParser(text, file).parse(); }
+std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file) {
+    return CsvParser(text, file).parse();
+}
 
-std::vector<CsvRow> readCsv(const std::filesystem::path& file) { return parseCsv(readTextFile(file), file.string()); }
+std::vector<CsvRow> readCsv(const std::filesystem::path& file) {
+    return parseCsv(readTextFile(file), file.string());
+}
 
 std::optional<double> cellNumber(std::string_view cell, const std::string& file, const std::string& field) {
     const std::size_t first = std::min(cell.find_first_not_of(" \t"), cell.size());
     cell = cell.substr(first, cell.find_last_not_of(" \t") + 1 - first);
     constexpr std::string_view kMissing[] = {"", "NaN", "nan", "NAN", "null", "NA", "None"};
-    if (std::find(std::begin(kMissing), std::end(kMissing), cell) != std::end(kMissing)) {
+    if (std::find(std::begin(kMissing), std::end(kMissing), cell) != std::end(kMissing))
         return std::nullopt;
-    }
     double value = 0;
-    if (!parseNumber(cell, value)) {
+    if (!parseNumber(cell, value))
         throw Error(ErrorCode::BadInput, file, field, "\"" + std::string(cell) + "\" is not a number");
-    }
     return value;
 }
 

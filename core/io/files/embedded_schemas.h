@@ -5,7 +5,8 @@
 
 namespace core {
 
-/// The text of resources/schemas/<kind>.schema.json, which is built into the library. Throws std::logic_error if there is none.
+/// The text of resources/schemas/<kind>.schema.json, which is built into the library. Throws std::logic_error if there
+/// is none.
 std::string_view embeddedSchema(std::string_view kind);
 
 } // namespace core

@@ -9,7 +9,8 @@
 namespace core {
 
 FileFlusher::FileFlusher(std::filesystem::path file)
-    : m_file(std::move(file)), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+    : m_file(std::move(file))
+    , m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
 FileFlusher::~FileFlusher() = default;
 

@@ -8,8 +8,8 @@
 
 namespace core {
 
-/// Sends what was written to a file on to the disk a moment after it was asked to, on a thread of its own: a writer need not
-/// wait for the disk, and yet a power failure costs no more than the last moment.
+/// Sends what was written to a file on to the disk a moment after it was asked to, on a thread of its own: a writer
+/// need not wait for the disk, and yet a power failure costs no more than the last moment.
 class FileFlusher {
 public:
     explicit FileFlusher(std::filesystem::path file);

@@ -36,18 +36,16 @@ std::string readHolder(int descriptor) {
 void writeHolder(int descriptor) {
     const std::string line = ownName() + "\n";
     // Who holds the lock is a courtesy: the lock holds without it.
-    if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, line.data(), line.size(), 0) < 0) {
+    if (::ftruncate(descriptor, 0) != 0 || ::pwrite(descriptor, line.data(), line.size(), 0) < 0)
         return;
-    }
 }
 
 } // namespace
 
 FileLock::FileLock(const std::filesystem::path& file)
     : m_descriptor(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (m_descriptor < 0) {
+    if (m_descriptor < 0)
         return;
-    }
     if (::flock(m_descriptor, LOCK_EX | LOCK_NB) == 0) {
         m_state = State::Held;
         writeHolder(m_descriptor);
@@ -60,13 +58,14 @@ FileLock::FileLock(const std::filesystem::path& file)
 }
 
 FileLock::~FileLock() {
-    if (m_descriptor >= 0) {
+    if (m_descriptor >= 0)
         ::close(m_descriptor);
-    }
 }
 
 FileLock::FileLock(FileLock&& other) noexcept
-    : m_descriptor(std::exchange(other.m_descriptor, -1)), m_state(other.m_state), m_holder(std::move(other.m_holder)) {}
+    : m_descriptor(std::exchange(other.m_descriptor, -1))
+    , m_state(other.m_state)
+    , m_holder(std::move(other.m_holder)) {}
 
 FileLock& FileLock::operator=(FileLock&& other) noexcept {
     std::swap(m_descriptor, other.m_descriptor);

@@ -6,15 +6,15 @@
 
 namespace core {
 
-/// An advisory lock on a small file, held by at most one process at a time; the system lets go of it when the process ends,
-/// however it ends. The file stays, and says who held it last.
+/// An advisory lock on a small file, held by at most one process at a time; the system lets go of it when the process
+/// ends, however it ends. The file stays, and says who held it last.
 class FileLock {
 public:
     enum class State {
-        Held,          ///< by us
-        HeldByOther,   ///< see holder()
-        NotPermitted,  ///< the file cannot be made or opened for writing
-        NotSupported   ///< the file system has no locks
+        Held,         ///< by us
+        HeldByOther,  ///< see holder()
+        NotPermitted, ///< the file cannot be made or opened for writing
+        NotSupported  ///< the file system has no locks
     };
 
     FileLock() = default;

@@ -44,9 +44,8 @@ struct CommandResult {
 CommandResult run(const std::string& command) {
     CommandResult result;
     std::FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) {
+    if (pipe == nullptr)
         return result;
-    }
     std::array<char, 65536> buffer;
     for (std::size_t size = 1; size > 0;) {
         size = std::fread(buffer.data(), 1, buffer.size(), pipe);
@@ -63,9 +62,8 @@ bool isInstalled() {
 /// A shell word, whatever characters it has.
 std::string quotedForShell(const std::string& text) {
     std::string word = "'";
-    for (const char c : text) {
+    for (const char c : text)
         word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
     return word + "'";
 }
 
@@ -74,22 +72,19 @@ std::string drawn(const std::string& program) {
     const CommandResult result = run("LC_ALL=C gnuplot " + quotedForShell(file.path().string()) + " 2>&1");
     const std::size_t begin = result.output.find("<svg");
     const std::size_t end = result.output.rfind("</svg>");
-    if (result.status != 0 || begin == std::string::npos || end == std::string::npos) {
+    if (result.status != 0 || begin == std::string::npos || end == std::string::npos)
         throw Error(ErrorCode::Io, "gnuplot", "", "could not draw a figure: " + result.output.substr(0, 300));
-    }
     return result.output.substr(begin, end + 6 - begin); // without XML declaration and document type
 }
 
 } // namespace
 
 std::optional<std::vector<std::string>> drawWithGnuplot(const std::vector<std::string>& programs) {
-    if (!isInstalled()) {
+    if (!isInstalled())
         return std::nullopt;
-    }
     std::vector<std::string> pictures;
-    for (const std::string& program : programs) {
+    for (const std::string& program : programs)
         pictures.push_back(drawn(program));
-    }
     return pictures;
 }
 

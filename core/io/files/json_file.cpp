@@ -29,16 +29,17 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
 }
 
 bool isFlat(const ordered_json& value) {
-    return std::none_of(value.begin(), value.end(), [](const ordered_json& item) { return item.is_structured(); });
+    return std::none_of(
+        value.begin(), value.end(), [](const ordered_json& item) { return item.is_structured(); });
 }
 
 /// A list of numbers, or a short list of such lists (a matrix).
 bool fitsOnOneLine(const ordered_json& value) {
-    if (value.empty() || isFlat(value)) {
+    if (value.empty() || isFlat(value))
         return true;
-    }
     return value.is_array() && value.size() <= 4 &&
-           std::all_of(value.begin(), value.end(), [](const ordered_json& row) { return row.is_array() && isFlat(row); });
+           std::all_of(value.begin(), value.end(),
+                       [](const ordered_json& row) { return row.is_array() && isFlat(row); });
 }
 
 void append(std::string& text, const ordered_json& value, std::size_t indent) {
@@ -51,9 +52,8 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
     std::size_t left = value.size();
     for (const auto& item : value.items()) {
         text += inner;
-        if (value.is_object()) {
+        if (value.is_object())
             text += ordered_json(item.key()).dump() + ": ";
-        }
         append(text, item.value(), indent + 1);
         text += --left > 0 ? ",\n" : "\n";
     }
@@ -82,12 +82,10 @@ int nestingDepth(std::string_view text) {
 }
 
 json parseJson(std::string_view text, const std::string& file) {
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
         throw Error(ErrorCode::BadInput, file, "", "is empty");
-    }
-    if (nestingDepth(text) > kMaxDepth) {
+    if (nestingDepth(text) > kMaxDepth)
         throw Error(ErrorCode::BadInput, file, "", "is nested more than 64 levels deep");
-    }
     try {
         return json::parse(text);
     } catch (const json::parse_error& failure) {
@@ -99,14 +97,15 @@ json parseJson(std::string_view text, const std::string& file) {
     }
 }
 
-json readJsonFile(const fs::path& file) { return parseJson(readTextFile(file), file.string()); }
+json readJsonFile(const fs::path& file) {
+    return parseJson(readTextFile(file), file.string());
+}
 
 json readOwnFile(const fs::path& file, const std::string& kind) {
     json value = readJsonFile(file);
     const std::string format = "handlens-" + kind;
-    if (!value.is_object() || !value.contains("format") || value["format"] != format) {
+    if (!value.is_object() || !value.contains("format") || value["format"] != format)
         throw Error(ErrorCode::BadInput, file.string(), "format", "is not \"" + format + "\"");
-    }
     if (value.contains("version") && value["version"].is_number() && value["version"] > kKnownVersion) {
         throw Error(ErrorCode::Newer, file.string(), "version",
                     value["version"].dump() + " was written by a newer Handlens; this one reads up to " +
@@ -122,9 +121,12 @@ std::string formatJson(const ordered_json& value) {
     return text + "\n";
 }
 
-void writeJsonFile(const fs::path& file, const ordered_json& value) { writeFileAtomically(file, formatJson(value)); }
+void writeJsonFile(const fs::path& file, const ordered_json& value) {
+    writeFileAtomically(file, formatJson(value));
+}
 
-std::vector<double> jsonNumbers(const json& list, std::size_t count, const std::string& file, const std::string& field) {
+std::vector<double> jsonNumbers(const json& list, std::size_t count, const std::string& file,
+                                const std::string& field) {
     if (!list.is_array() || list.size() != count) {
         throw Error(ErrorCode::BadInput, file, field,
                     "a list of " + std::to_string(count) + " numbers is expected" +
@@ -132,9 +134,8 @@ std::vector<double> jsonNumbers(const json& list, std::size_t count, const std::
     }
     std::vector<double> values(count);
     for (std::size_t i = 0; i < count; ++i) {
-        if (!list[i].is_number() || !std::isfinite(list[i].get<double>())) {
+        if (!list[i].is_number() || !std::isfinite(list[i].get<double>()))
             throw Error(ErrorCode::BadInput, file, field + "[" + std::to_string(i) + "]", "is not a finite number");
-        }
         values[i] = list[i].get<double>();
     }
     return values;
@@ -155,12 +156,12 @@ std::vector<int> jsonIntegers(const json& list, std::size_t count, int least, in
 }
 
 Eigen::Matrix3d jsonMatrix(const json& rows, const std::string& file, const std::string& field) {
-    if (!rows.is_array() || rows.size() != 3) {
+    if (!rows.is_array() || rows.size() != 3)
         throw Error(ErrorCode::BadInput, file, field, "three rows of three numbers are expected");
-    }
     Eigen::Matrix3d matrix;
     for (int i = 0; i < 3; ++i) {
-        matrix.row(i) = jsonVector(rows[static_cast<std::size_t>(i)], file, field + "[" + std::to_string(i) + "]").transpose();
+        matrix.row(i) =
+            jsonVector(rows[static_cast<std::size_t>(i)], file, field + "[" + std::to_string(i) + "]").transpose();
     }
     return matrix;
 }
@@ -172,12 +173,13 @@ Eigen::Vector3d jsonVector(const json& list, const std::string& file, const std:
 
 ordered_json jsonOf(const Eigen::Matrix3d& matrix) {
     ordered_json rows = ordered_json::array();
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         rows.push_back(jsonOf(Eigen::Vector3d(matrix.row(i).transpose())));
-    }
     return rows;
 }
 
-ordered_json jsonOf(const Eigen::Vector3d& vector) { return {vector.x(), vector.y(), vector.z()}; }
+ordered_json jsonOf(const Eigen::Vector3d& vector) {
+    return {vector.x(), vector.y(), vector.z()};
+}
 
 } // namespace core

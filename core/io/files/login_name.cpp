@@ -11,9 +11,8 @@ namespace core {
 std::string loginName() {
     for (const char* variable : {"LOGNAME", "USER"}) {
         const char* name = std::getenv(variable);
-        if (name && *name) {
+        if (name && *name)
             return name;
-        }
     }
     const passwd* entry = ::getpwuid(::geteuid());
     return entry && entry->pw_name && *entry->pw_name ? entry->pw_name : "annotator";

@@ -5,7 +5,8 @@
 
 namespace core {
 
-/// The name under which the person is logged in: of the environment (LOGNAME, USER), else of the system; "annotator" if nobody knows.
+/// The name under which the person is logged in: of the environment (LOGNAME, USER), else of the system; "annotator" if
+/// nobody knows.
 std::string loginName();
 
 } // namespace core

@@ -25,7 +25,8 @@ std::string fieldName(const std::vector<std::string>& context) {
     std::string name;
     for (std::size_t i = 1; i < context.size(); ++i) {
         const std::string part = context[i].substr(1, context[i].size() - 2);
-        const bool isIndex = !part.empty() && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+        const bool isIndex =
+            !part.empty() && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
         name += isIndex ? "[" + part + "]" : (name.empty() ? "" : ".") + part;
     }
     return name;
@@ -34,11 +35,9 @@ std::string fieldName(const std::vector<std::string>& context) {
 /// The error that lies deepest says best what is wrong.
 valijson::ValidationResults::Error deepest(valijson::ValidationResults& results) {
     valijson::ValidationResults::Error best, next;
-    while (results.popError(next)) {
-        if (next.context.size() >= best.context.size()) {
+    while (results.popError(next))
+        if (next.context.size() >= best.context.size())
             best = next;
-        }
-    }
     return best;
 }
 
@@ -56,11 +55,10 @@ const json* partOf(const json& schema, const std::vector<std::string>& context) 
     for (std::size_t i = 1; i < context.size() && part; ++i) {
         const std::string name = context[i].substr(1, context[i].size() - 2);
         const json* next = nullptr;
-        if (part->contains("properties") && (*part)["properties"].contains(name)) {
+        if (part->contains("properties") && (*part)["properties"].contains(name))
             next = &(*part)["properties"][name];
-        } else if (part->contains("items") && (*part)["items"].is_object()) {
+        else if (part->contains("items") && (*part)["items"].is_object())
             next = &(*part)["items"];
-        }
         part = next;
         follow();
     }
@@ -70,31 +68,30 @@ const json* partOf(const json& schema, const std::vector<std::string>& context) 
 /// What is wrong, for people: the validator speaks of its own constraints.
 std::string readable(const std::string& description, const json* part) {
     const auto has = [&](const char* words) { return description.find(words) != std::string::npos; };
-    if (part && has("'const'") && part->contains("const")) {
+    if (part && has("'const'") && part->contains("const"))
         return "must be " + (*part)["const"].dump();
-    }
     if (part && has("'type'") && part->contains("type") && (*part)["type"].is_string()) {
         const std::string type = (*part)["type"];
-        return "must be " + std::string(type == "integer" ? "a whole number" : type == "array" ? "a list" : type == "boolean" ? "true or false"
-                                        : type == "string" ? "a text" : "a" + std::string(type == "object" ? "n " : " ") + type);
+        return "must be " + std::string(type == "integer"   ? "a whole number"
+                                        : type == "array"   ? "a list"
+                                        : type == "boolean" ? "true or false"
+                                        : type == "string"  ? "a text"
+                                                            : "a" + std::string(type == "object" ? "n " : " ") + type);
     }
     if (part && has("enum") && part->contains("enum")) {
         std::string values;
-        for (const json& value : (*part)["enum"]) {
+        for (const json& value : (*part)["enum"])
             values += (values.empty() ? "" : ", ") + value.dump();
-        }
         return "must be one of " + values;
     }
-    constexpr std::string_view kMissing = "Missing required property ", kNumber = "Expected number ", kArray = "Array should contain ";
-    if (description.starts_with(kMissing)) {
+    constexpr std::string_view kMissing = "Missing required property ", kNumber = "Expected number ",
+                               kArray = "Array should contain ";
+    if (description.starts_with(kMissing))
         return "lacks " + description.substr(kMissing.size(), description.find_last_not_of('.') + 1 - kMissing.size());
-    }
-    if (description.starts_with(kNumber)) {
+    if (description.starts_with(kNumber))
         return "must be " + description.substr(kNumber.size());
-    }
-    if (description.starts_with(kArray)) {
+    if (description.starts_with(kArray))
         return "must hold " + description.substr(kArray.size(), description.find_last_not_of('.') + 1 - kArray.size());
-    }
     return description;
 }
 
@@ -108,7 +105,8 @@ void checkSchema(const json& value, std::string_view kind, const std::string& fi
     valijson::ValidationResults results;
     if (!valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(value), &results)) {
         const auto error = deepest(results);
-        throw Error(ErrorCode::BadInput, file, fieldName(error.context), readable(error.description, partOf(document, error.context)));
+        throw Error(ErrorCode::BadInput, file, fieldName(error.context),
+                    readable(error.description, partOf(document, error.context)));
     }
 }
 

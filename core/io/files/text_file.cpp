@@ -14,23 +14,19 @@ namespace fs = std::filesystem;
 std::string readTextFile(const fs::path& file, std::size_t maxBytes) {
     std::error_code failure;
     const fs::file_status status = fs::status(file, failure);
-    if (!fs::exists(status)) {
+    if (!fs::exists(status))
         throw Error(ErrorCode::NotFound, file.string(), "", "no such file");
-    }
-    if (fs::is_directory(status)) {
+    if (fs::is_directory(status))
         throw Error(ErrorCode::BadInput, file.string(), "", "is a folder, not a file");
-    }
     std::ifstream in(file, std::ios::binary);
-    if (!in) {
+    if (!in)
         throw Error(ErrorCode::Io, file.string(), "", "cannot be read (permission denied?)");
-    }
     std::string content;
     std::vector<char> chunk(1 << 16);
     while (in.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || in.gcount() > 0) {
         content.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-        if (content.size() > maxBytes) {
+        if (content.size() > maxBytes)
             throw Error(ErrorCode::BadInput, file.string(), "", "is too large to be a file of this kind");
-        }
     }
     return content;
 }
@@ -49,20 +45,23 @@ std::vector<std::string_view> splitWords(std::string_view line, bool commas) {
 
 bool isFileName(std::string_view name) {
     return !name.empty() && name.size() <= 200 && name != "." && name != ".." &&
-           std::none_of(name.begin(), name.end(), [](char c) { return c == '/' || static_cast<unsigned char>(c) < 32; });
+           std::none_of(
+               name.begin(), name.end(), [](char c) { return c == '/' || static_cast<unsigned char>(c) < 32; });
 }
 
-LineReader::LineReader(const fs::path& file) : LineReader(file.string(), readTextFile(file)) {}
+LineReader::LineReader(const fs::path& file)
+    : LineReader(file.string(), readTextFile(file)) {}
 
-LineReader::LineReader(std::string name, std::string content) : m_name(std::move(name)), m_content(std::move(content)) {}
+LineReader::LineReader(std::string name, std::string content)
+    : m_name(std::move(name))
+    , m_content(std::move(content)) {}
 
 void LineReader::skipEmptyLines() {
     while (m_position < m_content.size()) {
         const std::size_t end = m_content.find('\n', m_position);
         const std::size_t length = (end == std::string::npos ? m_content.size() : end) - m_position;
-        if (std::string_view(m_content).substr(m_position, length).find_first_not_of(" \t\r") != std::string_view::npos) {
+        if (std::string_view(m_content).substr(m_position, length).find_first_not_of(" \t\r") != std::string_view::npos)
             return;
-        }
         m_position += std::min(length + 1, m_content.size() - m_position);
         ++m_line;
     }
@@ -74,9 +73,8 @@ bool LineReader::atEnd() {
 }
 
 std::string_view LineReader::next(std::string_view expected) {
-    if (atEnd()) {
+    if (atEnd())
         throw Error(ErrorCode::BadInput, m_name, "", "ends where " + std::string(expected) + " is expected");
-    }
     const std::size_t end = std::min(m_content.find('\n', m_position), m_content.size());
     std::string_view line = std::string_view(m_content).substr(m_position, end - m_position);
     m_position = std::min(end + 1, m_content.size());
@@ -92,11 +90,9 @@ std::vector<double> LineReader::nextNumbers(std::size_t count, std::string_view 
                         std::to_string(words.size()));
     }
     std::vector<double> values(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!parseNumber(words[i], values[i])) {
+    for (std::size_t i = 0; i < count; ++i)
+        if (!parseNumber(words[i], values[i]))
             throw errorHere("'" + std::string(words[i].substr(0, 40)) + "' is not a finite number");
-        }
-    }
     return values;
 }
 

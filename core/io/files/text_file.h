@@ -10,8 +10,8 @@
 
 namespace core {
 
-/// The whole content of a file. Throws Error: NotFound if there is none, Io if it cannot be read, BadInput if it is larger
-/// than `maxBytes` (a video given for a text file must not fill the memory).
+/// The whole content of a file. Throws Error: NotFound if there is none, Io if it cannot be read, BadInput if it is
+/// larger than `maxBytes` (a video given for a text file must not fill the memory).
 std::string readTextFile(const std::filesystem::path& file, std::size_t maxBytes = std::size_t(1) << 30);
 
 /// Walks through a text file line by line. Line ends may be LF or CRLF; empty lines are skipped.

@@ -11,7 +11,8 @@ namespace core {
 /// `pattern` with {camera}, {frame} and {frame:06} replaced.
 std::string fillPattern(const std::string& pattern, const std::string& camera, int frame);
 
-/// The number that makes `pattern` (with {frame} or {frame:06}) into `name`; -1 if they are the same without one, nothing if no number does.
+/// The number that makes `pattern` (with {frame} or {frame:06}) into `name`; -1 if they are the same without one,
+/// nothing if no number does.
 std::optional<int> numberIn(const std::string& pattern, const std::string& name);
 
 /// The parts of a path, folders first, without "." and "..".

@@ -15,13 +15,14 @@ constexpr std::size_t kAround = 3;       ///< frames on each side that tell a ga
 
 std::vector<double> stepsOf(const std::vector<double>& timesSec) {
     std::vector<double> steps;
-    for (std::size_t i = 1; i < timesSec.size(); ++i) {
+    for (std::size_t i = 1; i < timesSec.size(); ++i)
         steps.push_back(timesSec[i] - timesSec[i - 1]);
-    }
     return steps;
 }
 
-bool isUsual(double step, double usual) { return std::abs(step - usual) <= std::max(kJitter * usual, kRoundingSec); }
+bool isUsual(double step, double usual) {
+    return std::abs(step - usual) <= std::max(kJitter * usual, kRoundingSec);
+}
 
 /// The mean of the steps that are about the median: as exact as rounded stamps allow.
 double usualStep(const std::vector<double>& steps) {
@@ -42,14 +43,14 @@ double usualStep(const std::vector<double>& steps) {
 
 /// Frames lost between i - 1 and i: how much later, in whole steps, the frames from i on are than those before.
 int lostBefore(std::size_t i, const std::vector<double>& timesSec, double stepSec) {
-    const auto lag = [&](std::size_t j) { return (timesSec[j] - timesSec[i - 1]) / stepSec - (static_cast<double>(j) - static_cast<double>(i - 1)); };
+    const auto lag = [&](std::size_t j) {
+        return (timesSec[j] - timesSec[i - 1]) / stepSec - (static_cast<double>(j) - static_cast<double>(i - 1));
+    };
     double before = 0, after = lag(i);
-    for (std::size_t j = i > kAround ? i - kAround : 0; j < i; ++j) {
+    for (std::size_t j = i > kAround ? i - kAround : 0; j < i; ++j)
         before = std::max(before, lag(j));
-    }
-    for (std::size_t j = i; j < std::min(i + kAround + 1, timesSec.size()); ++j) {
+    for (std::size_t j = i; j < std::min(i + kAround + 1, timesSec.size()); ++j)
         after = std::min(after, lag(j));
-    }
     return static_cast<int>(std::lround(after - before));
 }
 
@@ -58,31 +59,27 @@ int lostBefore(std::size_t i, const std::vector<double>& timesSec, double stepSe
 FrameTiming analyseTimes(const std::vector<double>& timesSec) {
     FrameTiming timing;
     const std::vector<double> steps = stepsOf(timesSec);
-    if (steps.empty()) {
+    if (steps.empty())
         return timing;
-    }
     timing.stepSec = usualStep(steps);
-    const auto usual = std::count_if(steps.begin(), steps.end(), [&](double step) { return isUsual(step, timing.stepSec); });
+    const auto usual = std::count_if(
+        steps.begin(), steps.end(), [&](double step) { return isUsual(step, timing.stepSec); });
     const bool increases = std::all_of(steps.begin(), steps.end(), [](double step) { return step > 0; });
     timing.isSane = increases && static_cast<double>(usual) >= kSaneShare * static_cast<double>(steps.size());
-    if (!timing.isSane) {
+    if (!timing.isSane)
         return timing;
-    }
     for (std::size_t i = 1; i < timesSec.size(); ++i) {
-        if (steps[i - 1] <= 1.5 * timing.stepSec) {
+        if (steps[i - 1] <= 1.5 * timing.stepSec)
             continue;
-        }
-        if (const int lost = lostBefore(i, timesSec, timing.stepSec); lost > 0) {
+        if (const int lost = lostBefore(i, timesSec, timing.stepSec); lost > 0)
             timing.gaps.push_back({static_cast<int>(i) - 1, lost});
-        }
     }
     return timing;
 }
 
 double roundedRate(double stepSec) {
-    if (stepSec <= 0) {
+    if (stepSec <= 0)
         return 0;
-    }
     const double rate = 1 / stepSec, whole = std::round(rate), film = std::round(rate * 1.001) / 1.001;
     const double nearest = std::abs(rate - whole) <= std::abs(rate - film) ? whole : film;
     return whole > 0 && std::abs(rate - nearest) < 0.001 * rate ? nearest : rate;

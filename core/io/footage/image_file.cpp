@@ -8,8 +8,8 @@
 
 #include "core/error.h"
 #include "core/io/files/atomic_file.h"
-#include "core/io/footage/grey_levels.h"
 #include "core/io/files/text_file.h"
+#include "core/io/footage/grey_levels.h"
 
 namespace core {
 
@@ -24,9 +24,8 @@ cv::Mat decode(const std::filesystem::path& file, int flags) {
     } catch (const cv::Exception&) {
         image.release(); // said below
     }
-    if (image.empty()) {
+    if (image.empty())
         throw Error(ErrorCode::BadInput, file.string(), "", "is not a readable picture");
-    }
     return image;
 }
 
@@ -47,9 +46,8 @@ cv::Mat readMask(const std::filesystem::path& file) {
     std::vector<cv::Mat> channels;
     cv::split(image, channels);
     cv::Mat mask = channels.front() != 0;
-    for (std::size_t c = 1; c < std::min<std::size_t>(channels.size(), 3); ++c) { // the fourth is opacity
+    for (std::size_t c = 1; c < std::min<std::size_t>(channels.size(), 3); ++c) // the fourth is opacity
         mask |= channels[c] != 0;
-    }
     return mask;
 }
 

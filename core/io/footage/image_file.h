@@ -10,8 +10,9 @@
 
 namespace core {
 
-/// Reads a picture as 8-bit BGR, as the file has it: neither turned by its orientation tag nor scaled. Of more than 8 bits, `levels` says
-/// what becomes black and white; without, the bit depth that its brightest pixel needs. Throws Error.
+/// Reads a picture as 8-bit BGR, as the file has it: neither turned by its orientation tag nor scaled. Of more than 8
+/// bits, `levels` says what becomes black and white; without, the bit depth that its brightest pixel needs. Throws
+/// Error.
 cv::Mat readImage(const std::filesystem::path& file, const std::optional<GreyLevels>& levels = std::nullopt);
 /// Reads a picture as BGR of 8 or 16 bits, whichever the file has. Throws Error.
 cv::Mat readRawImage(const std::filesystem::path& file);

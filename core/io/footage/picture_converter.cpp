@@ -17,9 +17,8 @@ namespace core {
 namespace {
 
 int colourSpace(const AVFrame& picture) {
-    if (picture.colorspace != AVCOL_SPC_UNSPECIFIED) {
+    if (picture.colorspace != AVCOL_SPC_UNSPECIFIED)
         return picture.colorspace; // the library's table has the same numbers
-    }
     return picture.width > 1024 || picture.height >= 600 ? SWS_CS_ITU709 : SWS_CS_ITU601;
 }
 
@@ -33,39 +32,40 @@ bool isFullRange(const AVFrame& picture) {
 
 } // namespace
 
-void PictureConverter::Deleter::operator()(SwsContext* context) const { sws_freeContext(context); }
+void PictureConverter::Deleter::operator()(SwsContext* context) const {
+    sws_freeContext(context);
+}
 
 PictureConverter::PictureConverter() = default;
 PictureConverter::~PictureConverter() = default;
 
 /// Makes the context for pictures of this kind, unless it is there.
 bool PictureConverter::prepare(const AVFrame& picture) {
-    const std::array<int, 5> wanted{picture.width, picture.height, picture.format, colourSpace(picture), isFullRange(picture) ? 1 : 0};
-    if (m_context && wanted == m_prepared) {
+    const std::array<int, 5> wanted{picture.width, picture.height, picture.format, colourSpace(picture),
+                                    isFullRange(picture) ? 1 : 0};
+    if (m_context && wanted == m_prepared)
         return true;
-    }
     const int flags = SWS_BICUBIC | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP | SWS_ACCURATE_RND;
-    m_context.reset(sws_getContext(picture.width, picture.height, static_cast<AVPixelFormat>(picture.format), picture.width, picture.height,
-                                   AV_PIX_FMT_BGR24, flags, nullptr, nullptr, nullptr));
+    m_context.reset(sws_getContext(picture.width, picture.height, static_cast<AVPixelFormat>(picture.format),
+                                   picture.width, picture.height, AV_PIX_FMT_BGR24, flags, nullptr, nullptr, nullptr));
     m_prepared = wanted;
     if (m_context) {
         const int* coefficients = sws_getCoefficients(colourSpace(picture));
-        sws_setColorspaceDetails(m_context.get(), coefficients, isFullRange(picture) ? 1 : 0, coefficients, 1, 0, 1 << 16, 1 << 16);
+        sws_setColorspaceDetails(m_context.get(), coefficients, isFullRange(picture) ? 1 : 0, coefficients, 1, 0,
+                                 1 << 16, 1 << 16);
     }
     return m_context != nullptr;
 }
 
 cv::Mat PictureConverter::toBgr(const AVFrame& picture) {
-    if (!prepare(picture)) {
+    if (!prepare(picture))
         return {};
-    }
     // The library writes whole vectors: rows are longer than the picture.
     cv::Mat wide(picture.height + 1, cv::alignSize(picture.width, 64) + 64, CV_8UC3);
     std::uint8_t* const planes[] = {wide.data, nullptr, nullptr, nullptr};
     const int strides[] = {static_cast<int>(wide.step), 0, 0, 0};
-    if (sws_scale(m_context.get(), picture.data, picture.linesize, 0, picture.height, planes, strides) <= 0) {
+    if (sws_scale(m_context.get(), picture.data, picture.linesize, 0, picture.height, planes, strides) <= 0)
         return {};
-    }
     return wide(cv::Rect(0, 0, picture.width, picture.height)).clone();
 }
 

@@ -17,8 +17,8 @@ public:
     PictureConverter();
     ~PictureConverter();
 
-    /// CV_8UC3 of the picture's size; empty if its pixel format is not supported. Colours as the stream says; where it does not,
-    /// BT.709 for pictures wider than 1024 or at least 600 pixels high, else BT.601.
+    /// CV_8UC3 of the picture's size; empty if its pixel format is not supported. Colours as the stream says; where it
+    /// does not, BT.709 for pictures wider than 1024 or at least 600 pixels high, else BT.601.
     cv::Mat toBgr(const AVFrame& picture);
 
 private:

@@ -20,37 +20,40 @@ constexpr int kNear = 8;                      ///< packets: decoding on is cheap
 constexpr int kStrange = 64;                  ///< packets that are not in the index, after a seek
 
 std::int64_t bytesOf(const AVFrame& frame) {
-    return std::max(0, av_image_get_buffer_size(static_cast<AVPixelFormat>(frame.format), frame.width, frame.height, 1));
+    return std::max(0,
+                    av_image_get_buffer_size(static_cast<AVPixelFormat>(frame.format), frame.width, frame.height, 1));
 }
 
 /// Whether decoding may start with this picture: nothing before it is needed.
-bool isEntry(const AVFrame& frame) { return frame.key_frame != 0 || frame.pict_type == AV_PICTURE_TYPE_I; }
+bool isEntry(const AVFrame& frame) {
+    return frame.key_frame != 0 || frame.pict_type == AV_PICTURE_TYPE_I;
+}
 
 } // namespace
 
 PictureReader::PictureReader(std::filesystem::path file, VideoIndex index)
-    : m_file(std::move(file)), m_index(std::move(index)), m_demuxer(m_file), m_decoder(m_demuxer.stream(), m_file.string()) {
-    for (std::size_t p = 0; p < m_index.packets.size(); ++p) {
+    : m_file(std::move(file))
+    , m_index(std::move(index))
+    , m_demuxer(m_file)
+    , m_decoder(m_demuxer.stream(), m_file.string()) {
+    for (std::size_t p = 0; p < m_index.packets.size(); ++p)
         m_numberByHash.emplace_back(m_index.packets[p].hash, static_cast<int>(p));
-    }
     std::sort(m_numberByHash.begin(), m_numberByHash.end());
     m_isRunning = true; // at the first packet
 }
 
 const AVFrame& PictureReader::read(int picture) {
     const AVFrame* frame = kept(picture);
-    if (frame == nullptr && m_damaged.count(picture) == 0 && canGoOn(picture) && advanceTo(picture) == Outcome::Found) {
+    if (frame == nullptr && m_damaged.count(picture) == 0 && canGoOn(picture) && advanceTo(picture) == Outcome::Found)
         frame = kept(picture);
-    }
-    if (frame != nullptr && !VideoDecoder::isDamaged(*frame)) {
+    if (frame != nullptr && !VideoDecoder::isDamaged(*frame))
         return *frame;
-    }
     const int start = m_index.startFor(picture, INT_MAX);
-    if (m_damaged.count(picture) == 0 && (frame = searchFrom(start, picture)) != nullptr) {
+    if (m_damaged.count(picture) == 0 && (frame = searchFrom(start, picture)) != nullptr)
         return *frame;
-    }
     m_damaged.insert(picture);
-    throw Error(ErrorCode::BadInput, m_file.string(), "frame " + std::to_string(picture), "the picture is damaged and cannot be decoded");
+    throw Error(ErrorCode::BadInput, m_file.string(), "frame " + std::to_string(picture),
+                "the picture is damaged and cannot be decoded");
 }
 
 /// Starts at `start`, then further and further back. Null if the picture does not come whole.
@@ -60,26 +63,25 @@ const AVFrame* PictureReader::searchFrom(int start, int picture) {
         startAt(start);
         const Outcome outcome = advanceTo(picture);
         const AVFrame* frame = outcome == Outcome::Found ? kept(picture) : nullptr;
-        if (frame != nullptr && !VideoDecoder::isDamaged(*frame)) {
+        if (frame != nullptr && !VideoDecoder::isDamaged(*frame))
             return frame;
-        }
         damaged += frame != nullptr || (outcome == Outcome::Missing && m_decoder.errors() > 0) ? 1 : 0;
-        if (start == 0 || damaged == 2) {
+        if (start == 0 || damaged == 2)
             return nullptr;
-        }
-        for (int i = 0; i < back && start > 0; ++i) {
+        for (int i = 0; i < back && start > 0; ++i)
             start = back > 4 ? 0 : m_index.startFor(picture, start - 1);
-        }
     }
 }
 
 const AVFrame* PictureReader::kept(int picture) const {
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
+    const auto found =
+        std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
     return found == m_kept.end() ? nullptr : found->frame.get();
 }
 
 void PictureReader::keep(int picture, const AVFrame& frame) {
-    const auto old = std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
+    const auto old =
+        std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
     if (old != m_kept.end()) { // perhaps from a worse start
         m_keptBytes -= bytesOf(*old->frame);
         m_kept.erase(old);
@@ -93,7 +95,8 @@ void PictureReader::keep(int picture, const AVFrame& frame) {
 }
 
 bool PictureReader::canGoOn(int picture) const {
-    return m_isRunning && picture > m_lastPicture && picture >= m_firstPicture && m_index.startFor(picture, INT_MAX) <= m_nextPacket + kNear;
+    return m_isRunning && picture > m_lastPicture && picture >= m_firstPicture &&
+           m_index.startFor(picture, INT_MAX) <= m_nextPacket + kNear;
 }
 
 void PictureReader::startAt(int packet) {
@@ -115,15 +118,13 @@ void PictureReader::startAt(int packet) {
 bool PictureReader::seekTo(int packet) {
     int target = packet;
     for (int attempt = 0; attempt < 3 && target > 0; ++attempt) {
-        if (!m_demuxer.seekNear(m_index.packets[static_cast<std::size_t>(target)])) {
+        if (!m_demuxer.seekNear(m_index.packets[static_cast<std::size_t>(target)]))
             return false;
-        }
         for (int strange = 0; strange < kStrange; ++strange) {
             m_pending = m_demuxer.next();
             m_nextPacket = m_pending == nullptr ? -1 : numberOf(*m_pending);
-            if (m_pending == nullptr || m_nextPacket >= 0) {
+            if (m_pending == nullptr || m_nextPacket >= 0)
                 break;
-            }
         }
         if (m_pending != nullptr && m_nextPacket >= 0 && m_nextPacket <= packet) {
             skipTo(packet);
@@ -148,21 +149,18 @@ PictureReader::Outcome PictureReader::advanceTo(int picture) {
     while (m_isRunning) {
         while (const AVFrame* frame = m_decoder.receive()) {
             const int number = pictureOf(*frame);
-            if (number < m_firstPicture) {
+            if (number < m_firstPicture)
                 continue; // leans on pictures before the start, or is not shown
-            }
             if (m_firstPicture > 0 && m_lastPicture < 0 && (number != m_firstPicture || !isEntry(*frame))) {
                 m_isRunning = false; // no good place to start
                 return Outcome::Lost;
             }
             m_lastPicture = std::max(m_lastPicture, number);
             keep(number, *frame);
-            if (number == picture) {
+            if (number == picture)
                 return Outcome::Found;
-            }
-            if (number > picture + kLate) {
+            if (number > picture + kLate)
                 return Outcome::Missing;
-            }
         }
         if (m_hasEnded) {
             m_isRunning = false;
@@ -177,9 +175,8 @@ PictureReader::Outcome PictureReader::advanceTo(int picture) {
 bool PictureReader::feed() {
     const AVPacket* packet = m_pending != nullptr ? m_pending : m_demuxer.next();
     m_pending = nullptr;
-    if (packet != nullptr && !isPacket(*packet, m_nextPacket)) {
+    if (packet != nullptr && !isPacket(*packet, m_nextPacket))
         return false;
-    }
     m_hasEnded = packet == nullptr;
     m_decoder.send(packet, m_nextPacket++);
     return true;
@@ -187,29 +184,30 @@ bool PictureReader::feed() {
 
 int PictureReader::pictureOf(const AVFrame& frame) {
     const int packet = VideoDecoder::packetOf(frame);
-    if (m_index.isCounted) {
+    if (m_index.isCounted)
         return m_counted++;
-    }
-    return packet >= 0 && packet < static_cast<int>(m_index.packets.size()) ? m_index.packets[static_cast<std::size_t>(packet)].picture : -1;
+    return packet >= 0 && packet < static_cast<int>(m_index.packets.size())
+               ? m_index.packets[static_cast<std::size_t>(packet)].picture
+               : -1;
 }
 
 bool PictureReader::isPacket(const AVPacket& packet, int number) const {
-    if (number >= static_cast<int>(m_index.packets.size())) {
+    if (number >= static_cast<int>(m_index.packets.size()))
         return false;
-    }
     const VideoPacket& wanted = m_index.packets[static_cast<std::size_t>(number)];
     return wanted.size == static_cast<std::uint32_t>(packet.size) && wanted.hash == describe(packet).hash;
 }
 
-/// Where a packet stands in the index, by its content and, if that is there several times, its place in the file. -1 = unknown.
+/// Where a packet stands in the index, by its content and, if that is there several times, its place in the file. -1 =
+/// unknown.
 int PictureReader::numberOf(const AVPacket& packet) const {
     const VideoPacket sought = describe(packet);
     std::vector<int> same, there;
-    for (auto at = std::lower_bound(m_numberByHash.begin(), m_numberByHash.end(), std::pair(sought.hash, 0)); at != m_numberByHash.end() && at->first == sought.hash; ++at) {
+    for (auto at = std::lower_bound(m_numberByHash.begin(), m_numberByHash.end(), std::pair(sought.hash, 0));
+         at != m_numberByHash.end() && at->first == sought.hash; ++at) {
         same.push_back(at->second);
-        if (m_index.packets[static_cast<std::size_t>(at->second)].position == sought.position) {
+        if (m_index.packets[static_cast<std::size_t>(at->second)].position == sought.position)
             there.push_back(at->second);
-        }
     }
     const std::vector<int>& found = same.size() == 1 ? same : there;
     return found.size() == 1 ? found.front() : -1;

@@ -14,9 +14,10 @@
 
 namespace core {
 
-/// Any picture of an indexed video, by its number: decoding goes on from the last one, or starts at a key packet far enough before.
-/// Every packet that is read is compared with the index, and every picture is known by its packet; where decoding that started in the
-/// middle does not yield what the index says, it starts further back, in the end at the beginning.
+/// Any picture of an indexed video, by its number: decoding goes on from the last one, or starts at a key packet far
+/// enough before. Every packet that is read is compared with the index, and every picture is known by its packet; where
+/// decoding that started in the middle does not yield what the index says, it starts further back, in the end at the
+/// beginning.
 class PictureReader {
 public:
     /// Throws Error(BadInput) if the video cannot be opened.

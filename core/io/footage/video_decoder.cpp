@@ -11,23 +11,27 @@ namespace core {
 namespace {
 
 /// Several videos are decoded side by side, so each takes only some of the cores.
-int threadCount() { return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / 2, 1, 4); }
+int threadCount() {
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / 2, 1, 4);
+}
 
 } // namespace
 
 VideoDecoder::VideoDecoder(const AVStream& stream, const std::string& file)
-    : m_packet(av_packet_alloc()), m_picture(av_frame_alloc()) {
+    : m_packet(av_packet_alloc())
+    , m_picture(av_frame_alloc()) {
     const AVCodec* codec = avcodec_find_decoder(stream.codecpar->codec_id);
     if (codec == nullptr) {
-        throw Error(ErrorCode::Unsupported, file, "", std::string("not a readable video (no decoder for ") + avcodec_get_name(stream.codecpar->codec_id) + ")");
+        throw Error(ErrorCode::Unsupported, file, "",
+                    std::string("not a readable video (no decoder for ") + avcodec_get_name(stream.codecpar->codec_id) +
+                        ")");
     }
     m_codec.reset(avcodec_alloc_context3(codec));
     int failed = avcodec_parameters_to_context(m_codec.get(), stream.codecpar);
     m_codec->thread_count = threadCount();
     failed = failed < 0 ? failed : avcodec_open2(m_codec.get(), codec, nullptr);
-    if (failed < 0) {
+    if (failed < 0)
         throw Error(ErrorCode::BadInput, file, "", "not a readable video (" + libavMessage(failed) + ")");
-    }
 }
 
 bool VideoDecoder::send(const AVPacket* packet, int number) {
@@ -49,12 +53,10 @@ bool VideoDecoder::send(const AVPacket* packet, int number) {
 const AVFrame* VideoDecoder::receive() {
     for (int failures = 0; failures < 64;) {
         const int result = avcodec_receive_frame(m_codec.get(), m_picture.get());
-        if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) {
+        if (result == AVERROR(EAGAIN) || result == AVERROR_EOF)
             return nullptr;
-        }
-        if (result >= 0) {
+        if (result >= 0)
             return m_picture.get();
-        }
         ++m_errors; // of a packet that was sent before
         ++failures;
     }

@@ -13,10 +13,12 @@ public:
     /// Throws Error(Unsupported), naming `file`, if there is no decoder for this stream.
     VideoDecoder(const AVStream& stream, const std::string& file);
 
-    /// Takes the packet with this number; null = the stream has ended, give out what is held back. `number` comes back with the picture
-    /// that the packet holds (the decoder reorders pictures and may drop some). False if the packet is damaged.
+    /// Takes the packet with this number; null = the stream has ended, give out what is held back. `number` comes back
+    /// with the picture that the packet holds (the decoder reorders pictures and may drop some). False if the packet is
+    /// damaged.
     bool send(const AVPacket* packet, int number);
-    /// The next picture in the order of presentation, or null if another packet is needed (or all is given out). Valid until the next call.
+    /// The next picture in the order of presentation, or null if another packet is needed (or all is given out). Valid
+    /// until the next call.
     const AVFrame* receive();
     /// The number of the packet that this picture comes from.
     static int packetOf(const AVFrame& picture) { return static_cast<int>(picture.pts); }

@@ -21,7 +21,8 @@ public:
     const AVPacket* next();
     /// Back to the first packet.
     void rewind();
-    /// Goes to about where that packet is, or before. False if the container cannot; what comes next must be looked at in any case.
+    /// Goes to about where that packet is, or before. False if the container cannot; what comes next must be looked at
+    /// in any case.
     bool seekNear(const VideoPacket& packet);
 
 private:

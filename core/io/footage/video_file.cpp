@@ -15,15 +15,13 @@ namespace {
 /// The kept index, or a new one, which is then kept.
 VideoIndex indexOf(const fs::path& file, const fs::path& indexFile) {
     std::error_code ignored;
-    if (!fs::is_regular_file(file, ignored)) {
+    if (!fs::is_regular_file(file, ignored))
         throw Error(ErrorCode::NotFound, file.string(), "", "no such video");
-    }
     std::optional<VideoIndex> index = indexFile.empty() ? std::nullopt : readVideoIndex(indexFile, file);
     if (!index) {
         index = indexVideo(file);
-        if (!indexFile.empty()) {
+        if (!indexFile.empty())
             keepVideoIndex(*index, indexFile);
-        }
     }
     return std::move(*index);
 }
@@ -38,7 +36,9 @@ VideoInfo infoOf(const VideoIndex& index) {
     return info;
 }
 
-std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+std::string sizeText(int width, int height) {
+    return std::to_string(width) + " x " + std::to_string(height);
+}
 
 } // namespace
 
@@ -47,7 +47,8 @@ struct VideoFile::Handle {
     PictureConverter converter;
 };
 
-VideoFile::VideoFile(fs::path file, const fs::path& indexFile) : m_file(std::move(file)) {
+VideoFile::VideoFile(fs::path file, const fs::path& indexFile)
+    : m_file(std::move(file)) {
     VideoIndex index = indexOf(m_file, indexFile);
     m_info = infoOf(index);
     m_handle.reset(new Handle{PictureReader(m_file, std::move(index)), {}});
@@ -58,20 +59,23 @@ VideoFile::~VideoFile() = default;
 cv::Mat VideoFile::read(int frame) {
     const std::string field = "frame " + std::to_string(frame);
     if (frame < 0 || frame >= m_info.frames) {
-        throw Error(ErrorCode::NotFound, m_file.string(), field, "the video has frames 0 to " + std::to_string(m_info.frames - 1));
+        throw Error(ErrorCode::NotFound, m_file.string(), field,
+                    "the video has frames 0 to " + std::to_string(m_info.frames - 1));
     }
     const AVFrame& picture = m_handle->reader.read(frame);
     if (picture.width != m_info.size.width || picture.height != m_info.size.height) {
         throw Error(ErrorCode::BadInput, m_file.string(), field,
-                    sizeText(picture.width, picture.height) + ", but the video begins with " + sizeText(m_info.size.width, m_info.size.height));
+                    sizeText(picture.width, picture.height) + ", but the video begins with " +
+                        sizeText(m_info.size.width, m_info.size.height));
     }
     cv::Mat image = m_handle->converter.toBgr(picture);
-    if (image.empty()) {
+    if (image.empty())
         throw Error(ErrorCode::Unsupported, m_file.string(), field, "its pixel format is not supported");
-    }
     return image;
 }
 
-VideoInfo readVideoInfo(const fs::path& file, const fs::path& indexFile) { return infoOf(indexOf(file, indexFile)); }
+VideoInfo readVideoInfo(const fs::path& file, const fs::path& indexFile) {
+    return infoOf(indexOf(file, indexFile));
+}
 
 } // namespace core

@@ -29,12 +29,12 @@ public:
     template <typename Value>
     void put(const std::vector<Value>& values) {
         put(static_cast<std::uint64_t>(values.size()));
-        for (const Value& value : values) {
+        for (const Value& value : values)
             put(value);
-        }
     }
     void put(const VideoPacket& packet) {
-        put(packet.pts), put(packet.dts), put(packet.position), put(packet.size), put(packet.hash), put(packet.isKey), put(packet.picture);
+        put(packet.pts), put(packet.dts), put(packet.position), put(packet.size), put(packet.hash), put(packet.isKey),
+            put(packet.picture);
     }
     const std::string& bytes() const { return m_bytes; }
 
@@ -45,7 +45,8 @@ private:
 /// Reads what Writer wrote. After a value that is not there everything is zero and `isWhole` is false.
 class Reader {
 public:
-    explicit Reader(const std::string& bytes) : m_bytes(bytes) {}
+    explicit Reader(const std::string& bytes)
+        : m_bytes(bytes) {}
 
     template <typename Value>
     void get(Value& value) {
@@ -66,12 +67,12 @@ public:
             return;
         }
         values.resize(count);
-        for (Value& value : values) {
+        for (Value& value : values)
             get(value);
-        }
     }
     void get(VideoPacket& packet) {
-        get(packet.pts), get(packet.dts), get(packet.position), get(packet.size), get(packet.hash), get(packet.isKey), get(packet.picture);
+        get(packet.pts), get(packet.dts), get(packet.position), get(packet.size), get(packet.hash), get(packet.isKey),
+            get(packet.picture);
     }
     bool isWhole() const { return m_isWhole && m_at == m_bytes.size(); }
 
@@ -92,51 +93,49 @@ void visit(Stream&& visitField, Index& index) {
 bool isSound(const VideoIndex& index) {
     const int packets = static_cast<int>(index.packets.size());
     return packets > 0 && !index.packetOfPicture.empty() && index.size.width > 0 && index.size.height > 0 &&
-           std::all_of(index.packetOfPicture.begin(), index.packetOfPicture.end(), [&](int packet) { return packet >= 0 && packet < packets; }) &&
-           std::all_of(index.packets.begin(), index.packets.end(), [&](const VideoPacket& packet) { return packet.picture < index.pictures(); }) &&
+           std::all_of(index.packetOfPicture.begin(), index.packetOfPicture.end(),
+                       [&](int packet) { return packet >= 0 && packet < packets; }) &&
+           std::all_of(index.packets.begin(), index.packets.end(),
+                       [&](const VideoPacket& packet) { return packet.picture < index.pictures(); }) &&
            (index.timesSec.empty() || index.timesSec.size() == index.packetOfPicture.size());
 }
 
 } // namespace
 
 int VideoIndex::startFor(int picture, int before) const {
-    if (isCounted) {
+    if (isCounted)
         return 0;
-    }
     for (int p = std::min(packetOfPicture[static_cast<std::size_t>(picture)], before); p > 0; --p) {
         const VideoPacket& packet = packets[static_cast<std::size_t>(p)];
         // A picture shown before the key picture leans on the group before it.
-        if (packet.isKey && packet.picture >= 0 && packet.picture <= picture) {
+        if (packet.isKey && packet.picture >= 0 && packet.picture <= picture)
             return p;
-        }
     }
     return 0;
 }
 
 FileStamp stampOf(const fs::path& file) {
     std::error_code ignored;
-    return {fs::file_size(file, ignored), static_cast<std::int64_t>(fs::last_write_time(file, ignored).time_since_epoch().count())};
+    return {fs::file_size(file, ignored),
+            static_cast<std::int64_t>(fs::last_write_time(file, ignored).time_since_epoch().count())};
 }
 
 std::optional<VideoIndex> readVideoIndex(const fs::path& indexFile, const fs::path& video) {
     std::ifstream stream(indexFile, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     std::uint64_t hash = 0;
-    if (!bytes.starts_with(kMagic) || bytes.size() < std::strlen(kMagic) + sizeof hash) {
+    if (!bytes.starts_with(kMagic) || bytes.size() < std::strlen(kMagic) + sizeof hash)
         return std::nullopt;
-    }
     std::memcpy(&hash, bytes.data() + bytes.size() - sizeof hash, sizeof hash);
     bytes.resize(bytes.size() - sizeof hash);
-    if (hash != contentHash(bytes.data(), bytes.size())) {
+    if (hash != contentHash(bytes.data(), bytes.size()))
         return std::nullopt;
-    }
     VideoIndex index;
     Reader reader(bytes);
     visit([&](auto& field) { reader.get(field); }, index);
     const FileStamp stamp = stampOf(video);
-    if (!reader.isWhole() || !isSound(index) || index.fileSize != stamp.size || index.fileTime != stamp.time) {
+    if (!reader.isWhole() || !isSound(index) || index.fileSize != stamp.size || index.fileTime != stamp.time)
         return std::nullopt;
-    }
     return index;
 }
 

@@ -40,7 +40,8 @@ struct VideoIndex {
     bool operator==(const VideoIndex&) const = default;
 
     int pictures() const { return static_cast<int>(packetOfPicture.size()); }
-    /// The last packet at which decoding can start so that this picture comes out whole, at most `before`. 0 if there is no other.
+    /// The last packet at which decoding can start so that this picture comes out whole, at most `before`. 0 if there
+    /// is no other.
     int startFor(int picture, int before) const;
 };
 

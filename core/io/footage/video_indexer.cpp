@@ -30,26 +30,26 @@ bool isIntraOnly(const AVStream& stream) {
     return codec != nullptr && (codec->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
 }
 
-/// Containers in which every packet is a picture with a time stamp of its own. Elsewhere stamps are guessed by the library, or missing.
+/// Containers in which every packet is a picture with a time stamp of its own. Elsewhere stamps are guessed by the
+/// library, or missing.
 bool hasReliableTimes(const VideoDemuxer& demuxer) {
     const std::string_view container = demuxer.container().iformat->name;
     const AVCodecParameters& codec = *demuxer.stream().codecpar;
     const auto is = [&](std::string_view name) { return container.find(name) != std::string_view::npos; };
     if (container == "mpegts") { // fields may be packets of their own
-        return (codec.codec_id == AV_CODEC_ID_H264 || codec.codec_id == AV_CODEC_ID_HEVC) && codec.field_order <= AV_FIELD_PROGRESSIVE;
+        return (codec.codec_id == AV_CODEC_ID_H264 || codec.codec_id == AV_CODEC_ID_HEVC) &&
+               codec.field_order <= AV_FIELD_PROGRESSIVE;
     }
     return is("mp4") || is("matroska") || is("webm") || (container != "mpeg" && isIntraOnly(demuxer.stream()));
 }
 
 /// VP8 and VP9 have packets that are decoded but not shown.
 bool isShown(const AVPacket& packet, AVCodecID codec) {
-    if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0) {
+    if ((packet.flags & AV_PKT_FLAG_DISCARD) != 0)
         return false; // cut away by the container's edit list
-    }
     const unsigned first = packet.data[0];
-    if (codec == AV_CODEC_ID_VP8) {
+    if (codec == AV_CODEC_ID_VP8)
         return (first & 0x10) != 0;
-    }
     if (codec == AV_CODEC_ID_VP9 && first >> 6 == 2) {
         const bool isSuperframe = (packet.data[packet.size - 1] & 0xe0) == 0xc0; // one of its frames is shown
         const bool hasReservedBit = (first & 0x30) == 0x30;                      // profile 3
@@ -62,12 +62,10 @@ bool isShown(const AVPacket& packet, AVCodecID codec) {
 
 /// Pictures as packets in the order of presentation; renumbers the packets.
 void setPictures(VideoIndex& index, std::vector<int> packets) {
-    for (VideoPacket& packet : index.packets) {
+    for (VideoPacket& packet : index.packets)
         packet.picture = -1;
-    }
-    for (std::size_t picture = 0; picture < packets.size(); ++picture) {
+    for (std::size_t picture = 0; picture < packets.size(); ++picture)
         index.packets[static_cast<std::size_t>(packets[picture])].picture = static_cast<int>(picture);
-    }
     index.packetOfPicture = std::move(packets);
 }
 
@@ -76,9 +74,8 @@ std::vector<int> readPackets(VideoDemuxer& demuxer, VideoIndex& index) {
     std::vector<int> shown;
     const AVCodecID codec = demuxer.stream().codecpar->codec_id;
     while (const AVPacket* packet = demuxer.next()) {
-        if (isShown(*packet, codec)) {
+        if (isShown(*packet, codec))
             shown.push_back(static_cast<int>(index.packets.size()));
-        }
         index.packets.push_back(describe(*packet));
     }
     return shown;
@@ -95,16 +92,15 @@ bool orderByTime(VideoIndex& index, std::vector<int> shown, bool intraOnly) {
     for (std::size_t i = 0; i < shown.size(); ++i) {
         const auto place = std::lower_bound(inFile.begin(), inFile.end(), shown[i]) - inFile.begin();
         if (time(shown[i]) == VideoPacket::kNoTime || (i > 0 && time(shown[i]) == time(shown[i - 1])) ||
-            std::abs(place - static_cast<std::ptrdiff_t>(i)) > kFarthest) {
+            std::abs(place - static_cast<std::ptrdiff_t>(i)) > kFarthest)
             return false;
-        }
     }
     setPictures(index, std::move(shown));
     return !index.packetOfPicture.empty();
 }
 
-/// Decodes from the start: the packets of the pictures that come, in their order. `each` sees every packet before it is decoded;
-/// ends after `most` pictures.
+/// Decodes from the start: the packets of the pictures that come, in their order. `each` sees every packet before it is
+/// decoded; ends after `most` pictures.
 struct Decoded {
     std::vector<int> packets;
     int errors = 0;
@@ -117,14 +113,12 @@ Decoded decodeFromStart(VideoDemuxer& demuxer, const std::string& file, std::siz
     for (bool ended = false; !ended && decoded.packets.size() < most;) {
         const AVPacket* packet = demuxer.next();
         ended = packet == nullptr;
-        if (packet != nullptr) {
+        if (packet != nullptr)
             each(*packet);
-        }
         decoder.send(packet, number++);
         while (const AVFrame* picture = decoder.receive()) {
-            if (decoded.packets.empty()) {
+            if (decoded.packets.empty())
                 index.size = {picture->width, picture->height};
-            }
             decoded.packets.push_back(VideoDecoder::packetOf(*picture));
         }
     }
@@ -132,29 +126,29 @@ Decoded decodeFromStart(VideoDemuxer& demuxer, const std::string& file, std::siz
     return decoded;
 }
 
-/// Decodes the beginning: are the pictures those of the index? Pictures that the decoder drops before the first key picture (they lean on
-/// a group that is not in the file) leave the index.
+/// Decodes the beginning: are the pictures those of the index? Pictures that the decoder drops before the first key
+/// picture (they lean on a group that is not in the file) leave the index.
 bool confirmStart(VideoDemuxer& demuxer, const std::string& file, VideoIndex& index) {
     demuxer.rewind();
     const Decoded decoded = decodeFromStart(demuxer, file, kConfirmed, index, [](const AVPacket&) {});
     std::vector<int> pictures;
     for (const int packet : decoded.packets) {
-        pictures.push_back(packet >= 0 && packet < static_cast<int>(index.packets.size()) ? index.packets[static_cast<std::size_t>(packet)].picture : -1);
+        pictures.push_back(packet >= 0 && packet < static_cast<int>(index.packets.size())
+                               ? index.packets[static_cast<std::size_t>(packet)].picture
+                               : -1);
     }
-    if (pictures.empty() || pictures.front() < 0) {
+    if (pictures.empty() || pictures.front() < 0)
         return false;
-    }
     for (std::size_t i = 1; i < pictures.size(); ++i) {
         const int step = pictures[i] - pictures[i - 1];
-        if (step < 1 || (step > 1 && decoded.errors == 0)) {
+        if (step < 1 || (step > 1 && decoded.errors == 0))
             return false;
-        }
     }
-    const auto key = std::find_if(index.packets.begin(), index.packets.end(), [](const VideoPacket& packet) { return packet.isKey && packet.picture >= 0; });
+    const auto key = std::find_if(index.packets.begin(), index.packets.end(),
+                                  [](const VideoPacket& packet) { return packet.isKey && packet.picture >= 0; });
     const int leading = std::min(pictures.front(), key == index.packets.end() ? 0 : key->picture);
-    if (leading < pictures.front() && decoded.errors == 0) {
+    if (leading < pictures.front() && decoded.errors == 0)
         return false;
-    }
     setPictures(index, {index.packetOfPicture.begin() + leading, index.packetOfPicture.end()});
     return true;
 }
@@ -163,15 +157,15 @@ bool confirmStart(VideoDemuxer& demuxer, const std::string& file, VideoIndex& in
 void orderByDecoding(VideoDemuxer& demuxer, const std::string& file, VideoIndex& index) {
     demuxer.rewind();
     index.packets.clear();
-    Decoded decoded = decodeFromStart(demuxer, file, SIZE_MAX, index, [&](const AVPacket& packet) { index.packets.push_back(describe(packet)); });
-    if (decoded.packets.empty()) {
+    Decoded decoded = decodeFromStart(demuxer, file, SIZE_MAX, index,
+                                      [&](const AVPacket& packet) { index.packets.push_back(describe(packet)); });
+    if (decoded.packets.empty())
         throw Error(ErrorCode::BadInput, file, "", "not a readable video (none of its pictures can be decoded)");
-    }
     const std::set<int> different(decoded.packets.begin(), decoded.packets.end());
-    index.isCounted = different.size() != decoded.packets.size() || *different.begin() < 0 || *different.rbegin() >= static_cast<int>(index.packets.size());
-    if (index.isCounted) {
+    index.isCounted = different.size() != decoded.packets.size() || *different.begin() < 0 ||
+                      *different.rbegin() >= static_cast<int>(index.packets.size());
+    if (index.isCounted)
         decoded.packets.assign(decoded.packets.size(), 0);
-    }
     setPictures(index, std::move(decoded.packets));
 }
 
@@ -183,15 +177,14 @@ std::vector<double> timesOf(const VideoIndex& index, AVRational timeBase) {
             const VideoPacket& packet = index.packets[static_cast<std::size_t>(p)];
             times.push_back(usesDts ? packet.dts : packet.pts);
         }
-        if (usesDts) {
+        if (usesDts)
             std::sort(times.begin(), times.end());
-        }
-        const bool increases = std::adjacent_find(times.begin(), times.end(), [](std::int64_t a, std::int64_t b) { return a >= b; }) == times.end();
+        const bool increases = std::adjacent_find(times.begin(), times.end(),
+                                                  [](std::int64_t a, std::int64_t b) { return a >= b; }) == times.end();
         if (!index.isCounted && increases && times.front() != VideoPacket::kNoTime) {
             std::vector<double> seconds;
-            for (const std::int64_t time : times) {
+            for (const std::int64_t time : times)
                 seconds.push_back(static_cast<double>(time) * av_q2d(timeBase));
-            }
             return seconds;
         }
     }
@@ -200,9 +193,8 @@ std::vector<double> timesOf(const VideoIndex& index, AVRational timeBase) {
 
 double rateOf(const VideoIndex& index, const AVStream& stream) {
     const FrameTiming timing = analyseTimes(index.timesSec);
-    if (timing.isSane) {
+    if (timing.isSane)
         return roundedRate(timing.stepSec);
-    }
     const AVRational rate = stream.avg_frame_rate.num > 0 ? stream.avg_frame_rate : stream.r_frame_rate;
     return rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0;
 }
@@ -211,11 +203,11 @@ double rateOf(const VideoIndex& index, const AVStream& stream) {
 int rotationOf(const AVStream& stream) {
     std::size_t size = 0;
     const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &size);
-    if (matrix == nullptr || size < 9 * sizeof(std::int32_t)) {
+    if (matrix == nullptr || size < 9 * sizeof(std::int32_t))
         return 0;
-    }
     const double counterClockwise = av_display_rotation_get(reinterpret_cast<const std::int32_t*>(matrix));
-    return std::isnan(counterClockwise) ? 0 : ((static_cast<int>(std::lround(-counterClockwise / 90)) % 4 + 4) % 4) * 90;
+    return std::isnan(counterClockwise) ? 0
+                                        : ((static_cast<int>(std::lround(-counterClockwise / 90)) % 4 + 4) % 4) * 90;
 }
 
 } // namespace
@@ -226,11 +218,11 @@ VideoIndex indexVideo(const fs::path& file) {
     index.fileSize = stamp.size;
     index.fileTime = stamp.time;
     VideoDemuxer demuxer(file);
-    const bool isOrdered = hasReliableTimes(demuxer) && orderByTime(index, readPackets(demuxer, index), isIntraOnly(demuxer.stream())) &&
+    const bool isOrdered = hasReliableTimes(demuxer) &&
+                           orderByTime(index, readPackets(demuxer, index), isIntraOnly(demuxer.stream())) &&
                            confirmStart(demuxer, file.string(), index);
-    if (!isOrdered) {
+    if (!isOrdered)
         orderByDecoding(demuxer, file.string(), index);
-    }
     index.timesSec = timesOf(index, demuxer.stream().time_base);
     index.framesPerSecond = rateOf(index, demuxer.stream());
     index.rotationDegrees = rotationOf(demuxer.stream());

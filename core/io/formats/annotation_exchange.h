@@ -14,22 +14,24 @@ namespace core {
 /// What an export is to hold.
 struct AnnotationExportOptions {
     TriangulationOptions triangulation;
-    std::optional<std::string> rater; ///< only this one; formats that name no raters take the one with most marks otherwise
-    std::filesystem::path jointMap;   ///< JSON that renames joints; empty = the format's own
+    std::optional<std::string>
+        rater; ///< only this one; formats that name no raters take the one with most marks otherwise
+    std::filesystem::path jointMap; ///< JSON that renames joints; empty = the format's own
 };
 /// How an import is to be read.
 struct AnnotationImportOptions {
-    std::string rater = "import";   ///< for formats that name no rater
-    std::filesystem::path jointMap; ///< JSON that renames joints; empty = the format's own
-    std::string camera;             ///< for formats of one view per file, if the file name does not tell
-    bool raterForAll = false;       ///< `rater` gets the marks of those whom the file names, too
+    std::string rater = "import";        ///< for formats that name no rater
+    std::filesystem::path jointMap;      ///< JSON that renames joints; empty = the format's own
+    std::string camera;                  ///< for formats of one view per file, if the file name does not tell
+    bool raterForAll = false;            ///< `rater` gets the marks of those whom the file names, too
     std::optional<double> minLikelihood; ///< guesses below it are left out
-    std::vector<std::string> videos;     ///< only labels of pictures of these videos, whatever the sequence is called; empty: those of the sequence
+    std::vector<std::string> videos;     ///< only labels of pictures of these videos, whatever the sequence is called;
+                                         ///< empty: those of the sequence
 };
 /// What an import brought.
 struct ImportedAnnotations {
     AnnotationSet set;
-    std::vector<std::string> warnings; ///< what was left out, and what is odd; for people
+    std::vector<std::string> warnings;    ///< what was left out, and what is odd; for people
     std::vector<std::string> otherVideos; ///< whose labels were left out because they are not this sequence's
 };
 

@@ -30,14 +30,26 @@ struct Handler {
 const std::vector<Handler>& handlers() {
     static const std::vector<Handler> list{
         {{"handlens", "Handlens ground truth (JSON)", true, false, true}, nullptr, nullptr, ""},
-        {{"tzionas", "The method authors' NNN.txt, a folder per camera", true, true}, writeTzionasAnnotations, readTzionasAnnotations, "tzionas"},
+        {{"tzionas", "The method authors' NNN.txt, a folder per camera", true, true},
+         writeTzionasAnnotations,
+         readTzionasAnnotations,
+         "tzionas"},
         {{"coco", "COCO keypoints (JSON)", true, false}, writeCocoAnnotations, readCocoAnnotations, "coco"},
         {{"anipose2d", "Anipose 2D tables, a CSV file per camera", true, true}, writeAnipose2d, readPoseTables, ""},
         {{"anipose3d", "Anipose 3D table (CSV)", true, false}, writeAnipose3d, readAnipose3d, ""},
-        {{"deeplabcut", "DeepLabCut or Lightning Pose labels, a CSV file per camera", true, true}, writeDeepLabCut, readPoseTables, ""},
+        {{"deeplabcut", "DeepLabCut or Lightning Pose labels, a CSV file per camera", true, true},
+         writeDeepLabCut,
+         readPoseTables,
+         ""},
         {{"trc", "Marker trajectories (TRC)", false, false}, writeTrc, nullptr, ""},
-        {{"interhand", "InterHand2.6M-style joints and cameras (JSON)", false, true}, writeInterHand, nullptr, "interhand"},
-        {{"freihand", "HanCo-style joints and calibrations in FreiHAND's order (JSON)", false, true}, writeFreiHand, nullptr, "freihand"},
+        {{"interhand", "InterHand2.6M-style joints and cameras (JSON)", false, true},
+         writeInterHand,
+         nullptr,
+         "interhand"},
+        {{"freihand", "HanCo-style joints and calibrations in FreiHAND's order (JSON)", false, true},
+         writeFreiHand,
+         nullptr,
+         "freihand"},
         {{"csv", "Plain table of 3D joints (CSV)", false, false, true}, writePointCsv, nullptr, ""},
         {{"csv-marks", "Plain table of marks (CSV)", true, false, true}, writeMarkCsv, readMarkCsv, ""},
     };
@@ -46,37 +58,36 @@ const std::vector<Handler>& handlers() {
 
 const Handler& handlerOf(std::string_view kind) {
     const auto& list = handlers();
-    const auto found = std::find_if(list.begin(), list.end(), [kind](const Handler& handler) { return handler.format.kind == kind; });
+    const auto found =
+        std::find_if(list.begin(), list.end(), [kind](const Handler& handler) { return handler.format.kind == kind; });
     if (found == list.end()) {
         std::string known;
-        for (const Handler& handler : list) {
+        for (const Handler& handler : list)
             known += (known.empty() ? "" : ", ") + std::string(handler.format.kind);
-        }
         throw Error(ErrorCode::Usage, "", std::string(kind), "is an unknown kind of annotations; known are " + known);
     }
     return *found;
 }
 
 JointMap mapFor(const Handler& handler, const fs::path& given) {
-    if (!given.empty()) {
+    if (!given.empty())
         return readJointMap(given);
-    }
     return handler.map[0] == '\0' ? JointMap() : readJointMap(handler.map);
 }
 
-/// The one that is asked for, or the one with most marks (the first of equals); "" if there are no marks. Proposals do not count.
+/// The one that is asked for, or the one with most marks (the first of equals); "" if there are no marks. Proposals do
+/// not count.
 std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, const std::optional<std::string>& asked) {
     std::map<std::string, int> marks;
-    for (const auto& [key, mark] : set.marks) {
+    for (const auto& [key, mark] : set.marks)
         marks[key.rater] += mark.isSettled();
-    }
     if (asked) {
-        if (!marks.contains(*asked)) {
+        if (!marks.contains(*asked))
             throw Error(ErrorCode::NotFound, sequence.annotations, "rater", "\"" + *asked + "\" has made no marks");
-        }
         return *asked;
     }
-    const auto most = std::max_element(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most =
+        std::max_element(marks.begin(), marks.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == marks.end() || most->second == 0 ? std::string() : most->first;
 }
 
@@ -91,7 +102,8 @@ AnnotationSet withRater(const AnnotationSet& set, const std::string& rater, cons
         const auto [owner, isNew] = owners.emplace(std::tuple(key.frame, place.rater, key.joint), key.rater);
         if (!isNew && owner->second != key.rater) {
             throw Error(ErrorCode::BadInput, file, "frame " + std::to_string(key.frame) + ", " + jointLabel(key.joint),
-                        "is marked by " + owner->second + " and by " + key.rater + ": they cannot both become " + rater);
+                        "is marked by " + owner->second + " and by " + key.rater + ": they cannot both become " +
+                            rater);
         }
         renamed.marks.emplace(std::move(place), mark);
     }
@@ -103,12 +115,13 @@ void noteOutside(const Dataset& dataset, ImportedAnnotations& imported) {
     std::map<std::string, int> outside;
     for (const auto& [key, mark] : imported.set.marks) {
         const int camera = dataset.cameraIndex(key.camera);
-        outside[key.camera] += camera >= 0 && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)]) ? 1 : 0;
+        outside[key.camera] +=
+            camera >= 0 && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)]) ? 1 : 0;
     }
     for (const auto& [camera, count] : outside) {
         if (count > 0) {
-            imported.warnings.push_back(std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") + " outside the picture of " + camera +
-                                        ": kept, but not used for 3D points");
+            imported.warnings.push_back(std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") +
+                                        " outside the picture of " + camera + ": kept, but not used for 3D points");
         }
     }
 }
@@ -118,9 +131,8 @@ void noteOutside(const Dataset& dataset, ImportedAnnotations& imported) {
 const std::vector<AnnotationFormat>& annotationFormats() {
     static const std::vector<AnnotationFormat> formats = [] {
         std::vector<AnnotationFormat> list;
-        for (const Handler& handler : handlers()) {
+        for (const Handler& handler : handlers())
             list.push_back(handler.format);
-        }
         return list;
     }();
     return formats;
@@ -130,8 +142,8 @@ const AnnotationFormat& annotationFormat(std::string_view kind) {
     return handlerOf(kind).format;
 }
 
-std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set, std::string_view kind,
-                              const fs::path& path, const AnnotationExportOptions& options) {
+std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set,
+                              std::string_view kind, const fs::path& path, const AnnotationExportOptions& options) {
     const Handler& handler = handlerOf(kind);
     const bool isOfAll = handler.format.namesRaters && !options.rater;
     const std::string rater = isOfAll ? std::string() : chosenRater(sequence, set, options.rater);
@@ -144,15 +156,15 @@ std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, 
     return rater;
 }
 
-ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& sequence, std::string_view kind, const fs::path& path,
-                                      const AnnotationImportOptions& options) {
+ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& sequence, std::string_view kind,
+                                      const fs::path& path, const AnnotationImportOptions& options) {
     const Handler& handler = handlerOf(kind);
     if (!options.camera.empty() && dataset.cameraIndex(options.camera) < 0) {
-        throw Error(ErrorCode::Usage, dataset.folder.string(), "--camera", "\"" + options.camera + "\" is none of its cameras");
+        throw Error(ErrorCode::Usage, dataset.folder.string(), "--camera",
+                    "\"" + options.camera + "\" is none of its cameras");
     }
-    if (!handler.format.canImport) {
+    if (!handler.format.canImport)
         throw Error(ErrorCode::Unsupported, "", std::string(kind), "can be written, not read");
-    }
     ImportedAnnotations imported;
     if (!handler.read) {
         imported = readGroundTruth(path, dataset, sequence);
@@ -164,9 +176,8 @@ ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& se
         imported.warnings = notes.warnings();
         imported.otherVideos = notes.otherVideos();
     }
-    if (handler.format.namesRaters && options.raterForAll) {
+    if (handler.format.namesRaters && options.raterForAll)
         imported.set = withRater(imported.set, options.rater, path.string());
-    }
     noteOutside(dataset, imported);
     return imported;
 }

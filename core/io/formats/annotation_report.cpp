@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/io/files/atomic_file.h"
 #include "core/io/dataset/dataset_annotations.h"
-#include "core/io/files/gnuplot.h"
 #include "core/io/dataset/sequence_pictures.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/gnuplot.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
 
@@ -16,7 +16,7 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kWorstJoints = 12; ///< listed per sequence
+constexpr std::size_t kWorstJoints = 12;  ///< listed per sequence
 constexpr std::size_t kMostFindings = 40; ///< listed per sequence and rater
 
 const char* const kColours[] = {"#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#0072B2"};
@@ -31,9 +31,8 @@ std::string count(int n) {
 
 std::string tableHead(std::initializer_list<const char*> columns) {
     std::string text = "<table>\n<thead><tr>";
-    for (const char* const column : columns) {
+    for (const char* const column : columns)
         text += "<th>" + std::string(column) + "</th>";
-    }
     return text + "</tr></thead>\n<tbody>\n";
 }
 
@@ -43,10 +42,10 @@ std::string numberCell(double value, int digits, int values, int least = 1) {
 }
 
 std::string limitsCell(const BlandAltman& axis, int values) {
-    if (values == 0) {
+    if (values == 0)
         return "<td></td>";
-    }
-    const std::string limits = values == 1 ? "" : " (" + fixedText(axis.lowerMm(), 2) + " to " + fixedText(axis.upperMm(), 2) + ")";
+    const std::string limits =
+        values == 1 ? "" : " (" + fixedText(axis.lowerMm(), 2) + " to " + fixedText(axis.upperMm(), 2) + ")";
     return "<td>" + fixedText(axis.biasMm, 2) + limits + "</td>";
 }
 
@@ -54,25 +53,32 @@ constexpr const char* kTableEnd = "</tbody>\n</table>\n";
 
 /// What stands for the rater where nobody has marked anything.
 std::string nobodyText(const AnnotationSummary& sequence) {
-    return sequence.proposals == 0 ? "nobody yet" : "nobody yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
+    return sequence.proposals == 0
+               ? "nobody yet"
+               : "nobody yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
 }
 
 std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
-    std::string text = "<h2>Progress</h2>\n" + tableHead({"sequence", "rater", "frames with marks", "of", "clicks", "accepted", "joints done", "partial",
-                                                          "bad", "occluded", "click &sigma;, px"});
+    std::string text =
+        "<h2>Progress</h2>\n" + tableHead({"sequence", "rater", "frames with marks", "of", "clicks", "accepted",
+                                           "joints done", "partial", "bad", "occluded", "click &sigma;, px"});
     for (const AnnotationSummary& sequence : sequences) {
         if (sequence.empty()) {
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(nobodyText(sequence)) + count(0) + count(sequence.frameCount) +
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(nobodyText(sequence)) + count(0) +
+                    count(sequence.frameCount) +
                     "<td></td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
         }
         for (const RaterSummary& rater : sequence.raters) {
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(rater.rater) + count(rater.frames) + count(sequence.frameCount) +
-                    count(rater.clicks) + count(rater.accepted) + count(rater.joints.done) + count(rater.joints.partial) + count(rater.joints.bad) +
-                    count(rater.joints.occluded) + htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2) + "</tr>\n";
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(rater.rater) + count(rater.frames) +
+                    count(sequence.frameCount) + count(rater.clicks) + count(rater.accepted) +
+                    count(rater.joints.done) + count(rater.joints.partial) + count(rater.joints.bad) +
+                    count(rater.joints.occluded) +
+                    htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2) + "</tr>\n";
         }
     }
     return text + kTableEnd +
-           "<p>Bad: a large reprojection error, a click that disagrees, or no 3D point from two or more clicks. Click &sigma;: how far this "
+           "<p>Bad: a large reprojection error, a click that disagrees, or no 3D point from two or more clicks. Click "
+           "&sigma;: how far this "
            "rater's clicks scatter per axis, estimated from how well they agree.</p>\n";
 }
 
@@ -80,33 +86,38 @@ std::string agreementHtml(const std::vector<AnnotationSummary>& sequences) {
     std::string rows;
     for (const AnnotationSummary& sequence : sequences) {
         for (const RaterComparison& pair : sequence.agreement) {
-            rows += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(pair.first) + htmlTextCell(pair.second) + count(pair.all.count) +
-                    numberCell(pair.all.meanMm, 2, pair.all.count) + numberCell(pair.all.medianMm, 2, pair.all.count) +
-                    numberCell(pair.all.maxMm, 2, pair.all.count);
-            for (const BlandAltman& axis : pair.all.axes) {
+            rows += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(pair.first) + htmlTextCell(pair.second) +
+                    count(pair.all.count) + numberCell(pair.all.meanMm, 2, pair.all.count) +
+                    numberCell(pair.all.medianMm, 2, pair.all.count) + numberCell(pair.all.maxMm, 2, pair.all.count);
+            for (const BlandAltman& axis : pair.all.axes)
                 rows += limitsCell(axis, pair.all.count);
-            }
             rows += count(pair.clicks) + numberCell(pair.clickRmsPx, 2, pair.clicks) + "</tr>\n";
         }
     }
     if (rows.empty()) {
-        return "<h2>Agreement</h2>\n<p>No two raters have marked the same joint. A rater who marks a random part of the own work again can be "
+        return "<h2>Agreement</h2>\n<p>No two raters have marked the same joint. A rater who marks a random part of "
+               "the own work again can be "
                "compared with it, too.</p>\n";
     }
     return "<h2>Agreement</h2>\n" +
-           tableHead({"sequence", "rater", "and", "joints", "mean, mm", "median", "largest", "x: bias (95 %), mm", "y", "z", "clicks", "RMS, px"}) +
+           tableHead({"sequence", "rater", "and", "joints", "mean, mm", "median", "largest", "x: bias (95 %), mm", "y",
+                      "z", "clicks", "RMS, px"}) +
            rows + kTableEnd +
-           "<p>Distances between the 3D joints of two raters; bias and 95 % limits of agreement per axis after Bland and Altman (1986); RMS "
-           "distance between clicks of the same joint in the same view. &ldquo;(again)&rdquo; is a rater's second round.</p>\n";
+           "<p>Distances between the 3D joints of two raters; bias and 95 % limits of agreement per axis after Bland "
+           "and Altman (1986); RMS "
+           "distance between clicks of the same joint in the same view. &ldquo;(again)&rdquo; is a rater's second "
+           "round.</p>\n";
 }
 
 std::string worstJointsHtml(const std::vector<AnnotationSummary>& sequences) {
-    std::string text = "<h2>Worst joints</h2>\n" + tableHead({"sequence", "joint", "points", "error, px", "expected distance, mm", "clicks that disagree"});
+    std::string text = "<h2>Worst joints</h2>\n" + tableHead({"sequence", "joint", "points", "error, px",
+                                                              "expected distance, mm", "clicks that disagree"});
     for (const AnnotationSummary& sequence : sequences) {
         for (std::size_t i = 0; i < std::min(kWorstJoints, sequence.joints.size()); ++i) {
             const JointSummary& joint = sequence.joints[i];
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(jointLabel(joint.joint)) + count(joint.points) +
-                    htmlNumberCell(joint.meanRmsPx, 2) + htmlNumberCell(joint.meanSigmaMm, 3) + count(joint.outliers) + "</tr>\n";
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(jointLabel(joint.joint)) +
+                    count(joint.points) + htmlNumberCell(joint.meanRmsPx, 2) + htmlNumberCell(joint.meanSigmaMm, 3) +
+                    count(joint.outliers) + "</tr>\n";
         }
     }
     return text + kTableEnd;
@@ -116,8 +127,9 @@ std::string findingRows(const std::string& sequence, const RaterSummary& rater) 
     std::string rows;
     for (std::size_t i = 0; i < std::min(kMostFindings, rater.findings.size()); ++i) {
         const QualityFinding& finding = rater.findings[i];
-        rows += "<tr>" + htmlTextCell(sequence) + htmlTextCell(rater.rater) + count(finding.frame) + htmlTextCell(jointLabel(finding.joint)) +
-                htmlTextCell(std::string(qualityKindName(finding.kind))) + htmlTextCell(finding.text) + "</tr>\n";
+        rows += "<tr>" + htmlTextCell(sequence) + htmlTextCell(rater.rater) + count(finding.frame) +
+                htmlTextCell(jointLabel(finding.joint)) + htmlTextCell(std::string(qualityKindName(finding.kind))) +
+                htmlTextCell(finding.text) + "</tr>\n";
     }
     if (rater.findings.size() > kMostFindings) {
         rows += "<tr>" + htmlTextCell(sequence) + htmlTextCell(rater.rater) + "<td></td><td></td><td></td>" +
@@ -135,23 +147,23 @@ std::string findingsHtml(const std::vector<AnnotationSummary>& sequences) {
             isCut = isCut || rater.findings.size() > kMostFindings;
         }
     }
-    if (rows.empty()) {
+    if (rows.empty())
         return "<h2>Doubts</h2>\n<p class=\"yes\">Nothing stands out.</p>\n";
-    }
     return "<h2>Doubts</h2>\n" + tableHead({"sequence", "rater", "frame", "joint", "kind", "what"}) + rows + kTableEnd +
-           (isCut ? "<p>All of a rater's doubts are listed in the window, under Quality, when it is opened with <code>--rater</code> and the name.</p>\n" : "");
+           (isCut ? "<p>All of a rater's doubts are listed in the window, under Quality, when it is opened with "
+                    "<code>--rater</code> and the name.</p>\n"
+                  : "");
 }
 
 /// Values counted in bins of `width` from 0 on, as boxes; the last bin takes the rest.
-PlotLine histogram(const std::string& name, const std::string& lineColour, const std::vector<double>& values, double width, int bins) {
+PlotLine histogram(const std::string& name, const std::string& lineColour, const std::vector<double>& values,
+                   double width, int bins) {
     std::vector<int> counts(static_cast<std::size_t>(bins));
-    for (const double value : values) {
+    for (const double value : values)
         ++counts[static_cast<std::size_t>(std::clamp(static_cast<int>(value / width), 0, bins - 1))];
-    }
     PlotLine line{name, lineColour, {}, "boxes fs solid 0.6 noborder"};
-    for (int i = 0; i < bins; ++i) {
+    for (int i = 0; i < bins; ++i)
         line.points.push_back({(i + 0.5) * width, static_cast<double>(counts[static_cast<std::size_t>(i)])});
-    }
     return line;
 }
 
@@ -172,18 +184,21 @@ Figure progressFigure(const std::vector<AnnotationSummary>& sequences) {
     }
     return {"progress", "Finished joints", "Joints of both hands that are done, per frame with marks.",
             gnuplotPreamble("progress", "frame", "joints done") + "set yrange [0:*]\nset offsets 0.5, 0.5, 0, 0\n" +
-                gnuplotWholeTics("x", std::min(first, last), last) + gnuplotWholeTics("y", 0, most) + gnuplotPlot(lines)};
+                gnuplotWholeTics("x", std::min(first, last), last) + gnuplotWholeTics("y", 0, most) +
+                gnuplotPlot(lines)};
 }
 
 Figure errorFigure(const std::vector<AnnotationSummary>& sequences) {
     constexpr double kBinPx = 0.1;
     constexpr int kBins = 40;
     std::vector<double> all;
-    for (const AnnotationSummary& sequence : sequences) {
+    for (const AnnotationSummary& sequence : sequences)
         all.insert(all.end(), sequence.rmsPx.begin(), sequence.rmsPx.end());
-    }
-    return {"errors", "Reprojection errors", "How many 3D joints have which error over the views that they were made from; the last bar holds all larger ones.",
-            gnuplotPreamble("errors", "error (px)", "joints") + "set yrange [0:*]\nset xrange [0:" + exactText(kBinPx * kBins) + "]\nset boxwidth " +
+    return {"errors", "Reprojection errors",
+            "How many 3D joints have which error over the views that they were made from; the last bar holds all "
+            "larger ones.",
+            gnuplotPreamble("errors", "error (px)", "joints") +
+                "set yrange [0:*]\nset xrange [0:" + exactText(kBinPx * kBins) + "]\nset boxwidth " +
                 exactText(0.9 * kBinPx) + "\n" + gnuplotPlot({histogram("", colour(0), all, kBinPx, kBins)})};
 }
 
@@ -202,21 +217,22 @@ Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
         joints.push_back(joint);
         line.points.push_back({static_cast<double>(at), sum[0] / sum[1]});
     }
-    return {"uncertainty", "Uncertainty per joint", "Expected distance of the 3D joint from its true place, mean over all frames and raters.",
-            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset boxwidth 0.8\n" + gnuplotNamedTics(readableNames(joints)) +
-                gnuplotPlot({line})};
+    return {"uncertainty", "Uncertainty per joint",
+            "Expected distance of the 3D joint from its true place, mean over all frames and raters.",
+            gnuplotPreamble("uncertainty", "", "expected distance (mm)") + "set yrange [0:*]\nset boxwidth 0.8\n" +
+                gnuplotNamedTics(readableNames(joints)) + gnuplotPlot({line})};
 }
 
 } // namespace
 
 std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequences) {
     const auto has = [&](auto member) {
-        return std::any_of(sequences.begin(), sequences.end(), [&](const AnnotationSummary& sequence) { return !(sequence.*member).empty(); });
+        return std::any_of(sequences.begin(), sequences.end(),
+                           [&](const AnnotationSummary& sequence) { return !(sequence.*member).empty(); });
     };
     std::vector<Figure> figures;
-    if (has(&AnnotationSummary::raters)) {
+    if (has(&AnnotationSummary::raters))
         figures.push_back(progressFigure(sequences));
-    }
     if (has(&AnnotationSummary::rmsPx)) {
         figures.push_back(errorFigure(sequences));
         figures.push_back(uncertaintyFigure(sequences));
@@ -224,36 +240,38 @@ std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequ
     return figures;
 }
 
-std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences, const std::vector<Figure>& figures,
-                                 const std::vector<std::string>* pictures) {
-    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Annotations of " + htmlEscaped(dataset) +
-                       "</title>\n<style>\n" + std::string(kReportStyle) + "</style>\n</head>\n<body>\n<h1>Annotations of " + htmlEscaped(dataset) + "</h1>\n";
+std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences,
+                                 const std::vector<Figure>& figures, const std::vector<std::string>* pictures) {
+    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Annotations of " +
+                       htmlEscaped(dataset) + "</title>\n<style>\n" + std::string(kReportStyle) +
+                       "</style>\n</head>\n<body>\n<h1>Annotations of " + htmlEscaped(dataset) + "</h1>\n";
     text += progressHtml(sequences);
-    const bool hasBegun = std::any_of(sequences.begin(), sequences.end(), [](const AnnotationSummary& sequence) { return !sequence.empty(); });
+    const bool hasBegun = std::any_of(sequences.begin(), sequences.end(),
+                                      [](const AnnotationSummary& sequence) { return !sequence.empty(); });
     if (hasBegun) {
-        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) + figuresHtml(figures, pictures, "it takes as long as this time");
+        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) +
+                figuresHtml(figures, pictures, "it takes as long as this time");
     }
     return text + "</body>\n</html>\n";
 }
 
-bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path, const AnnotationReportOptions& options, std::stop_token stop,
+bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& path,
+                           const AnnotationReportOptions& options, std::stop_token stop,
                            const std::function<void(int done, int total)>& progress) {
     std::vector<AnnotationSummary> sequences;
     for (const Sequence& sequence : dataset.sequences) {
-        sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence), dataset.cameras,
-                                                 dataset.hands, options.badRmsPx, options.quality, stop, pictureGaps(dataset, sequence)));
-        if (stop.stop_requested()) {
+        sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence),
+                                                 dataset.cameras, dataset.hands, options.badRmsPx, options.quality,
+                                                 stop, pictureGaps(dataset, sequence)));
+        if (stop.stop_requested())
             return false;
-        }
-        if (progress) {
+        if (progress)
             progress(static_cast<int>(sequences.size()), static_cast<int>(dataset.sequences.size()));
-        }
     }
     const std::vector<Figure> figures = annotationFigures(sequences);
     std::vector<std::string> programs;
-    for (const Figure& figure : figures) {
+    for (const Figure& figure : figures)
         programs.push_back(figure.gnuplot);
-    }
     const auto pictures = drawWithGnuplot(programs);
     writeFileAtomically(path, annotationReportHtml(dataset.name, sequences, figures, pictures ? &*pictures : nullptr));
     return true;

@@ -4,8 +4,8 @@
 #include <functional>
 
 #include "core/annotation/reconstruction.h"
-#include "core/io/formats/annotation_exchange.h"
 #include "core/io/dataset/dataset.h"
+#include "core/io/formats/annotation_exchange.h"
 #include "core/io/formats/import_notes.h"
 #include "core/io/formats/joint_files.h"
 
@@ -17,7 +17,7 @@ struct ExportRequest {
     const Dataset& dataset;
     const Sequence& sequence;
     const AnnotationSet& set;
-    const std::string& rater;    ///< whose marks are written; empty: everybody's, for formats that name raters
+    const std::string& rater; ///< whose marks are written; empty: everybody's, for formats that name raters
     const JointMap& map;
     const TriangulationOptions& triangulation;
     const std::filesystem::path& path;
@@ -43,17 +43,18 @@ struct ImportRequest {
     AnnotationSet& set;
 };
 
-/// Adds a mark if frame and camera are known, of the options' rater unless another is named. Throws Error(BadInput) if there is one
-/// already. A guess below the options' likelihood is left out.
-void addMark(ImportRequest& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark, const std::string& rater = {});
+/// Adds a mark if frame and camera are known, of the options' rater unless another is named. Throws Error(BadInput) if
+/// there is one already. A guess below the options' likelihood is left out.
+void addMark(ImportRequest& job, int frame, const JointId& joint, const std::string& camera, const Mark& mark,
+             const std::string& rater = {});
 /// A 3D point becomes proposed marks in all views that see it: it may be shown and moved, but is not evidence.
 void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
               const std::optional<double>& likelihood = std::nullopt);
 
 /// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.
 std::vector<std::filesystem::path> viewFiles(const std::filesystem::path& path, const std::string& extension);
-/// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a word; else
-/// that of its folder. Throws Error(BadInput) if that does not tell.
+/// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a
+/// word; else that of its folder. Throws Error(BadInput) if that does not tell.
 std::string cameraOfFile(const ImportRequest& job, const std::filesystem::path& file);
 /// The camera that is named in a text, as a word; the longest name wins, so that "front_left" is not taken for "left".
 std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& text);

@@ -7,9 +7,9 @@
 
 #include "core/error.h"
 #include "core/io/calibration/cameras_file.h"
-#include "core/io/formats/import_notes.h"
-#include "core/io/files/json_file.h"
 #include "core/io/dataset/sequence_pictures.h"
+#include "core/io/files/json_file.h"
+#include "core/io/formats/import_notes.h"
 
 namespace core {
 
@@ -21,7 +21,8 @@ namespace {
 ordered_json viewJson(const ViewReconstruction& view) {
     return {{"camera", view.camera},
             {"px", {view.mark->px.x(), view.mark->px.y()}},
-            {"state", stateName(view.outside ? MarkState::Occluded : view.mark->state)}, // nobody sees what lies outside the picture
+            {"state", stateName(view.outside ? MarkState::Occluded
+                                             : view.mark->state)}, // nobody sees what lies outside the picture
             {"placement", placementName(view.mark->placement)},
             {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
 }
@@ -31,27 +32,22 @@ std::vector<std::string> jointNamesOf(const Dataset& dataset, const AnnotationSe
     std::vector<std::string> names;
     std::set<std::string> known;
     for (const HandModel& hand : dataset.hands) {
-        for (const Bone& bone : hand.skeleton.bones) {
-            if (known.insert(bone.name).second) {
+        for (const Bone& bone : hand.skeleton.bones)
+            if (known.insert(bone.name).second)
                 names.push_back(bone.name);
-            }
-        }
     }
-    for (const auto& [key, mark] : set.marks) {
-        if (known.insert(key.joint.joint).second) {
+    for (const auto& [key, mark] : set.marks)
+        if (known.insert(key.joint.joint).second)
             names.push_back(key.joint.joint);
-        }
-    }
     return names;
 }
 
-ordered_json handsJson(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-                       const ReconstructionOptions& options) {
+ordered_json handsJson(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                       const std::string& rater, const ReconstructionOptions& options) {
     ordered_json hands = ordered_json::object();
     for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, options)) {
-        if (joint.status == JointStatus::None) {
+        if (joint.status == JointStatus::None)
             continue; // proposals only
-        }
         hands[std::string(sideName(id.hand))]["joints"][id.joint] = groundTruthJoint(joint);
     }
     return hands;
@@ -61,13 +57,11 @@ ordered_json handsJson(const AnnotationSet& set, const std::vector<Camera>& came
 
 ordered_json groundTruthJoint(const JointReconstruction& joint) {
     ordered_json views = ordered_json::array(), unplaceable = ordered_json::array();
-    for (const ViewReconstruction& view : joint.views) {
-        if (view.mark && view.mark->isPlaced()) {
+    for (const ViewReconstruction& view : joint.views)
+        if (view.mark && view.mark->isPlaced())
             views.push_back(viewJson(view));
-        } else if (view.mark && !view.mark->hasPlace()) {
+        else if (view.mark && !view.mark->hasPlace())
             unplaceable.push_back(view.camera);
-        }
-    }
     const auto& point = joint.result.point;
     return {{"xyz", point ? jsonOf(point->pointInWorld) : ordered_json()},
             {"covariance", point ? jsonOf(point->covariance) : ordered_json()},
@@ -77,15 +71,13 @@ ordered_json groundTruthJoint(const JointReconstruction& joint) {
             {"status", statusName(joint.status)}};
 }
 
-void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set,
-                      const AnnotationExportOptions& options) {
+void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset, const Sequence& sequence,
+                      const AnnotationSet& set, const AnnotationExportOptions& options) {
     std::set<int> framesToWrite;
-    for (const int frame : annotatedFrames(set)) {
+    for (const int frame : annotatedFrames(set))
         framesToWrite.insert(frame);
-    }
-    for (const auto& [frame, note] : set.notes) {
+    for (const auto& [frame, note] : set.notes)
         framesToWrite.insert(frame);
-    }
     const PictureGaps gaps = pictureGaps(dataset, sequence);
     ordered_json frames = ordered_json::array();
     for (const int frame : framesToWrite) {
@@ -93,19 +85,16 @@ void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
         ordered_json raters = ordered_json::array();
         for (const std::string& rater : ratersOf(set, frame)) {
             if (!options.rater || *options.rater == rater) {
-                if (auto hands = handsJson(set, dataset.cameras, frame, rater, reconstruction); !hands.empty()) {
+                if (auto hands = handsJson(set, dataset.cameras, frame, rater, reconstruction); !hands.empty())
                     raters.push_back({{"rater", rater}, {"hands", std::move(hands)}});
-                }
             }
         }
         const auto note = set.notes.find(frame);
-        if (raters.empty() && note == set.notes.end()) {
+        if (raters.empty() && note == set.notes.end())
             continue;
-        }
         ordered_json item{{"frame", frame}};
-        if (note != set.notes.end()) {
+        if (note != set.notes.end())
             item["note"] = note->second;
-        }
         item["raters"] = raters;
         frames.push_back(item);
     }
@@ -122,44 +111,46 @@ namespace {
 
 Mark markFromJson(const json& view, const std::string& file, const std::string& field) {
     const std::vector<double> px = jsonNumbers(view["px"], 2, file, field + ".px");
-    return {{px[0], px[1]}, *placementFromName(view["placement"].get<std::string>()), *stateFromName(view["state"].get<std::string>())};
+    return {{px[0], px[1]},
+            *placementFromName(view["placement"].get<std::string>()),
+            *stateFromName(view["state"].get<std::string>())};
 }
 
-void readJoint(const json& joint, const MarkKey& where, const std::string& file, ImportNotes& notes, AnnotationSet& set) {
+void readJoint(const json& joint, const MarkKey& where, const std::string& file, ImportNotes& notes,
+               AnnotationSet& set) {
     const auto add = [&](const std::string& camera, const Mark& mark) {
         MarkKey key = where;
         key.camera = camera;
-        if (notes.accepts(key) && !set.marks.emplace(key, mark).second) {
+        if (notes.accepts(key) && !set.marks.emplace(key, mark).second)
             throw Error(ErrorCode::BadInput, file, "frame " + std::to_string(key.frame) + ", " + jointLabel(key.joint),
                         "camera \"" + camera + "\" occurs twice");
-        }
     };
     for (const json& view : joint["views"]) {
-        add(view["camera"], markFromJson(view, file, "frame " + std::to_string(where.frame) + ", " + jointLabel(where.joint)));
+        add(view["camera"],
+            markFromJson(view, file, "frame " + std::to_string(where.frame) + ", " + jointLabel(where.joint)));
     }
-    for (const json& camera : joint["unplaceable"]) {
+    for (const json& camera : joint["unplaceable"])
         add(camera, Mark{Eigen::Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable});
-    }
 }
 
 } // namespace
 
-ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dataset& dataset, const Sequence& sequence) {
+ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
+                                    const Sequence& sequence) {
     const json value = readOwnFile(file, "ground-truth");
     ImportNotes notes(dataset, sequence);
     AnnotationSet set;
-    if (const std::string name = value["sequence"]; name != sequence.name) {
+    if (const std::string name = value["sequence"]; name != sequence.name)
         notes.remark("the file is of sequence \"" + name + "\", not of \"" + sequence.name + "\"");
-    }
     for (const json& frame : value["frames"]) {
         const int number = frame["frame"];
-        if (frame.contains("note") && notes.acceptsFrame(number)) {
+        if (frame.contains("note") && notes.acceptsFrame(number))
             set.notes[number] = frame["note"];
-        }
         for (const json& rater : frame["raters"]) {
             for (const auto& [hand, joints] : rater["hands"].items()) {
                 for (const auto& [name, joint] : joints["joints"].items()) {
-                    readJoint(joint, {number, rater["rater"], {*sideFromName(hand), name}, {}}, file.string(), notes, set);
+                    readJoint(joint, {number, rater["rater"], {*sideFromName(hand), name}, {}}, file.string(), notes,
+                              set);
                 }
             }
         }

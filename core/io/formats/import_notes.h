@@ -13,7 +13,9 @@ namespace core {
 /// Decides what of a foreign file fits a sequence, and remembers what did not.
 class ImportNotes {
 public:
-    ImportNotes(const Dataset& dataset, const Sequence& sequence) : m_dataset(dataset), m_sequence(sequence) {}
+    ImportNotes(const Dataset& dataset, const Sequence& sequence)
+        : m_dataset(dataset)
+        , m_sequence(sequence) {}
 
     bool acceptsFrame(int frame);
     bool acceptsCamera(const std::string& camera);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
-#include "core/io/formats/format_requests.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/json_file.h"
+#include "core/io/formats/format_requests.h"
 
-// Files in the style of InterHand2.6M: joint_3d.json with 21 joints of the right and 21 of the left hand (tips first, wrist
-// last, mm) and camera.json with positions instead of translations: x_cam = R (X - campos).
+// Files in the style of InterHand2.6M: joint_3d.json with 21 joints of the right and 21 of the left hand (tips first,
+// wrist last, mm) and camera.json with positions instead of translations: x_cam = R (X - campos).
 namespace core {
 
 using nlohmann::ordered_json;
@@ -15,11 +15,9 @@ namespace {
 
 std::vector<JointId> jointsInOrder(const JointMap& map) {
     std::vector<JointId> joints;
-    for (const Side hand : {Side::Right, Side::Left}) {
-        for (const auto& [name, joint] : map.handList(hand)) {
+    for (const Side hand : {Side::Right, Side::Left})
+        for (const auto& [name, joint] : map.handList(hand))
             joints.push_back(joint);
-        }
-    }
     return joints;
 }
 
@@ -37,7 +35,9 @@ ordered_json frameJson(const ExportRequest& job, int frame) {
     const bool isTwoHanded = hasHand[0] && hasHand[1];
     return {{"world_coord", coordinates},
             {"joint_valid", valid},
-            {"hand_type", isTwoHanded ? "interacting" : hasHand[0] ? "left" : "right"},
+            {"hand_type", isTwoHanded  ? "interacting"
+                          : hasHand[0] ? "left"
+                                       : "right"},
             {"hand_type_valid", hasHand[0] || hasHand[1]}};
 }
 
@@ -61,9 +61,8 @@ ordered_json camerasJson(const std::vector<Camera>& cameras) {
 void writeInterHand(const ExportRequest& job) {
     PendingFolder folder(job.path);
     ordered_json frames = ordered_json::object();
-    for (const int frame : settledFrames(job.set, job.rater)) {
+    for (const int frame : settledFrames(job.set, job.rater))
         frames[std::to_string(frame)] = frameJson(job, frame);
-    }
     writeJsonFile(folder.path() / "joint_3d.json", {{job.sequence.name, frames}});
     writeJsonFile(folder.path() / "camera.json", {{job.sequence.name, camerasJson(job.dataset.cameras)}});
     folder.commit();

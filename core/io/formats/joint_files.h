@@ -19,8 +19,8 @@ struct JointMapEntry {
     std::optional<Side> hand;
 };
 
-/// How joints are called elsewhere, in the order that is used there. Formats differ in how they tell hands apart: where both
-/// hands share one list of names, an entry without a hand is called left_<name> and right_<name>.
+/// How joints are called elsewhere, in the order that is used there. Formats differ in how they tell hands apart: where
+/// both hands share one list of names, an entry without a hand is called left_<name> and right_<name>.
 class JointMap {
 public:
     /// Every joint keeps its name: left_index_mcp.
@@ -45,7 +45,8 @@ private:
     std::vector<JointMapEntry> m_entries;
 };
 
-/// Reads a joint map (format "handlens-joint-map"), a file or the name of a built-in one: tzionas, coco, interhand, freihand.
+/// Reads a joint map (format "handlens-joint-map"), a file or the name of a built-in one: tzionas, coco, interhand,
+/// freihand.
 JointMap readJointMap(const std::filesystem::path& nameOrFile);
 
 /// Reads a list of joints of one hand (format "handlens-joint-list"), a file or a built-in one: 14, 21.

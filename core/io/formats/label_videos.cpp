@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/io/formats/format_requests.h"
 #include "core/io/footage/file_pattern.h"
+#include "core/io/formats/format_requests.h"
 
 namespace core {
 
@@ -13,7 +13,8 @@ namespace {
 
 /// What a view's footage is called; empty if it has none.
 std::string footageName(const ViewSource& view) {
-    const std::filesystem::path path = view.kind == ViewKind::Images ? fillPattern(view.path, view.camera, 0) : view.path;
+    const std::filesystem::path path =
+        view.kind == ViewKind::Images ? fillPattern(view.path, view.camera, 0) : view.path;
     switch (view.kind) {
     case ViewKind::Video:
         return path.stem().string();
@@ -32,22 +33,19 @@ std::string without(std::string name, const std::string& camera) {
     const std::size_t at = name.find(camera);
     const bool isFirst = at == 0;
     name.erase(at, camera.size());
-    if (isFirst) {
+    if (isFirst)
         name.erase(0, std::min(name.find_first_not_of(kJoints), name.size()));
-    } else if (at == name.size()) {
+    else if (at == name.size())
         name.erase(name.find_last_not_of(kJoints) + 1);
-    }
     return name;
 }
 
 /// The camera whose footage has that name, if only one has.
 std::optional<std::string> cameraOfFootage(const Sequence& sequence, const std::string& video) {
     std::optional<std::string> camera;
-    for (const ViewSource& view : sequence.views) {
-        if (footageName(view) == video) {
+    for (const ViewSource& view : sequence.views)
+        if (footageName(view) == video)
             camera = camera ? std::string() : view.camera;
-        }
-    }
     return camera;
 }
 
@@ -56,27 +54,27 @@ std::optional<std::string> cameraOfFootage(const Sequence& sequence, const std::
 std::string videoOfPicture(std::string_view path) {
     const auto isSlash = [](char c) { return c == '/' || c == '\\'; };
     const auto end = std::find_if(path.rbegin(), path.rend(), isSlash);
-    if (end == path.rend()) {
+    if (end == path.rend())
         return {};
-    }
     const auto start = std::find_if(end + 1, path.rend(), isSlash);
     return {start.base(), (end + 1).base()};
 }
 
-std::optional<VideoOfSequence> videoOfSequence(const Dataset& dataset, const Sequence& sequence, const std::string& video) {
-    if (const auto camera = cameraOfFootage(sequence, video)) {
+std::optional<VideoOfSequence> videoOfSequence(const Dataset& dataset, const Sequence& sequence,
+                                               const std::string& video) {
+    if (const auto camera = cameraOfFootage(sequence, video))
         return VideoOfSequence{*camera};
-    }
     return videoAskedFor(dataset, sequence, video, {sequence.name});
 }
 
 std::optional<VideoOfSequence> videoAskedFor(const Dataset& dataset, const Sequence& sequence, const std::string& video,
                                              const std::vector<std::string>& wanted) {
-    const auto isWanted = [&wanted](const std::string& name) { return std::find(wanted.begin(), wanted.end(), name) != wanted.end(); };
+    const auto isWanted = [&wanted](const std::string& name) {
+        return std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+    };
     const auto named = cameraIn(dataset, video);
-    if (isWanted(video) || (named && isWanted(without(video, *named)))) {
+    if (isWanted(video) || (named && isWanted(without(video, *named))))
         return VideoOfSequence{cameraOfFootage(sequence, video).value_or(named.value_or(std::string()))};
-    }
     return std::nullopt;
 }
 

@@ -18,11 +18,10 @@ namespace {
 Observation observationFromJson(const json& view, const std::vector<Camera>& cameras, const std::string& file,
                                 const std::string& field) {
     const std::string name = view["camera"];
-    const auto camera =
-        std::find_if(cameras.begin(), cameras.end(), [&name](const Camera& candidate) { return candidate.name == name; });
-    if (camera == cameras.end()) {
+    const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                     [&name](const Camera& candidate) { return candidate.name == name; });
+    if (camera == cameras.end())
         throw Error(ErrorCode::BadInput, file, field + ".camera", "unknown camera \"" + name + "\"");
-    }
     const std::vector<double> px = jsonNumbers(view["px"], 2, file, field + ".px");
     return {static_cast<int>(camera - cameras.begin()), {px[0], px[1]}};
 }
@@ -41,7 +40,8 @@ std::vector<PointClicks> readPointClicks(const std::filesystem::path& file, cons
             const Observation click = observationFromJson(view, cameras, file.string(), viewField);
             for (const Observation& other : point.observations) {
                 if (other.camera == click.camera) {
-                    throw Error(ErrorCode::BadInput, file.string(), viewField + ".camera", "occurs twice in this point");
+                    throw Error(ErrorCode::BadInput, file.string(), viewField + ".camera",
+                                "occurs twice in this point");
                 }
             }
             point.observations.push_back(click);

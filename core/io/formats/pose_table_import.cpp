@@ -3,20 +3,22 @@
 #include <map>
 
 #include "core/error.h"
-#include "core/io/formats/format_requests.h"
 #include "core/io/files/csv_text.h"
+#include "core/io/formats/format_requests.h"
 #include "core/io/formats/label_videos.h"
 
-// Reads tables of one view with the header rows scorer, bodyparts, coords: what people labelled with DeepLabCut or Lightning Pose
-// (x and y; the first column or columns name a picture), and what networks predicted, as Anipose's 2D tables hold it (a likelihood,
-// too; frames count from 0). And tables with one header row as SLEAP writes them: frame_idx, track, <part>.x, <part>.y, <part>.score.
+// Reads tables of one view with the header rows scorer, bodyparts, coords: what people labelled with DeepLabCut or
+// Lightning Pose (x and y; the first column or columns name a picture), and what networks predicted, as Anipose's 2D
+// tables hold it (a likelihood, too; frames count from 0). And tables with one header row as SLEAP writes them:
+// frame_idx, track, <part>.x, <part>.y, <part>.score.
 namespace core {
 
 namespace fs = std::filesystem;
 
 namespace {
 
-// Likelihoods of a table of labels, such as our own: there a mark whose place is estimated is half as likely as one that is seen.
+// Likelihoods of a table of labels, such as our own: there a mark whose place is estimated is half as likely as one
+// that is seen.
 constexpr double kVisibleLikelihood = 1.0;
 constexpr double kOccludedLikelihood = 0.5;
 
@@ -47,12 +49,11 @@ struct PoseTable {
 
 std::size_t rowNamed(const std::vector<CsvRow>& rows, const std::string& name, const std::string& file) {
     constexpr std::size_t kMostHeaderRows = 4;
-    for (std::size_t i = 0; i < std::min(rows.size(), kMostHeaderRows); ++i) {
-        if (rows[i][0] == name) {
+    for (std::size_t i = 0; i < std::min(rows.size(), kMostHeaderRows); ++i)
+        if (rows[i][0] == name)
             return i;
-        }
-    }
-    throw Error(ErrorCode::BadInput, file, name, "the header row of that name is missing (scorer, bodyparts, coords are expected)");
+    throw Error(ErrorCode::BadInput, file, name,
+                "the header row of that name is missing (scorer, bodyparts, coords are expected)");
 }
 
 int* placeOf(PartColumns& part, const std::string& coord) {
@@ -71,9 +72,8 @@ void readFlatHeader(PoseTable& table) {
         } else if (header[column] == "track") {
             table.trackColumn = static_cast<int>(column);
         } else if (dot != std::string::npos && part != "instance") {
-            if (int* place = placeOf(table.parts[part], header[column].substr(dot + 1))) {
+            if (int* place = placeOf(table.parts[part], header[column].substr(dot + 1)))
                 *place = static_cast<int>(column);
-            }
         }
     }
     table.firstDataRow = 1;
@@ -83,7 +83,8 @@ PoseTable readTable(const fs::path& file) {
     PoseTable table;
     table.file = file;
     table.rows = readCsv(file);
-    if (!table.rows.empty() && std::find(table.rows[0].begin(), table.rows[0].end(), kFrameColumn) != table.rows[0].end()) {
+    if (!table.rows.empty() &&
+        std::find(table.rows[0].begin(), table.rows[0].end(), kFrameColumn) != table.rows[0].end()) {
         readFlatHeader(table);
         return table;
     }
@@ -93,18 +94,15 @@ PoseTable readTable(const fs::path& file) {
     const CsvRow& coords = table.rows[coordsRow];
     table.firstDataRow = coordsRow + 1;
     const CsvRow* individuals = nullptr; // several animals, here: hands
-    for (std::size_t i = 0; i < coordsRow; ++i) {
+    for (std::size_t i = 0; i < coordsRow; ++i)
         individuals = table.rows[i][0] == "individuals" ? &table.rows[i] : individuals;
-    }
-    while (table.indexColumns < coords.size() && coords[table.indexColumns].empty()) {
+    while (table.indexColumns < coords.size() && coords[table.indexColumns].empty())
         ++table.indexColumns; // newer files name folder, video and picture in a column each
-    }
     for (std::size_t column = table.indexColumns; column < std::min(coords.size(), bodyparts.size()); ++column) {
         const bool hasIndividual = individuals && column < individuals->size() && (*individuals)[column] != "single";
         PartColumns& part = table.parts[(hasIndividual ? (*individuals)[column] + "_" : "") + bodyparts[column]];
-        if (int* place = placeOf(part, coords[column])) {
+        if (int* place = placeOf(part, coords[column]))
             *place = static_cast<int>(column);
-        }
     }
     return table;
 }
@@ -114,9 +112,9 @@ bool isPredicted(const PoseTable& table) {
     for (std::size_t line = table.firstDataRow; line < table.rows.size(); ++line) {
         for (const auto& [name, part] : table.parts) {
             const auto likelihood = table.value(line, part.likelihood, name);
-            if (likelihood && *likelihood != 0 && *likelihood != kOccludedLikelihood && *likelihood != kVisibleLikelihood) {
+            if (likelihood && *likelihood != 0 && *likelihood != kOccludedLikelihood &&
+                *likelihood != kVisibleLikelihood)
                 return true;
-            }
         }
     }
     return false;
@@ -125,33 +123,34 @@ bool isPredicted(const PoseTable& table) {
 /// The path of the picture that a row names, joined of its columns; a number alone is a frame.
 std::string pictureOf(const PoseTable& table, std::size_t line) {
     std::string path;
-    for (std::size_t column = 0; column < table.indexColumns; ++column) {
+    for (std::size_t column = 0; column < table.indexColumns; ++column)
         path += (path.empty() ? "" : "/") + table.rows[line][table.firstIndexColumn + column];
-    }
     return path;
 }
 
 /// The joint of a body part in a row, whose hand may be the track's.
-std::optional<JointId> jointOf(const ImportRequest& job, const PoseTable& table, std::size_t line, const std::string& part) {
+std::optional<JointId> jointOf(const ImportRequest& job, const PoseTable& table, std::size_t line,
+                               const std::string& part) {
     const auto joint = job.map.jointOf(part);
-    if (joint || table.trackColumn < 0 || table.rows[line].size() <= static_cast<std::size_t>(table.trackColumn)) {
+    if (joint || table.trackColumn < 0 || table.rows[line].size() <= static_cast<std::size_t>(table.trackColumn))
         return joint;
-    }
     return job.map.jointOf(table.rows[line][static_cast<std::size_t>(table.trackColumn)] + "_" + part);
 }
 
 /// The mark of one body part in one row, or nothing.
-std::optional<Mark> markOf(const PoseTable& table, std::size_t line, const std::string& name, const PartColumns& part, bool predicted) {
-    const auto x = table.value(line, part.x, name), y = table.value(line, part.y, name), likelihood = table.value(line, part.likelihood, name);
+std::optional<Mark> markOf(const PoseTable& table, std::size_t line, const std::string& name, const PartColumns& part,
+                           bool predicted) {
+    const auto x = table.value(line, part.x, name), y = table.value(line, part.y, name),
+               likelihood = table.value(line, part.likelihood, name);
     const bool isPlaced = x && y && !(*x == -1 && *y == -1); // some tools write -1 for what is missing
-    if (!isPlaced || likelihood.value_or(kVisibleLikelihood) <= 0) {
+    if (!isPlaced || likelihood.value_or(kVisibleLikelihood) <= 0)
         return std::nullopt;
-    }
-    if (predicted) {
+    if (predicted)
         return Mark{{*x, *y}, Placement::Proposed, MarkState::Visible, likelihood};
-    }
-    return Mark{{*x, *y}, Placement::Manual,
-                likelihood.value_or(kVisibleLikelihood) > kOccludedLikelihood ? MarkState::Visible : MarkState::Occluded};
+    return Mark{{*x, *y},
+                Placement::Manual,
+                likelihood.value_or(kVisibleLikelihood) > kOccludedLikelihood ? MarkState::Visible
+                                                                              : MarkState::Occluded};
 }
 
 /// Whose view a row is of; nothing, and it is counted, if the row is not of this sequence.
@@ -166,9 +165,8 @@ std::optional<std::string> cameraOfRow(ImportRequest& job, const PoseTable& tabl
         job.notes.leaveOutVideo(video);
         return std::nullopt;
     }
-    if (found->camera.empty()) {
+    if (found->camera.empty())
         return cameraOfFile(job, table.file);
-    }
     if (!job.options.camera.empty() && job.options.camera != found->camera) {
         job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
         return std::nullopt;
@@ -179,26 +177,24 @@ std::optional<std::string> cameraOfRow(ImportRequest& job, const PoseTable& tabl
 void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool predicted) {
     const std::string file = table.file.string();
     const std::size_t lastIndexColumn = table.firstIndexColumn + table.indexColumns - 1;
-    if (table.rows[line].size() <= lastIndexColumn + (table.trackColumn < 0 ? 1 : 0)) {
+    if (table.rows[line].size() <= lastIndexColumn + (table.trackColumn < 0 ? 1 : 0))
         throw Error(ErrorCode::BadInput, file, table.fieldOf(line), "is cut off");
-    }
     const std::string picture = pictureOf(table, line);
     const auto frame = trailingNumber(table.rows[line][lastIndexColumn]);
     if (!frame) {
-        throw Error(ErrorCode::BadInput, file, table.fieldOf(line), "\"" + picture + "\" does not end in the number of a frame");
+        throw Error(ErrorCode::BadInput, file, table.fieldOf(line),
+                    "\"" + picture + "\" does not end in the number of a frame");
     }
     const auto camera = cameraOfRow(job, table, picture);
-    if (!camera) {
+    if (!camera)
         return;
-    }
     for (const auto& [name, part] : table.parts) {
         const auto mark = markOf(table, line, name, part, predicted);
         const auto joint = jointOf(job, table, line, name);
-        if (mark && joint) {
+        if (mark && joint)
             addMark(job, *frame, *joint, *camera, *mark);
-        } else if (mark) {
+        else if (mark)
             job.notes.leaveOut("body part \"" + name + "\", which is not a joint of the map");
-        }
     }
 }
 
@@ -206,18 +202,14 @@ void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool 
 
 void readPoseTables(ImportRequest& job) {
     std::vector<PoseTable> tables;
-    for (const fs::path& file : viewFiles(job.path, ".csv")) {
+    for (const fs::path& file : viewFiles(job.path, ".csv"))
         tables.push_back(readTable(file));
-    }
     const bool predicted = job.options.minLikelihood || std::any_of(tables.begin(), tables.end(), isPredicted);
-    for (const PoseTable& table : tables) {
-        for (std::size_t line = table.firstDataRow; line < table.rows.size(); ++line) {
+    for (const PoseTable& table : tables)
+        for (std::size_t line = table.firstDataRow; line < table.rows.size(); ++line)
             readRow(job, table, line, predicted);
-        }
-    }
-    if (predicted && !job.set.marks.empty()) {
+    if (predicted && !job.set.marks.empty())
         job.notes.remark("the marks are a program's guesses: they come as proposals, to be checked");
-    }
 }
 
 } // namespace core

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "core/io/formats/format_requests.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/csv_text.h"
+#include "core/io/formats/format_requests.h"
 #include "core/text/number_text.h"
 
-// Writes tables of one view with the header rows scorer, bodyparts, coords: label files for DeepLabCut and Lightning Pose with x and y,
-// which name a picture in the first column, and Anipose's 2D tables, which have a likelihood too and count frames from 0. Missing
-// values are empty.
+// Writes tables of one view with the header rows scorer, bodyparts, coords: label files for DeepLabCut and Lightning
+// Pose with x and y, which name a picture in the first column, and Anipose's 2D tables, which have a likelihood too and
+// count frames from 0. Missing values are empty.
 namespace core {
 
 namespace {
@@ -18,15 +18,14 @@ constexpr double kOccludedLikelihood = 0.5;
 /// The joints that have a name in the map, with that name.
 std::vector<std::pair<std::string, JointId>> namedJoints(const ExportRequest& job) {
     std::vector<std::pair<std::string, JointId>> joints;
-    for (const JointId& joint : markedJoints(job)) {
-        if (const auto name = job.map.sharedName(joint)) {
+    for (const JointId& joint : markedJoints(job))
+        if (const auto name = job.map.sharedName(joint))
             joints.emplace_back(*name, joint);
-        }
-    }
     return joints;
 }
 
-std::string header(const ExportRequest& job, const std::vector<std::pair<std::string, JointId>>& joints, const std::vector<std::string>& coords) {
+std::string header(const ExportRequest& job, const std::vector<std::pair<std::string, JointId>>& joints,
+                   const std::vector<std::string>& coords) {
     CsvRow scorer{"scorer"}, bodyparts{"bodyparts"}, names{"coords"};
     for (const auto& [name, joint] : joints) {
         for (const std::string& coord : coords) {
@@ -39,19 +38,17 @@ std::string header(const ExportRequest& job, const std::vector<std::pair<std::st
 }
 
 /// Without likelihoods nothing says that a mark lies outside the picture, so such a one is missing.
-CsvRow cellsOf(const ExportRequest& job, int frame, const std::vector<std::pair<std::string, JointId>>& joints, const Camera& camera,
-               bool withLikelihood) {
+CsvRow cellsOf(const ExportRequest& job, int frame, const std::vector<std::pair<std::string, JointId>>& joints,
+               const Camera& camera, bool withLikelihood) {
     CsvRow cells;
     for (const auto& [name, joint] : joints) {
         auto mark = placedMark(job, frame, joint, camera.name);
-        if (mark && !withLikelihood && isOutside(*mark, camera)) {
+        if (mark && !withLikelihood && isOutside(*mark, camera))
             mark.reset();
-        }
         cells.push_back(mark ? exactText(mark->px.x()) : "");
         cells.push_back(mark ? exactText(mark->px.y()) : "");
-        if (withLikelihood) {
+        if (withLikelihood)
             cells.push_back(mark ? exactText(isSeen(*mark, camera) ? kVisibleLikelihood : kOccludedLikelihood) : "");
-        }
     }
     return cells;
 }

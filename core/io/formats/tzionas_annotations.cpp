@@ -4,13 +4,13 @@
 #include <set>
 
 #include "core/error.h"
-#include "core/io/formats/format_requests.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/text_file.h"
+#include "core/io/formats/format_requests.h"
 #include "core/text/number_text.h"
 
-// The annotation files of the method's authors: per camera a folder with NNN.txt per frame, lines "id<TAB>x<TAB>y", whole
-// pixels, 0 0 for what cannot be seen, no line end after the last line.
+// The annotation files of the method's authors: per camera a folder with NNN.txt per frame, lines "id<TAB>x<TAB>y",
+// whole pixels, 0 0 for what cannot be seen, no line end after the last line.
 namespace core {
 
 namespace fs = std::filesystem;
@@ -48,22 +48,17 @@ std::vector<Line> readLines(const ImportRequest& job, const fs::path& file) {
         const std::string line(reader.next("id, x and y"));
         const auto words = splitWords(line);
         Line entry{{}, {}};
-        if (words.size() != 3 || !parseNumber(words[1], entry.px.x()) || !parseNumber(words[2], entry.px.y())) {
+        if (words.size() != 3 || !parseNumber(words[1], entry.px.x()) || !parseNumber(words[2], entry.px.y()))
             throw reader.errorHere("id, x and y are expected");
-        }
         const std::string id(words[0]);
         std::optional<JointId> joint;
-        for (const JointMapEntry& known : job.map.entries()) {
-            if (known.name == id) {
+        for (const JointMapEntry& known : job.map.entries())
+            if (known.name == id)
                 joint = JointId{known.hand.value_or(Side::Right), known.joint};
-            }
-        }
-        if (!joint) {
+        if (!joint)
             throw reader.errorHere("id " + id + " is not one of the map's");
-        }
-        if (!seen.insert(*joint).second) {
+        if (!seen.insert(*joint).second)
             throw reader.errorHere("id " + id + " occurs twice");
-        }
         entry.joint = *joint;
         lines.push_back(std::move(entry));
     }
@@ -77,9 +72,8 @@ void writeTzionasAnnotations(const ExportRequest& job) {
     const std::vector<int> frames = settledFrames(job.set, job.rater);
     for (const Camera& camera : job.dataset.cameras) {
         ensureFolder(folder.path() / camera.name);
-        for (const int frame : frames) {
+        for (const int frame : frames)
             writeFileAtomically(folder.path() / camera.name / frameFileName(frame), frameText(job, frame, camera));
-        }
     }
     folder.commit();
 }
@@ -88,22 +82,22 @@ void readTzionasAnnotations(ImportRequest& job) {
     for (const fs::path& file : viewFiles(job.path, ".txt")) {
         const auto frame = trailingNumber(file.filename().string());
         if (!frame) {
-            throw Error(ErrorCode::BadInput, file.string(), "", "the file's name must be the number of its frame, such as 041.txt");
+            throw Error(ErrorCode::BadInput, file.string(), "",
+                        "the file's name must be the number of its frame, such as 041.txt");
         }
         const std::string camera = cameraOfFile(job, file);
         const std::vector<Line> lines = readLines(job, file);
         std::set<Side> visibleHands;
-        for (const Line& line : lines) {
-            if (!line.px.isZero()) {
+        for (const Line& line : lines)
+            if (!line.px.isZero())
                 visibleHands.insert(line.joint.hand);
-            }
-        }
         for (const Line& line : lines) {
             // 0 0 in a hand that was annotated says that the joint cannot be placed; a hand of zeros was not looked at.
             if (!line.px.isZero()) {
                 addMark(job, *frame, line.joint, camera, Mark{line.px});
             } else if (visibleHands.contains(line.joint.hand)) {
-                addMark(job, *frame, line.joint, camera, Mark{Eigen::Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable});
+                addMark(job, *frame, line.joint, camera,
+                        Mark{Eigen::Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable});
             }
         }
     }

@@ -15,12 +15,11 @@ namespace {
 
 /// The entry of one hand; throws if there is none.
 std::size_t entryOf(const json& document, Side side, const std::string& file) {
-    for (std::size_t i = 0; i < document["hands"].size(); ++i) {
-        if (document["hands"][i]["side"] == sideName(side)) {
+    for (std::size_t i = 0; i < document["hands"].size(); ++i)
+        if (document["hands"][i]["side"] == sideName(side))
             return i;
-        }
-    }
-    throw Error(ErrorCode::BadInput, file, "hands", "there is no motion of the " + std::string(sideName(side)) + " hand");
+    throw Error(ErrorCode::BadInput, file, "hands",
+                "there is no motion of the " + std::string(sideName(side)) + " hand");
 }
 
 } // namespace
@@ -44,9 +43,8 @@ Motion readMotionFile(const std::filesystem::path& file, const std::vector<HandM
         }
         const auto size = static_cast<std::size_t>(poseSize);
         const std::vector<double> flat = jsonNumbers(value["values"], frames * size, file.string(), field + ".values");
-        for (std::size_t f = 0; f < frames; ++f) {
+        for (std::size_t f = 0; f < frames; ++f)
             motion[f][h] = Eigen::Map<const Eigen::VectorXd>(flat.data() + f * size, poseSize);
-        }
     }
     return motion;
 }
@@ -61,9 +59,8 @@ void writeMotionFile(const std::filesystem::path& file, const std::vector<HandMo
         const int poseSize = hands[h].skeleton.poseSize();
         std::vector<double> flat;
         for (const HandPoses& poses : motion) {
-            if (poses.size() != hands.size() || poses[h].size() != poseSize || !poses[h].allFinite()) {
+            if (poses.size() != hands.size() || poses[h].size() != poseSize || !poses[h].allFinite())
                 throw Error(ErrorCode::BadInput, file.string(), "", "the poses do not fit the hands");
-            }
             flat.insert(flat.end(), poses[h].data(), poses[h].data() + poseSize);
         }
         document["hands"].push_back({{"side", sideName(hands[h].side)}, {"poseSize", poseSize}, {"values", flat}});

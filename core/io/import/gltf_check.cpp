@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/io/import/gltf_file.h"
 #include "core/io/files/json_file.h"
+#include "core/io/import/gltf_file.h"
 
 namespace core {
 
@@ -54,34 +54,28 @@ private:
 
     /// A whole number >= 0; `fallback` if it is not there.
     std::size_t number(const json& object, const char* name, const std::string& field, std::size_t fallback = 0) const {
-        if (!object.contains(name)) {
+        if (!object.contains(name))
             return fallback;
-        }
-        if (!object[name].is_number_unsigned() || object[name].get<std::uint64_t>() > 4'000'000'000U) {
+        if (!object[name].is_number_unsigned() || object[name].get<std::uint64_t>() > 4'000'000'000U)
             throw bad(field + "." + name, "is not a whole number of a sensible size");
-        }
         return object[name].get<std::size_t>();
     }
 
     /// An index into a list of the root object.
     std::size_t index(const json& value, const char* listName, const std::string& field) const {
-        if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= list(listName).size()) {
+        if (!value.is_number_unsigned() || value.get<std::uint64_t>() >= list(listName).size())
             throw bad(field, std::string("refers to nothing in ") + listName);
-        }
         return value.get<std::size_t>();
     }
 
     void checkRoot() const {
         for (const char* name :
              {"buffers", "bufferViews", "accessors", "nodes", "skins", "meshes", "scenes", "extensionsRequired"}) {
-            if (!list(name).is_array()) {
+            if (!list(name).is_array())
                 throw bad(name, "is not a list");
-            }
-            for (std::size_t i = 0; i < list(name).size(); ++i) {
-                if (!list(name)[i].is_object() && std::string_view(name) != "extensionsRequired") {
+            for (std::size_t i = 0; i < list(name).size(); ++i)
+                if (!list(name)[i].is_object() && std::string_view(name) != "extensionsRequired")
                     throw bad(item(name, i), "is not an object");
-                }
-            }
         }
         if (!list("extensionsRequired").empty()) {
             throw bad("extensionsRequired", list("extensionsRequired")[0].dump() + " is not supported",
@@ -94,10 +88,8 @@ private:
             const json& view = list("bufferViews")[v];
             const std::string field = item("bufferViews", v);
             const std::size_t buffer = index(view.value("buffer", json()), "buffers", field + ".buffer");
-            if (number(view, "byteOffset", field) + number(view, "byteLength", field) >
-                m_source.buffers[buffer].size()) {
+            if (number(view, "byteOffset", field) + number(view, "byteLength", field) > m_source.buffers[buffer].size())
                 throw bad(field, "reaches beyond the end of its buffer");
-            }
         }
     }
 
@@ -105,28 +97,23 @@ private:
         for (std::size_t a = 0; a < list("accessors").size(); ++a) {
             const json& accessor = list("accessors")[a];
             const std::string field = item("accessors", a);
-            if (accessor.contains("sparse")) {
+            if (accessor.contains("sparse"))
                 throw bad(field + ".sparse", "sparse accessors are not supported", ErrorCode::Unsupported);
-            }
             if (!accessor.contains("type") || !accessor["type"].is_string() ||
-                !kComponents.count(accessor["type"].get<std::string>())) {
+                !kComponents.count(accessor["type"].get<std::string>()))
                 throw bad(field + ".type", "is not a glTF type");
-            }
-            if (!kComponentBytes.count(static_cast<int>(number(accessor, "componentType", field)))) {
+            if (!kComponentBytes.count(static_cast<int>(number(accessor, "componentType", field))))
                 throw bad(field + ".componentType", "is not a glTF type");
-            }
-            if (!accessor.contains("bufferView")) {
+            if (!accessor.contains("bufferView"))
                 continue; // all zero
-            }
             const std::size_t v = index(accessor["bufferView"], "bufferViews", field + ".bufferView");
             const json& view = list("bufferViews")[v];
             const std::size_t count = number(accessor, "count", field);
             const std::size_t stride = number(view, "byteStride", item("bufferViews", v), elementBytes(accessor));
             if (count == 0 || stride < elementBytes(accessor) ||
                 number(accessor, "byteOffset", field) + (count - 1) * stride + elementBytes(accessor) >
-                    number(view, "byteLength", field)) {
+                    number(view, "byteLength", field))
                 throw bad(field + ".count", "reaches beyond the end of its buffer view");
-            }
         }
     }
 
@@ -140,23 +127,18 @@ private:
         for (std::size_t n = 0; n < list("nodes").size(); ++n) {
             const json& node = list("nodes")[n];
             const std::string field = item("nodes", n);
-            for (const auto& [name, length] : std::map<std::string, std::size_t>{
-                     {"translation", 3}, {"rotation", 4}, {"scale", 3}, {"matrix", 16}}) {
-                if (node.contains(name)) {
+            for (const auto& [name, length] :
+                 std::map<std::string, std::size_t>{{"translation", 3}, {"rotation", 4}, {"scale", 3}, {"matrix", 16}})
+                if (node.contains(name))
                     jsonNumbers(node[name], length, m_source.path.string(), field + "." + name);
-                }
-            }
-            if (node.contains("mesh")) {
+            if (node.contains("mesh"))
                 index(node["mesh"], "meshes", field + ".mesh");
-            }
-            if (node.contains("skin")) {
+            if (node.contains("skin"))
                 index(node["skin"], "skins", field + ".skin");
-            }
             for (const json& child : node.value("children", json::array())) {
                 // A node below itself, or below two parents, would be walked without end.
-                if (++parents[index(child, "nodes", field + ".children")] > 1 || child.get<std::size_t>() == n) {
+                if (++parents[index(child, "nodes", field + ".children")] > 1 || child.get<std::size_t>() == n)
                     throw bad(field + ".children", "a node has two parents");
-                }
             }
         }
         checkReachable();
@@ -165,34 +147,26 @@ private:
     /// With one parent at most, what is not below a root goes in a circle.
     void checkReachable() const {
         std::vector<bool> isChild(list("nodes").size(), false);
-        for (const json& node : list("nodes")) {
-            for (const json& child : node.value("children", json::array())) {
+        for (const json& node : list("nodes"))
+            for (const json& child : node.value("children", json::array()))
                 isChild[child.get<std::size_t>()] = true;
-            }
-        }
         std::vector<std::size_t> open;
-        for (std::size_t n = 0; n < isChild.size(); ++n) {
-            if (!isChild[n]) {
+        for (std::size_t n = 0; n < isChild.size(); ++n)
+            if (!isChild[n])
                 open.push_back(n);
-            }
-        }
         std::size_t reached = 0;
         while (!open.empty()) {
             const json& node = list("nodes")[open.back()];
             open.pop_back();
             ++reached;
-            for (const json& child : node.value("children", json::array())) {
+            for (const json& child : node.value("children", json::array()))
                 open.push_back(child.get<std::size_t>());
-            }
         }
-        if (reached != isChild.size()) {
+        if (reached != isChild.size())
             throw bad("nodes", "some nodes are their own ancestors");
-        }
-        for (std::size_t s = 0; s < list("scenes").size(); ++s) {
-            for (const json& node : list("scenes")[s].value("nodes", json::array())) {
+        for (std::size_t s = 0; s < list("scenes").size(); ++s)
+            for (const json& node : list("scenes")[s].value("nodes", json::array()))
                 index(node, "nodes", item("scenes", s) + ".nodes");
-            }
-        }
     }
 
     void checkSkins() const {
@@ -200,18 +174,16 @@ private:
             const json& skin = list("skins")[s];
             const std::string field = item("skins", s);
             const json joints = skin.value("joints", json::array());
-            for (const json& joint : joints) {
+            for (const json& joint : joints)
                 index(joint, "nodes", field + ".joints");
-            }
             if (!skin.contains("inverseBindMatrices")) {
                 throw bad(field + ".inverseBindMatrices", "skins without them are not supported",
                           ErrorCode::Unsupported);
             }
             const json& accessor =
                 accessorOf(skin["inverseBindMatrices"], "MAT4", {kFloat}, field + ".inverseBindMatrices");
-            if (joints.empty() || number(accessor, "count", field) < joints.size()) {
+            if (joints.empty() || number(accessor, "count", field) < joints.size())
                 throw bad(field + ".inverseBindMatrices", "there must be one per joint");
-            }
         }
     }
 
@@ -220,41 +192,35 @@ private:
         const json& accessor = list("accessors")[index(value, "accessors", field)];
         const int component = accessor["componentType"].get<int>();
         bool isOne = false;
-        for (const int wanted : componentTypes) {
+        for (const int wanted : componentTypes)
             isOne = isOne || wanted == component;
-        }
-        if (accessor["type"] != type || !isOne) {
+        if (accessor["type"] != type || !isOne)
             throw bad(field, "is of another type than " + type + " in a usual component type");
-        }
         return accessor;
     }
 
     void checkMeshes() const {
         for (std::size_t m = 0; m < list("meshes").size(); ++m) {
             const json primitives = list("meshes")[m].value("primitives", json::array());
-            for (std::size_t p = 0; p < primitives.size(); ++p) {
+            for (std::size_t p = 0; p < primitives.size(); ++p)
                 checkPrimitive(primitives[p], item(item("meshes", m) + ".primitives", p));
-            }
         }
     }
 
     void checkPrimitive(const json& primitive, const std::string& field) const {
         const json attributes = primitive.value("attributes", json::object());
-        if (!attributes.contains("POSITION")) {
+        if (!attributes.contains("POSITION"))
             throw bad(field + ".attributes", "there is no POSITION");
-        }
         const json& positions = accessorOf(attributes["POSITION"], "VEC3", {kFloat}, field + ".attributes.POSITION");
         for (const auto& [name, value] : attributes.items()) {
             const std::string here = field + ".attributes." + name;
             const json& accessor = list("accessors")[index(value, "accessors", here)];
-            if (number(accessor, "count", here) != number(positions, "count", here)) {
+            if (number(accessor, "count", here) != number(positions, "count", here))
                 throw bad(here, "has another count than POSITION");
-            }
-            if (name.rfind("JOINTS_", 0) == 0) {
+            if (name.rfind("JOINTS_", 0) == 0)
                 accessorOf(value, "VEC4", {kUnsignedByte, kUnsignedShort}, here);
-            } else if (name.rfind("WEIGHTS_", 0) == 0) {
+            else if (name.rfind("WEIGHTS_", 0) == 0)
                 accessorOf(value, "VEC4", {kFloat, kUnsignedByte, kUnsignedShort}, here);
-            }
         }
         if (primitive.contains("indices")) {
             accessorOf(primitive["indices"], "SCALAR", {kUnsignedByte, kUnsignedShort, kUnsignedInt},
@@ -272,27 +238,23 @@ private:
             number(view, "byteOffset", "") + number(accessor, "byteOffset", "") + i * stride + c * size;
         const std::string& buffer = m_source.buffers[view["buffer"].get<std::size_t>()];
         std::uint32_t value = 0;
-        for (std::size_t k = size; k-- > 0;) {
+        for (std::size_t k = size; k-- > 0;)
             value = (value << 8) | static_cast<unsigned char>(buffer[at + k]);
-        }
         return value;
     }
 
     void checkIndices(const json& primitive, std::size_t vertexCount, const std::string& field) const {
         const json& accessor = list("accessors")[primitive["indices"].get<std::size_t>()];
-        for (std::size_t i = 0; accessor.contains("bufferView") && i < number(accessor, "count", field); ++i) {
-            if (wholeNumber(accessor, i, 0) >= vertexCount) {
+        for (std::size_t i = 0; accessor.contains("bufferView") && i < number(accessor, "count", field); ++i)
+            if (wholeNumber(accessor, i, 0) >= vertexCount)
                 throw bad(field, "triangle index " + std::to_string(i) + " refers to no vertex");
-            }
-        }
     }
 
     void checkJointsOfVertices() const {
         for (std::size_t n = 0; n < list("nodes").size(); ++n) {
             const json& node = list("nodes")[n];
-            if (!node.contains("mesh") || !node.contains("skin")) {
+            if (!node.contains("mesh") || !node.contains("skin"))
                 continue;
-            }
             const std::size_t jointCount = list("skins")[node["skin"].get<std::size_t>()]["joints"].size();
             const std::size_t mesh = node["mesh"].get<std::size_t>();
             const json primitives = list("meshes")[mesh].value("primitives", json::array());
@@ -309,11 +271,9 @@ private:
 
     void checkJoints(const json& accessor, std::size_t jointCount, const std::string& field) const {
         for (std::size_t i = 0; accessor.contains("bufferView") && i < number(accessor, "count", field); ++i) {
-            for (std::size_t c = 0; c < 4; ++c) {
-                if (wholeNumber(accessor, i, c) >= jointCount) {
+            for (std::size_t c = 0; c < 4; ++c)
+                if (wholeNumber(accessor, i, c) >= jointCount)
                     throw bad(field, "vertex " + std::to_string(i) + " refers to no joint of the skin");
-                }
-            }
         }
     }
 

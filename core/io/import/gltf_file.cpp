@@ -15,9 +15,8 @@ namespace {
 
 std::uint32_t littleEndian32(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
-    for (int k = 3; k >= 0; --k) {
+    for (int k = 3; k >= 0; --k)
         value = (value << 8) | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(k)]);
-    }
     return value;
 }
 
@@ -29,9 +28,8 @@ std::string fromBase64(std::string_view text) {
     for (const char c : text) {
         const std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
         const std::size_t digit = digits.find(c);
-        if (digit == std::string_view::npos) {
+        if (digit == std::string_view::npos)
             break;
-        }
         bits = (bits << 6) | static_cast<std::uint32_t>(digit);
         count += 6;
         if (count >= 8) {
@@ -54,9 +52,8 @@ public:
         checkVersion();
         if (m_result.root.contains("buffers")) {
             const json& buffers = m_result.root["buffers"];
-            for (std::size_t b = 0; b < buffers.size(); ++b) {
+            for (std::size_t b = 0; b < buffers.size(); ++b)
                 addBuffer(buffers[b], "buffers[" + std::to_string(b) + "]");
-            }
         }
         return std::move(m_result);
     }
@@ -71,23 +68,19 @@ private:
             m_result.root = parseJson(m_content, m_result.path.string());
             return;
         }
-        if (m_content.size() < 20 || littleEndian32(m_content, 8) != m_content.size()) {
+        if (m_content.size() < 20 || littleEndian32(m_content, 8) != m_content.size())
             throw bad("header", "the file is cut off, or its length is not the one that its header says");
-        }
-        if (littleEndian32(m_content, 4) != 2) {
+        if (littleEndian32(m_content, 4) != 2)
             throw bad("header", "only version 2 of glTF is supported", ErrorCode::Unsupported);
-        }
         const std::size_t jsonLength = littleEndian32(m_content, 12);
-        if (littleEndian32(m_content, 16) != 0x4E4F534A || 20 + jsonLength > m_content.size()) {
+        if (littleEndian32(m_content, 16) != 0x4E4F534A || 20 + jsonLength > m_content.size())
             throw bad("header", "the first chunk is not JSON within the file");
-        }
         m_result.root = parseJson(std::string_view(m_content).substr(20, jsonLength), m_result.path.string());
         const std::size_t second = 20 + jsonLength;
         if (second + 8 <= m_content.size()) {
             const std::size_t length = littleEndian32(m_content, second);
-            if (second + 8 + length > m_content.size()) {
+            if (second + 8 + length > m_content.size())
                 throw bad("header", "the second chunk does not lie within the file");
-            }
             m_binaryChunk = std::string_view(m_content).substr(second + 8, length);
         }
     }
@@ -95,18 +88,15 @@ private:
     void checkVersion() const {
         const json& root = m_result.root;
         if (!root.is_object() || !root.contains("asset") || !root["asset"].is_object() ||
-            !root["asset"].contains("version") || !root["asset"]["version"].is_string()) {
+            !root["asset"].contains("version") || !root["asset"]["version"].is_string())
             throw bad("asset.version", "is missing: not a glTF file");
-        }
-        if (root["asset"]["version"].get<std::string>().rfind("2.", 0) != 0) {
+        if (root["asset"]["version"].get<std::string>().rfind("2.", 0) != 0)
             throw bad("asset.version", "only version 2 of glTF is supported", ErrorCode::Unsupported);
-        }
     }
 
     void addBuffer(const json& buffer, const std::string& field) {
-        if (!buffer.is_object() || !buffer.contains("byteLength") || !buffer["byteLength"].is_number_unsigned()) {
+        if (!buffer.is_object() || !buffer.contains("byteLength") || !buffer["byteLength"].is_number_unsigned())
             throw bad(field + ".byteLength", "is not a whole number");
-        }
         const auto length = buffer["byteLength"].get<std::size_t>();
         std::string content = bufferContent(buffer, field);
         if (content.size() < length) {
@@ -118,20 +108,16 @@ private:
     }
 
     std::string bufferContent(const json& buffer, const std::string& field) const {
-        if (!buffer.contains("uri")) {
+        if (!buffer.contains("uri"))
             return std::string(m_binaryChunk);
-        }
-        if (!buffer["uri"].is_string()) {
+        if (!buffer["uri"].is_string())
             throw bad(field + ".uri", "is not text");
-        }
         const std::string uri = buffer["uri"].get<std::string>();
-        if (uri.rfind("data:", 0) != 0) {
+        if (uri.rfind("data:", 0) != 0)
             return readTextFile(m_result.path.parent_path() / uri);
-        }
         const std::size_t start = uri.find(";base64,");
-        if (start == std::string::npos) {
+        if (start == std::string::npos)
             throw bad(field + ".uri", "is not base64 data", ErrorCode::Unsupported);
-        }
         return fromBase64(std::string_view(uri).substr(start + 8));
     }
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.h"
 #include "core/demo_hand/choreography.h"
+#include "core/error.h"
 #include "core/io/demo/demo_dataset.h"
-#include "core/io/import/gltf_scene.h"
 #include "core/io/hands/hand_file.h"
 #include "core/io/hands/rig_file.h"
+#include "core/io/import/gltf_scene.h"
 
 namespace core {
 
@@ -20,9 +20,8 @@ constexpr double kLeastWeight = 1e-3;
 
 std::string withSide(std::string name, Side side) {
     const std::string placeholder = "{side}";
-    for (std::size_t at = name.find(placeholder); at != std::string::npos; at = name.find(placeholder)) {
+    for (std::size_t at = name.find(placeholder); at != std::string::npos; at = name.find(placeholder))
         name.replace(at, placeholder.size(), sideName(side));
-    }
     return name;
 }
 
@@ -36,18 +35,16 @@ public:
         , m_file(std::move(file)) {}
 
     HandModel build() {
-        for (const RigJoint& joint : m_rig.joints) {
+        for (const RigJoint& joint : m_rig.joints)
             m_nodeOfJoint.push_back(nodeOf(joint));
-        }
         HandModel hand;
         hand.side = m_side;
         hand.skeleton = riggedSkeleton(m_rig, m_side, jointFrames());
         checkAxes(hand.skeleton);
         checkSide(hand.skeleton);
         const WeightedSurface surface = withHolesClosed(welded(handSurface()));
-        if (surface.mesh.triangles.empty()) {
+        if (surface.mesh.triangles.empty())
             throw bad("skins", "no part of the surface hangs on the rig's joints");
-        }
         hand.mesh = surface.mesh;
         hand.weights = compressedWeights(surface.weights, kMaxBones, kLeastWeight);
         checkHandModel(hand, m_file);
@@ -63,11 +60,9 @@ private:
         const std::vector<std::string> names =
             joint.namesInFile.empty() ? std::vector<std::string>{joint.name} : joint.namesInFile;
         for (const std::string& name : names) {
-            for (std::size_t n = 0; n < m_scene.nodes.size(); ++n) {
-                if (m_scene.nodes[n].name == withSide(name, m_side)) {
+            for (std::size_t n = 0; n < m_scene.nodes.size(); ++n)
+                if (m_scene.nodes[n].name == withSide(name, m_side))
                     return static_cast<int>(n);
-                }
-            }
         }
         throw bad("joint " + joint.name, "no node is named '" + withSide(names.front(), m_side) + "'");
     }
@@ -76,9 +71,8 @@ private:
         std::vector<RigidMotion> frames;
         for (std::size_t j = 0; j < m_rig.joints.size(); ++j) {
             const Eigen::Affine3d& world = m_scene.nodes[static_cast<std::size_t>(m_nodeOfJoint[j])].worldFromNode;
-            if (!world.matrix().allFinite() || !(std::abs(world.linear().determinant()) > 1e-12)) {
+            if (!world.matrix().allFinite() || !(std::abs(world.linear().determinant()) > 1e-12))
                 throw bad("joint " + m_rig.joints[j].name, "its place in the scene is degenerate");
-            }
             frames.push_back(anatomicalFrame(world.translation(), world.linear() * m_rig.forwardInJoint,
                                              world.linear() * m_rig.dorsalInJoint));
         }
@@ -98,16 +92,14 @@ private:
                 ++bones;
             }
         }
-        if (2 * along < bones) {
+        if (2 * along < bones)
             throw bad("jointAxes", "the rig's forward direction does not point along the bones of this file");
-        }
     }
 
     void checkSide(const Skeleton& skeleton) const {
         const int index = skeleton.boneIndex("index_mcp"), little = skeleton.boneIndex("little_mcp");
-        if (index < 0 || little < 0) {
+        if (index < 0 || little < 0)
             return;
-        }
         const auto place = [&](int b) { return skeleton.bones[static_cast<std::size_t>(b)].worldFromBoneAtRest; };
         const double across = (place(index).translation - place(little).translation).dot(place(index).rotation.col(1));
         if ((across > 0) != (m_side == Side::Right)) {
@@ -120,25 +112,21 @@ private:
     int boneOfNode(int node) const {
         for (int n = node; n >= 0; n = m_scene.nodes[static_cast<std::size_t>(n)].parent) {
             const auto joint = std::find(m_nodeOfJoint.begin(), m_nodeOfJoint.end(), n);
-            if (joint != m_nodeOfJoint.end()) {
+            if (joint != m_nodeOfJoint.end())
                 return static_cast<int>(joint - m_nodeOfJoint.begin());
-            }
         }
         // Above the rig's root, such as a forearm: it moves with the root.
-        for (int n = m_nodeOfJoint.front(); n >= 0; n = m_scene.nodes[static_cast<std::size_t>(n)].parent) {
-            if (n == node) {
+        for (int n = m_nodeOfJoint.front(); n >= 0; n = m_scene.nodes[static_cast<std::size_t>(n)].parent)
+            if (n == node)
                 return 0;
-            }
-        }
         return -1;
     }
 
     /// The part of the surface that hangs on the rig's joints, weights by bone.
     WeightedSurface handSurface() const {
         std::vector<int> boneOf;
-        for (std::size_t n = 0; n < m_scene.nodes.size(); ++n) {
+        for (std::size_t n = 0; n < m_scene.nodes.size(); ++n)
             boneOf.push_back(boneOfNode(static_cast<int>(n)));
-        }
         const WeightedSurface& source = m_scene.surface;
         WeightedSurface result{source.mesh, {{0}, {}}};
         std::vector<bool> belongs;
@@ -155,11 +143,9 @@ private:
                 }
             }
             belongs.push_back(sum > 0.5);
-            for (std::size_t b = 0; b < ofBone.size(); ++b) {
-                if (ofBone[b] > 0) {
+            for (std::size_t b = 0; b < ofBone.size(); ++b)
+                if (ofBone[b] > 0)
                     result.weights.entries.push_back({static_cast<int>(b), ofBone[b] / sum});
-                }
-            }
             result.weights.firstEntry.push_back(static_cast<int>(result.weights.entries.size()));
         }
         std::erase_if(result.mesh.triangles, [&](const std::array<int, 3>& t) {
@@ -199,10 +185,13 @@ void clampToLimits(Choreography& choreography, const std::vector<HandModel>& han
 }
 
 bool hasDofsOf(const Rig& rig, const Rig& other) {
-    return std::all_of(other.dofs.begin(), other.dofs.end(), [&](const RigDof& wanted) {
-        return std::any_of(rig.dofs.begin(), rig.dofs.end(),
-                           [&](const RigDof& dof) { return dof.joint == wanted.joint && dof.name == wanted.name; });
-    });
+    return std::all_of(
+        other.dofs.begin(), other.dofs.end(),
+        [&](const RigDof& wanted) {
+            return std::any_of(
+                rig.dofs.begin(), rig.dofs.end(),
+                [&](const RigDof& dof) { return dof.joint == wanted.joint && dof.name == wanted.name; });
+        });
 }
 
 } // namespace

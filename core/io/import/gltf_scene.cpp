@@ -33,14 +33,11 @@ public:
     GltfScene read() {
         m_scene.surface.weights.firstEntry = {0};
         addNode(*m_source.mRootNode, -1, Eigen::Affine3d(Eigen::Scaling(kMmPerMetre)));
-        for (unsigned m = 0; m < m_source.mNumMeshes; ++m) {
-            if (m_source.mMeshes[m]->HasBones()) {
+        for (unsigned m = 0; m < m_source.mNumMeshes; ++m)
+            if (m_source.mMeshes[m]->HasBones())
                 addMesh(*m_source.mMeshes[m]);
-            }
-        }
-        if (m_scene.surface.mesh.triangles.empty()) {
+        if (m_scene.surface.mesh.triangles.empty())
             throw Error(ErrorCode::BadInput, m_file, "skins", "the file holds no skinned mesh");
-        }
         return std::move(m_scene);
     }
 
@@ -50,9 +47,8 @@ private:
         const Eigen::Affine3d worldFromNode = worldFromParent * affine(node.mTransformation);
         m_scene.nodes.push_back({node.mName.C_Str(), parent, worldFromNode});
         m_nodeByName.try_emplace(node.mName.C_Str(), index);
-        for (unsigned c = 0; c < node.mNumChildren; ++c) {
+        for (unsigned c = 0; c < node.mNumChildren; ++c)
             addNode(*node.mChildren[c], index, worldFromNode);
-        }
     }
 
     /// The mesh as the file shows it: every vertex carried by its joints from the bind pose to their place in the tree.
@@ -60,13 +56,11 @@ private:
     void addMesh(const aiMesh& mesh) {
         std::vector<std::vector<SkinWeight>> rows(mesh.mNumVertices);
         std::vector<Eigen::Vector3d> posed(mesh.mNumVertices, Eigen::Vector3d::Zero());
-        for (unsigned b = 0; b < mesh.mNumBones; ++b) {
+        for (unsigned b = 0; b < mesh.mNumBones; ++b)
             addBone(mesh, *mesh.mBones[b], rows, posed);
-        }
         const int first = static_cast<int>(m_scene.surface.mesh.vertices.size());
-        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
             addVertex(rows[v], posed[v]);
-        }
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices == 3) { // lines and points are not surfaces
@@ -99,18 +93,16 @@ private:
 
     void addVertex(std::vector<SkinWeight>& row, const Eigen::Vector3d& posedSum) {
         double sum = 0;
-        for (const SkinWeight& w : row) {
+        for (const SkinWeight& w : row)
             sum += w.weight;
-        }
         if (!(sum > 0.5 && sum < 1.5) || !posedSum.allFinite()) {
             throw Error(ErrorCode::BadInput, m_file, "WEIGHTS_0",
                         "the weights of vertex " + std::to_string(m_scene.surface.mesh.vertices.size()) + " sum to " +
                             std::to_string(sum) + ", not to 1, or lead nowhere");
         }
         SkinWeights& weights = m_scene.surface.weights;
-        for (const SkinWeight& w : row) {
+        for (const SkinWeight& w : row)
             weights.entries.push_back({w.bone, w.weight / sum});
-        }
         weights.firstEntry.push_back(static_cast<int>(weights.entries.size()));
         m_scene.surface.mesh.vertices.push_back(posedSum / sum);
     }
@@ -128,9 +120,8 @@ GltfScene readGltfScene(const std::filesystem::path& file) {
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
     checkGltfFile(file);
-    if (extension != ".gltf" && extension != ".glb") {
+    if (extension != ".gltf" && extension != ".glb")
         throw Error(ErrorCode::Unsupported, file.string(), "", "the file's name must end in .gltf or .glb");
-    }
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate | aiProcess_ValidateDataStructure);
     if (scene == nullptr || scene->mRootNode == nullptr) {

@@ -6,10 +6,10 @@
 #include "core/error.h"
 #include "core/fitting/recorded_pose.h"
 #include "core/geometry/camera_ring.h"
+#include "core/io/calibration/tzionas_cameras.h"
+#include "core/io/dataset/ring_views.h"
 #include "core/io/hands/hand_file.h"
 #include "core/io/hands/off_mesh.h"
-#include "core/io/dataset/ring_views.h"
-#include "core/io/calibration/tzionas_cameras.h"
 #include "core/io/import/tzionas_files.h"
 
 namespace core {
@@ -33,9 +33,8 @@ fs::path fileOf(const fs::path& folder, Side side, const char* extension) {
 /// In the sequence's folder or, if it is not there, in the common one.
 fs::path findFile(const fs::path& sequenceFolder, const fs::path& modelFiles, Side side, const char* extension) {
     const fs::path own = fileOf(sequenceFolder, side, extension);
-    if (fs::exists(own) || modelFiles.empty()) {
+    if (fs::exists(own) || modelFiles.empty())
         return own;
-    }
     return fileOf(modelFiles, side, extension);
 }
 
@@ -49,9 +48,8 @@ std::vector<Bone> namedBones(const Recording& recording, const fs::path& file) {
     std::vector<Bone> bones = recording.bones;
     for (std::size_t b = 0; b < bones.size(); ++b) {
         const std::optional<std::string> name = standardJointName(bones[b].name);
-        if (!name) {
+        if (!name)
             throw Error(ErrorCode::BadInput, file.string(), "bone '" + bones[b].name + "'", "unknown bone name");
-        }
         bones[b].name = *name;
         bones[b].worldFromBoneAtRest = recording.worldFromBone.front()[b];
     }
@@ -68,7 +66,8 @@ HandModel readHand(const TzionasImportOptions& options, Side side, const Recordi
     hand.skeleton.bones = namedBones(recording, file("SKEL"));
     hand.skeleton.dofs = readLimits(file("LIMITS"), recording.bones);
     for (const Bone& bone : hand.skeleton.bones) {
-        hand.skeleton.centreAtRest += bone.worldFromBoneAtRest.translation / static_cast<double>(hand.skeleton.bones.size());
+        hand.skeleton.centreAtRest +=
+            bone.worldFromBoneAtRest.translation / static_cast<double>(hand.skeleton.bones.size());
     }
     checkHandModel(hand, file("OFF").string());
     return hand;
@@ -78,11 +77,12 @@ HandModel readHand(const TzionasImportOptions& options, Side side, const Recordi
 void checkSameHand(const HandModel& hand, const Recording& recording, const fs::path& folder) {
     const std::vector<Bone> bones = namedBones(recording, fileOf(folder, hand.side, "SKEL"));
     const std::vector<Bone>& first = hand.skeleton.bones;
-    const bool isSame = std::equal(bones.begin(), bones.end(), first.begin(), first.end(), [](const Bone& a, const Bone& b) {
-        const RigidMotion &restA = a.worldFromBoneAtRest, &restB = b.worldFromBoneAtRest;
-        return a.name == b.name && a.parent == b.parent && (restA.translation - restB.translation).norm() < 0.01 &&
-               (restA.rotation - restB.rotation).norm() < 1e-3;
-    });
+    const bool isSame =
+        std::equal(bones.begin(), bones.end(), first.begin(), first.end(), [](const Bone& a, const Bone& b) {
+            const RigidMotion &restA = a.worldFromBoneAtRest, &restB = b.worldFromBoneAtRest;
+            return a.name == b.name && a.parent == b.parent && (restA.translation - restB.translation).norm() < 0.01 &&
+                   (restA.rotation - restB.rotation).norm() < 1e-3;
+        });
     if (!isSame) {
         throw Error(ErrorCode::BadInput, fileOf(folder, hand.side, "MOTION").string(), "",
                     "was recorded with another hand than the first sequence; import it into a dataset of its own");
@@ -93,19 +93,18 @@ void checkSameHand(const HandModel& hand, const Recording& recording, const fs::
 class Importer {
 public:
     Importer(const TzionasImportOptions& options, std::stop_token stop, const ImportProgress& progress)
-        : m_options(options), m_stop(std::move(stop)), m_progress(progress) {}
+        : m_options(options)
+        , m_stop(std::move(stop))
+        , m_progress(progress) {}
 
     ImportedDataset run() {
         findSides();
-        for (const fs::path& folder : m_options.sequenceFolders) {
+        for (const fs::path& folder : m_options.sequenceFolders)
             readSequence(folder);
-        }
-        for (const Sequence& sequence : m_result.dataset.sequences) {
+        for (const Sequence& sequence : m_result.dataset.sequences)
             m_totalFrames += sequence.frameCount;
-        }
-        for (std::size_t s = 0; s < m_recordings.size(); ++s) {
+        for (std::size_t s = 0; s < m_recordings.size(); ++s)
             fitSequence(s);
-        }
         m_result.meanErrorMm = m_errorCount > 0 ? m_errorSum / m_errorCount : 0;
         addCameras();
         return std::move(m_result);
@@ -113,18 +112,14 @@ public:
 
 private:
     void findSides() {
-        if (m_options.sequenceFolders.empty()) {
+        if (m_options.sequenceFolders.empty())
             throw Error(ErrorCode::Usage, "", "--models", "at least one folder is needed");
-        }
         const fs::path& first = m_options.sequenceFolders.front();
-        for (const Side side : {Side::Left, Side::Right}) {
-            if (fs::exists(fileOf(first, side, "MOTION"))) {
+        for (const Side side : {Side::Left, Side::Right})
+            if (fs::exists(fileOf(first, side, "MOTION")))
                 m_sides.push_back(side);
-            }
-        }
-        if (m_sides.empty()) {
+        if (m_sides.empty())
             throw Error(ErrorCode::NotFound, first.string(), "", "holds no Model_Hand_L.MOTION or Model_Hand_R.MOTION");
-        }
     }
 
     void readSequence(const fs::path& folder) {
@@ -153,30 +148,28 @@ private:
         sequence.frameCount = frameCount;
         sequence.motion = "motion/" + sequence.name + ".json";
         sequence.annotations = "annotations/" + sequence.name + ".sqlite";
-        for (const Sequence& other : m_result.dataset.sequences) {
-            if (other.name == sequence.name) {
+        for (const Sequence& other : m_result.dataset.sequences)
+            if (other.name == sequence.name)
                 throw Error(ErrorCode::Usage, folder.string(), "", "two folders are named \"" + sequence.name + "\"");
-            }
-        }
         m_result.dataset.sequences.push_back(std::move(sequence));
     }
 
     void fitSequence(std::size_t s) {
         Motion motion;
         for (int f = 0; f < m_result.dataset.sequences[s].frameCount; ++f) {
-            if (m_stop.stop_requested()) {
+            if (m_stop.stop_requested())
                 throw Error(ErrorCode::Usage, "", "", "stopped");
-            }
             HandPoses poses;
             for (std::size_t h = 0; h < m_sides.size(); ++h) {
-                RecordedPoseFit fit = fitRecordedPose(m_result.dataset.hands[h].skeleton, m_recordings[s][h].worldFromBone[static_cast<std::size_t>(f) + 1]);
+                RecordedPoseFit fit =
+                    fitRecordedPose(m_result.dataset.hands[h].skeleton,
+                                    m_recordings[s][h].worldFromBone[static_cast<std::size_t>(f) + 1]);
                 poses.push_back(std::move(fit.pose));
                 countErrors(fit.originErrorMm);
             }
             motion.push_back(std::move(poses));
-            if (m_progress) {
+            if (m_progress)
                 m_progress(++m_framesDone, m_totalFrames);
-            }
         }
         m_result.motions.push_back(std::move(motion));
     }
@@ -215,7 +208,8 @@ private:
 
 } // namespace
 
-ImportedDataset importTzionas(const TzionasImportOptions& options, std::stop_token stop, const ImportProgress& progress) {
+ImportedDataset importTzionas(const TzionasImportOptions& options, std::stop_token stop,
+                              const ImportProgress& progress) {
     return Importer(options, std::move(stop), progress).run();
 }
 

@@ -18,12 +18,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-fs::path folderOf(const fs::path& file) { return file.parent_path() / (file.stem().string() + ".backups"); }
+fs::path folderOf(const fs::path& file) {
+    return file.parent_path() / (file.stem().string() + ".backups");
+}
 
 /// The number of changes, in ten digits so that names sort.
 std::string backupName(const fs::path& file, std::int64_t changeCount) {
     std::ostringstream name;
-    name << file.stem().string() << '.' << std::setw(10) << std::setfill('0') << changeCount << file.extension().string();
+    name << file.stem().string() << '.' << std::setw(10) << std::setfill('0') << changeCount
+         << file.extension().string();
     return name.str();
 }
 
@@ -47,14 +50,12 @@ void dropOldest(const fs::path& file) {
 } // namespace
 
 std::optional<fs::path> backUp(SQLite::Database& database, const fs::path& file, std::int64_t changeCount) {
-    if (changeCount == 0) {
+    if (changeCount == 0)
         return std::nullopt;
-    }
     const fs::path backup = folderOf(file) / backupName(file, changeCount);
     std::error_code failure;
-    if (fs::exists(backup, failure)) {
+    if (fs::exists(backup, failure))
         return backup;
-    }
     ensureFolder(backup.parent_path());
     const fs::path pending = backup.string() + ".part-" + std::to_string(::getpid());
     try {
@@ -75,11 +76,10 @@ std::optional<fs::path> backUp(SQLite::Database& database, const fs::path& file,
 std::vector<fs::path> backupsOf(const fs::path& annotationFile) {
     std::vector<fs::path> backups;
     std::error_code failure;
-    for (fs::directory_iterator entry(folderOf(annotationFile), failure), end; !failure && entry != end; entry.increment(failure)) {
-        if (entry->path().extension() == annotationFile.extension()) {
+    for (fs::directory_iterator entry(folderOf(annotationFile), failure), end; !failure && entry != end;
+         entry.increment(failure))
+        if (entry->path().extension() == annotationFile.extension())
             backups.push_back(entry->path());
-        }
-    }
     std::sort(backups.rbegin(), backups.rend());
     return backups;
 }

@@ -13,12 +13,12 @@
 #include <unistd.h>
 
 #include "core/error.h"
-#include "core/io/store/annotation_backups.h"
-#include "core/io/store/annotation_schema.h"
-#include "core/io/store/annotation_tables.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/file_flusher.h"
 #include "core/io/files/file_lock.h"
+#include "core/io/store/annotation_backups.h"
+#include "core/io/store/annotation_schema.h"
+#include "core/io/store/annotation_tables.h"
 
 namespace core {
 
@@ -68,34 +68,29 @@ fs::path sideFile(const fs::path& file, const char* suffix) {
 }
 
 void checkVersion(const fs::path& file, long long applicationId, long long version) {
-    if (applicationId != kAnnotationApplicationId) {
+    if (applicationId != kAnnotationApplicationId)
         throw Error(ErrorCode::BadInput, file.string(), "", "is an SQLite file, but not one with annotations");
-    }
     if (version > kAnnotationVersion) {
         throw Error(ErrorCode::Newer, file.string(), "version",
                     std::to_string(version) + " was written by a newer Handlens; this one reads up to " +
                         std::to_string(kAnnotationVersion));
     }
-    if (version < 1) {
+    if (version < 1)
         throw damagedFile(file, "has no valid version");
-    }
 }
 
 /// Looks at the first bytes without SQLite, which might write.
 void checkDatabaseHeader(const fs::path& file) {
     std::array<char, 100> header{};
     std::ifstream stream(file, std::ios::binary);
-    if (!stream) {
+    if (!stream)
         throw Error(ErrorCode::Io, file.string(), "", "cannot be read");
-    }
     stream.read(header.data(), header.size());
-    if (stream.gcount() == 0) {
+    if (stream.gcount() == 0)
         throw damagedFile(file, "is empty: it has lost its content");
-    }
     constexpr std::string_view kMagic("SQLite format 3\0", 16);
-    if (stream.gcount() < 100 || std::string_view(header.data(), 16) != kMagic) {
+    if (stream.gcount() < 100 || std::string_view(header.data(), 16) != kMagic)
         throw damagedFile(file, "is not an annotation file, or is cut off");
-    }
     const auto* bytes = reinterpret_cast<const unsigned char*>(header.data());
     checkVersion(file, bigEndian(bytes + 68), bigEndian(bytes + 60));
 }
@@ -104,9 +99,8 @@ void checkDatabaseHeader(const fs::path& file) {
 void checkDatabaseContent(SQLite::Database& database, const fs::path& file) {
     SQLite::Statement check(database, "PRAGMA integrity_check(1)");
     const std::string verdict = check.executeStep() ? check.getColumn(0).getString() : "no answer";
-    if (verdict != "ok") {
+    if (verdict != "ok")
         throw damagedFile(file, "is damaged (" + verdict + ")");
-    }
     checkVersion(file, database.execAndGet("PRAGMA application_id").getInt64(),
                  database.execAndGet("PRAGMA user_version").getInt64());
     constexpr int kTables = 7;
@@ -116,14 +110,12 @@ void checkDatabaseContent(SQLite::Database& database, const fs::path& file) {
                 "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name IN ('mark', 'note', 'journal', "
                 "'mark_change', 'note_change', 'setting', 'counter')")
             .getInt();
-    if (tables != kTables) {
+    if (tables != kTables)
         throw damagedFile(file, "lacks a table");
-    }
     for (const auto& [table, condition] : annotationRowConditions()) {
         SQLite::Statement odd(database, "SELECT 1 FROM " + table + " WHERE (" + condition + ") IS NOT TRUE LIMIT 1");
-        if (odd.executeStep()) {
+        if (odd.executeStep())
             throw damagedFile(file, "is damaged (a row of table " + table + " makes no sense)");
-        }
     }
 }
 
@@ -147,9 +139,8 @@ void createDatabaseFile(const fs::path& file) {
         fs::remove(pending, ignored);
         throw Error(ErrorCode::Io, file.string(), "", "cannot be written: " + problem.code().message());
     } catch (...) {
-        for (const char* suffix : {"", "-wal", "-shm"}) {
+        for (const char* suffix : {"", "-wal", "-shm"})
             fs::remove(sideFile(pending, suffix), ignored);
-        }
         throw;
     }
 }

@@ -31,9 +31,8 @@ public:
     /// Copies the file and its log.
     explicit TemporaryCopy(const std::filesystem::path& file) {
         std::string name = (std::filesystem::temp_directory_path() / "handlens-XXXXXX").string();
-        if (!::mkdtemp(name.data())) {
+        if (!::mkdtemp(name.data()))
             throw Error(ErrorCode::Io, name, "", "cannot be created");
-        }
         m_folder = name;
         m_file = m_folder / file.filename();
         std::filesystem::copy_file(file, m_file);
@@ -50,9 +49,8 @@ public:
     }
     ~TemporaryCopy() {
         std::error_code ignored;
-        if (!m_folder.empty()) {
+        if (!m_folder.empty())
             std::filesystem::remove_all(m_folder, ignored);
-        }
     }
     const std::filesystem::path& file() const { return m_file; }
 

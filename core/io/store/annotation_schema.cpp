@@ -80,7 +80,8 @@ namespace {
 void allowProposals(SQLite::Database& database) {
     database.exec("BEGIN IMMEDIATE");
     database.exec("PRAGMA writable_schema = ON");
-    database.exec("UPDATE sqlite_master SET sql = replace(sql, 'IN (''manual'', ''auto'')', 'IN (''manual'', ''auto'', ''proposed'')') "
+    database.exec("UPDATE sqlite_master SET sql = replace(sql, 'IN (''manual'', ''auto'')', 'IN (''manual'', ''auto'', "
+                  "''proposed'')') "
                   "WHERE type = 'table' AND name IN ('mark', 'mark_change')");
     database.exec("PRAGMA user_version = 2");
     database.exec("COMMIT");
@@ -100,17 +101,15 @@ void addLikelihoods(SQLite::Database& database) {
 } // namespace
 
 void upgradeAnnotationTables(SQLite::Database& database) {
-    if (database.execAndGet("PRAGMA user_version").getInt() < 2) {
+    if (database.execAndGet("PRAGMA user_version").getInt() < 2)
         allowProposals(database);
-    }
-    if (database.execAndGet("PRAGMA user_version").getInt() < 3) {
+    if (database.execAndGet("PRAGMA user_version").getInt() < 3)
         addLikelihoods(database);
-    }
 }
 
 std::vector<std::pair<std::string, std::string>> annotationRowConditions() {
     const std::string keyIs = "typeof(frame) = 'integer' AND typeof(rater) = 'text' AND hand IN ('left', 'right') AND "
-                             "typeof(joint) = 'text' AND typeof(camera) = 'text'";
+                              "typeof(joint) = 'text' AND typeof(camera) = 'text'";
     const auto markIs = [](const std::string& suffix) {
         return "typeof(x" + suffix + ") = 'real' AND typeof(y" + suffix + ") = 'real' AND placement" + suffix +
                " IN ('manual', 'auto', 'proposed') AND state" + suffix + " IN ('visible', 'occluded', 'unplaceable')";

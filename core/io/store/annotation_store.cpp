@@ -11,13 +11,13 @@
 #include <limits>
 
 #include "core/error.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/file_flusher.h"
+#include "core/io/files/file_lock.h"
 #include "core/io/store/annotation_backups.h"
 #include "core/io/store/annotation_database.h"
 #include "core/io/store/annotation_schema.h"
 #include "core/io/store/annotation_tables.h"
-#include "core/io/files/atomic_file.h"
-#include "core/io/files/file_flusher.h"
-#include "core/io/files/file_lock.h"
 
 namespace core {
 
@@ -52,16 +52,15 @@ void AnnotationStore::Impl::decideAccess(StoreAccess access) {
         return;
     }
     lock = FileLock(file.parent_path() / ("." + file.filename().string() + ".lock"));
-    if (lock.state() == FileLock::State::HeldByOther) {
+    if (lock.state() == FileLock::State::HeldByOther)
         readOnlyReason = "opened by another window" + (lock.holder().empty() ? "" : " (" + lock.holder() + ")");
-    } else if (lock.state() == FileLock::State::NotPermitted ||
-               !isWritablePath(file.parent_path().empty() ? "." : file.parent_path())) {
+    else if (lock.state() == FileLock::State::NotPermitted ||
+             !isWritablePath(file.parent_path().empty() ? "." : file.parent_path()))
         readOnlyReason = "the folder is read-only";
-    } else if (fs::exists(file) && !isWritablePath(file)) {
+    else if (fs::exists(file) && !isWritablePath(file))
         readOnlyReason = "the file is read-only";
-    } else {
+    else
         isReadOnly = false;
-    }
     if (lock.state() == FileLock::State::NotSupported) {
         warnings.push_back("this file system has no locks: make sure that no other window has " + file.string() +
                            " open");
@@ -81,9 +80,8 @@ void AnnotationStore::Impl::openReadOnly() {
         name = copy.file().string();
     } else if (!canShare) {
         std::string escaped;
-        for (const char c : fs::absolute(file).string()) {
+        for (const char c : fs::absolute(file).string())
             escaped += c == '%' ? "%25" : c == '?' ? "%3f" : c == '#' ? "%23" : std::string(1, c);
-        }
         name = "file:" + escaped + "?immutable=1";
         flags |= SQLite::OPEN_URI;
     }
@@ -112,9 +110,8 @@ AnnotationStore AnnotationStore::open(const fs::path& file, StoreAccess access) 
     auto impl = std::make_unique<Impl>();
     impl->file = file;
     try {
-        if (access == StoreAccess::ReadWrite && !file.parent_path().empty()) {
+        if (access == StoreAccess::ReadWrite && !file.parent_path().empty())
             ensureFolder(file.parent_path());
-        }
         impl->decideAccess(access);
         if (!fs::exists(file)) {
             if (impl->isReadOnly) {
@@ -126,9 +123,8 @@ AnnotationStore AnnotationStore::open(const fs::path& file, StoreAccess access) 
         }
         checkDatabaseHeader(file);
         impl->openReadOnly();
-        if (!impl->isReadOnly) {
+        if (!impl->isReadOnly)
             impl->openForWriting();
-        }
         impl->tables = std::make_unique<AnnotationTables>(*impl->database, file.string());
     } catch (const SQLite::Exception& problem) {
         throw translatedError(problem, file);
@@ -180,32 +176,32 @@ constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
 } // namespace
 
 AnnotationSet AnnotationStore::annotations() const {
-    return guarded(m_impl->file, [this] { return m_impl->tables->readSet(); });
+    return guarded(
+        m_impl->file, [this] { return m_impl->tables->readSet(); });
 }
 
 AnnotationHistory AnnotationStore::history(std::optional<int> newest) const {
-    return guarded(m_impl->file, [this, newest] {
-        AnnotationTables& tables = *m_impl->tables;
-        AnnotationHistory history;
-        const auto first = newest && *newest > 0 ? tables.newestEntry(EntryState::Done, *newest - 1) : std::nullopt;
-        history.done = tables.readEntries(EntryState::Done, first.value_or(0), kNoLimit);
-        history.undone = tables.readEntries(EntryState::Undone, 0, kNoLimit);
-        std::reverse(history.undone.begin(), history.undone.end());
-        if (newest && history.undone.size() > static_cast<std::size_t>(*newest)) {
-            history.undone.erase(history.undone.begin(), history.undone.end() - *newest);
-        }
-        return history;
-    });
+    return guarded(
+        m_impl->file,
+        [this, newest] {
+            AnnotationTables& tables = *m_impl->tables;
+            AnnotationHistory history;
+            const auto first = newest && *newest > 0 ? tables.newestEntry(EntryState::Done, *newest - 1) : std::nullopt;
+            history.done = tables.readEntries(EntryState::Done, first.value_or(0), kNoLimit);
+            history.undone = tables.readEntries(EntryState::Undone, 0, kNoLimit);
+            std::reverse(history.undone.begin(), history.undone.end());
+            if (newest && history.undone.size() > static_cast<std::size_t>(*newest))
+                history.undone.erase(history.undone.begin(), history.undone.end() - *newest);
+            return history;
+        });
 }
 
 void AnnotationStore::Impl::requireWritable() const {
-    if (isReadOnly) {
+    if (isReadOnly)
         throw Error(ErrorCode::Io, file.string(), "", "is read-only here: " + readOnlyReason);
-    }
     struct stat status {};
-    if (::stat(file.c_str(), &status) != 0 || status.st_ino != inode) {
+    if (::stat(file.c_str(), &status) != 0 || status.st_ino != inode)
         throw Error(ErrorCode::Io, file.string(), "", "was moved, replaced or deleted while it was open");
-    }
 }
 
 template <typename Work>
@@ -221,9 +217,8 @@ void AnnotationStore::Impl::transact(Work&& work) {
 }
 
 void AnnotationStore::commit(const Edit& edit, const std::string& rater) {
-    if (edit.empty()) {
+    if (edit.empty())
         return;
-    }
     m_impl->transact([&](AnnotationTables& tables) {
         const std::string time = utcTimestamp();
         tables.applyEdit(edit, rater, time);
@@ -233,9 +228,8 @@ void AnnotationStore::commit(const Edit& edit, const std::string& rater) {
 }
 
 void AnnotationStore::amend(const Edit& addition, const std::string& rater) {
-    if (addition.empty()) {
+    if (addition.empty())
         return;
-    }
     m_impl->transact([&](AnnotationTables& tables) {
         const std::string time = utcTimestamp();
         tables.applyEdit(addition, rater, time);
@@ -246,11 +240,10 @@ void AnnotationStore::amend(const Edit& addition, const std::string& rater) {
             return;
         }
         const Edit joined = merged(tables.readEntries(EntryState::Done, *newest, *newest).front().edit, addition);
-        if (joined.empty()) {
+        if (joined.empty())
             tables.removeEntry(*newest);
-        } else {
+        else
             tables.replaceEntry(*newest, joined, time);
-        }
     });
 }
 
@@ -259,9 +252,8 @@ std::optional<Edit> AnnotationStore::Impl::flip(EntryState from) {
     const bool isUndo = from == EntryState::Done;
     requireWritable();
     const auto id = guarded(file, [&] { return isUndo ? tables->newestEntry(from) : tables->oldestEntry(from); });
-    if (!id) {
+    if (!id)
         return applied;
-    }
     transact([&](AnnotationTables& work) {
         const JournalEntry entry = work.readEntries(from, *id, *id).front();
         applied = isUndo ? inverse(entry.edit) : entry.edit;
@@ -279,7 +271,8 @@ std::optional<Edit> AnnotationStore::redo() {
 }
 
 std::optional<std::string> AnnotationStore::setting(const std::string& key) const {
-    return guarded(m_impl->file, [&] { return m_impl->tables->setting(key); });
+    return guarded(
+        m_impl->file, [&] { return m_impl->tables->setting(key); });
 }
 
 void AnnotationStore::setSetting(const std::string& key, const std::string& value) {

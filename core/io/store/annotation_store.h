@@ -17,14 +17,16 @@ enum class StoreAccess {
     ReadOnly
 };
 
-/// The annotations of one sequence in one SQLite file (WAL). Every edit, undo and redo is one transaction that is in the file
-/// before the call returns: killing the process at any moment loses at most the call in flight. The file is flushed to the
-/// disk within a tenth of a second, so that a power failure costs no more than that, and a click need not wait for the disk.
+/// The annotations of one sequence in one SQLite file (WAL). Every edit, undo and redo is one transaction that is in
+/// the file before the call returns: killing the process at any moment loses at most the call in flight. The file is
+/// flushed to the disk within a tenth of a second, so that a power failure costs no more than that, and a click need
+/// not wait for the disk.
 ///
-/// A file of a newer version (Error Newer), one that is not ours, damaged or only partly readable (Error BadInput, naming the
-/// newest backup) is refused and left untouched. Only one process writes: a second one gets read-only access and is told why.
-/// A write that fails (full disk, lost permission) throws Error(Io) and leaves file and history as they were, so the same
-/// call can be tried again. Not thread-safe; different stores may be used from different threads.
+/// A file of a newer version (Error Newer), one that is not ours, damaged or only partly readable (Error BadInput,
+/// naming the newest backup) is refused and left untouched. Only one process writes: a second one gets read-only access
+/// and is told why. A write that fails (full disk, lost permission) throws Error(Io) and leaves file and history as
+/// they were, so the same call can be tried again. Not thread-safe; different stores may be used from different
+/// threads.
 class AnnotationStore {
 public:
     /// Opens or (with ReadWrite) creates the file, its folder too. Keeps the ten newest states in
@@ -36,7 +38,8 @@ public:
 
     const std::filesystem::path& file() const;
     bool isReadOnly() const;
-    /// Why it is read-only, for people: "opened by another window (user@host, process 123)", "the folder is read-only"; else empty.
+    /// Why it is read-only, for people: "opened by another window (user@host, process 123)", "the folder is read-only";
+    /// else empty.
     const std::string& readOnlyReason() const;
     /// Things that went wrong without harm when opening, such as a backup that could not be written.
     const std::vector<std::string>& warnings() const;
@@ -46,18 +49,19 @@ public:
     /// The reachable history; at most `newest` entries of each list.
     AnnotationHistory history(std::optional<int> newest = std::nullopt) const;
 
-    /// Writes an edit and its journal entry. Throws Error(BadInput) if `before` is not what the file holds, Error(Io) if it
-    /// is read-only or cannot be written. An empty edit writes nothing.
+    /// Writes an edit and its journal entry. Throws Error(BadInput) if `before` is not what the file holds, Error(Io)
+    /// if it is read-only or cannot be written. An empty edit writes nothing.
     void commit(const Edit& edit, const std::string& rater);
-    /// Writes `addition` and joins it to the newest entry, as merged() does: a drag or a row of nudges is one step. If the
-    /// two cancel, the entry goes. Same as commit if there is no entry to join.
+    /// Writes `addition` and joins it to the newest entry, as merged() does: a drag or a row of nudges is one step. If
+    /// the two cancel, the entry goes. Same as commit if there is no entry to join.
     void amend(const Edit& addition, const std::string& rater);
     /// Takes the newest done entry back; returns what was applied (the inverse), or nothing if there is none.
     std::optional<Edit> undo();
     /// Does the last undone entry again; returns what was applied, or nothing if there is none.
     std::optional<Edit> redo();
 
-    /// Small settings of the sequence that belong to the annotations (order of joints, hidden cameras, ...); no history.
+    /// Small settings of the sequence that belong to the annotations (order of joints, hidden cameras, ...); no
+    /// history.
     std::optional<std::string> setting(const std::string& key) const;
     void setSetting(const std::string& key, const std::string& value);
 

@@ -29,9 +29,8 @@ void bindMark(SQLite::Statement& statement, int first, const std::optional<Mark>
         statement.bind(first + 3, std::string(stateName(mark->state)));
         mark->likelihood ? statement.bind(first + 4, *mark->likelihood) : statement.bind(first + 4);
     } else {
-        for (int i = 0; i < kMarkColumns; ++i) {
+        for (int i = 0; i < kMarkColumns; ++i)
             statement.bind(first + i);
-        }
     }
 }
 
@@ -48,22 +47,21 @@ bool readKey(const RowReader& row, int first, MarkKey& key) {
 /// False if the columns contradict each other; NULLs mean no mark.
 bool readMark(const RowReader& row, int first, std::optional<Mark>& mark) {
     mark.reset();
-    if (row.isNull(first + 3)) {
+    if (row.isNull(first + 3))
         return row.isNull(first);
-    }
     const auto placement = placementFromName(row.text(first + 2));
     const auto state = stateFromName(row.text(first + 3));
     const Eigen::Vector2d px(row.real(first), row.real(first + 1));
-    if (!placement || !state || !px.allFinite()) {
+    if (!placement || !state || !px.allFinite())
         return false;
-    }
     mark = Mark{px, *placement, *state, row.isNull(first + 4) ? std::nullopt : std::optional(row.real(first + 4))};
     return true;
 }
 
 /// Runs a statement that is used again later.
 struct Run {
-    explicit Run(SQLite::Statement& statement) : m_statement(statement) {}
+    explicit Run(SQLite::Statement& statement)
+        : m_statement(statement) {}
     ~Run() {
         m_statement.tryReset();
         try {
@@ -78,11 +76,14 @@ struct Run {
 } // namespace
 
 AnnotationTables::AnnotationTables(SQLite::Database& database, std::string fileName)
-    : m_database(database), m_fileName(std::move(fileName)) {}
+    : m_database(database)
+    , m_fileName(std::move(fileName)) {}
 
 std::string AnnotationTables::likelihoodColumn(const std::string& suffix) {
     if (!m_hasLikelihoods) {
-        m_hasLikelihoods = m_database.execAndGet("SELECT count(*) FROM pragma_table_info('mark') WHERE name = 'likelihood'").getInt() > 0;
+        m_hasLikelihoods =
+            m_database.execAndGet("SELECT count(*) FROM pragma_table_info('mark') WHERE name = 'likelihood'").getInt() >
+            0;
     }
     return *m_hasLikelihoods ? "likelihood" + suffix : "NULL";
 }
@@ -99,21 +100,19 @@ void AnnotationTables::refuse(const std::string& field, const std::string& detai
 
 AnnotationSet AnnotationTables::readSet() {
     AnnotationSet set;
-    const std::string select = "SELECT frame, rater, hand, joint, camera, x, y, placement, state, " + likelihoodColumn("") +
-                               " FROM mark ORDER BY frame, rater, hand, joint, camera";
+    const std::string select = "SELECT frame, rater, hand, joint, camera, x, y, placement, state, " +
+                               likelihoodColumn("") + " FROM mark ORDER BY frame, rater, hand, joint, camera";
     RowReader marks(m_database.getHandle(), select.c_str());
     while (marks.next()) {
         MarkKey key;
         std::optional<Mark> mark;
-        if (!readKey(marks, 0, key) || !readMark(marks, 5, mark) || !mark) {
+        if (!readKey(marks, 0, key) || !readMark(marks, 5, mark) || !mark)
             refuse("mark of frame " + std::to_string(key.frame), "makes no sense");
-        }
         set.marks.emplace_hint(set.marks.end(), std::move(key), *mark);
     }
     RowReader notes(m_database.getHandle(), "SELECT frame, text FROM note");
-    while (notes.next()) {
+    while (notes.next())
         set.notes[notes.integer(0)] = notes.text(1);
-    }
     return set;
 }
 
@@ -127,9 +126,8 @@ void bindRange(RowReader& rows, EntryState state, std::int64_t first, std::int64
 
 /// The entry of that id; ids ascend from one call to the next, so the search starts where the last one ended.
 Edit& editOf(std::vector<JournalEntry>& entries, std::size_t& place, std::int64_t id) {
-    while (entries.at(place).id != id) {
+    while (entries.at(place).id != id)
         ++place;
-    }
     return entries[place].edit;
 }
 
@@ -141,26 +139,34 @@ std::vector<JournalEntry> AnnotationTables::readEntries(EntryState state, std::i
                       "SELECT id, rater, time, label FROM journal WHERE state = ? AND id BETWEEN ? AND ? ORDER BY id");
     bindRange(journal, state, first, last);
     while (journal.next()) {
-        entries.push_back({journal.integer64(0), std::string(journal.text(1)), std::string(journal.text(2)), {std::string(journal.text(3)), {}, {}}});
+        entries.push_back({journal.integer64(0),
+                           std::string(journal.text(1)),
+                           std::string(journal.text(2)),
+                           {std::string(journal.text(3)), {}, {}}});
     }
-    const std::string select = "SELECT c.entry, c.frame, c.rater, c.hand, c.joint, c.camera, x_before, y_before, placement_before, state_before, " +
-                               likelihoodColumn("_before") + ", x_after, y_after, placement_after, state_after, " + likelihoodColumn("_after") +
-                               " FROM journal j CROSS JOIN mark_change c ON c.entry = j.id WHERE j.state = ? AND j.id BETWEEN ? AND ? "
-                               "ORDER BY j.id, c.position";
+    const std::string select =
+        "SELECT c.entry, c.frame, c.rater, c.hand, c.joint, c.camera, x_before, y_before, placement_before, "
+        "state_before, " +
+        likelihoodColumn("_before") + ", x_after, y_after, placement_after, state_after, " +
+        likelihoodColumn("_after") +
+        " FROM journal j CROSS JOIN mark_change c ON c.entry = j.id WHERE j.state = ? AND j.id BETWEEN ? AND ? "
+        "ORDER BY j.id, c.position";
     RowReader marks(m_database.getHandle(), select.c_str());
     bindRange(marks, state, first, last);
     for (std::size_t place = 0; marks.next();) {
         MarkChange& change = editOf(entries, place, marks.integer64(0)).marks.emplace_back();
-        if (!readKey(marks, 1, change.key) || !readMark(marks, 6, change.before) || !readMark(marks, 6 + kMarkColumns, change.after)) {
+        if (!readKey(marks, 1, change.key) || !readMark(marks, 6, change.before) ||
+            !readMark(marks, 6 + kMarkColumns, change.after))
             refuse("journal entry " + std::to_string(marks.integer64(0)), "makes no sense");
-        }
     }
-    RowReader notes(m_database.getHandle(),
-                    "SELECT c.entry, c.frame, text_before, text_after FROM journal j CROSS JOIN note_change c ON c.entry = j.id "
-                    "WHERE j.state = ? AND j.id BETWEEN ? AND ? ORDER BY j.id, c.position");
+    RowReader notes(
+        m_database.getHandle(),
+        "SELECT c.entry, c.frame, text_before, text_after FROM journal j CROSS JOIN note_change c ON c.entry = j.id "
+        "WHERE j.state = ? AND j.id BETWEEN ? AND ? ORDER BY j.id, c.position");
     bindRange(notes, state, first, last);
     for (std::size_t place = 0; notes.next();) {
-        editOf(entries, place, notes.integer64(0)).notes.push_back({notes.integer(1), std::string(notes.text(2)), std::string(notes.text(3))});
+        editOf(entries, place, notes.integer64(0))
+            .notes.push_back({notes.integer(1), std::string(notes.text(2)), std::string(notes.text(3))});
     }
     return entries;
 }
@@ -179,25 +185,26 @@ std::optional<std::int64_t> AnnotationTables::oldestEntry(EntryState state) {
 }
 
 void AnnotationTables::applyEdit(const Edit& edit, const std::string& rater, const std::string& time) {
-    for (const MarkChange& change : edit.marks) {
+    for (const MarkChange& change : edit.marks)
         applyMark(change, rater, time, edit);
-    }
-    for (const NoteChange& change : edit.notes) {
+    for (const NoteChange& change : edit.notes)
         applyNote(change, rater, time, edit);
-    }
 }
 
-void AnnotationTables::applyMark(const MarkChange& change, const std::string& rater, const std::string& time, const Edit& edit) {
-    if (change.after && !change.after->px.allFinite()) {
+void AnnotationTables::applyMark(const MarkChange& change, const std::string& rater, const std::string& time,
+                                 const Edit& edit) {
+    if (change.after && !change.after->px.allFinite())
         refuse("edit \"" + edit.label + "\"", "a pixel position is not finite");
-    }
     int changed = 0;
     if (change.before) {
-        constexpr const char* kUpdate = "UPDATE mark SET x = ?, y = ?, placement = ?, state = ?, likelihood = ?, author = ?, time = ? WHERE frame = ? "
-                                        "AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? AND y = ? AND placement = ? AND state = ? "
+        constexpr const char* kUpdate = "UPDATE mark SET x = ?, y = ?, placement = ?, state = ?, likelihood = ?, "
+                                        "author = ?, time = ? WHERE frame = ? "
+                                        "AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? AND y = ? "
+                                        "AND placement = ? AND state = ? "
                                         "AND likelihood IS ?";
-        constexpr const char* kDelete = "DELETE FROM mark WHERE frame = ? AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? "
-                                        "AND y = ? AND placement = ? AND state = ? AND likelihood IS ?";
+        constexpr const char* kDelete =
+            "DELETE FROM mark WHERE frame = ? AND rater = ? AND hand = ? AND joint = ? AND camera = ? AND x = ? "
+            "AND y = ? AND placement = ? AND state = ? AND likelihood IS ?";
         const Run run(prepared(change.after ? kUpdate : kDelete));
         int next = 1;
         if (change.after) {
@@ -210,7 +217,8 @@ void AnnotationTables::applyMark(const MarkChange& change, const std::string& ra
         bindMark(run.m_statement, next + 5, change.before);
         changed = run.m_statement.exec();
     } else if (change.after) {
-        const Run run(prepared("INSERT OR IGNORE INTO mark(frame, rater, hand, joint, camera, x, y, placement, state, likelihood, author, time) "
+        const Run run(prepared("INSERT OR IGNORE INTO mark(frame, rater, hand, joint, camera, x, y, placement, state, "
+                               "likelihood, author, time) "
                                "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
         bindKey(run.m_statement, 1, change.key);
         bindMark(run.m_statement, 6, change.after);
@@ -222,18 +230,21 @@ void AnnotationTables::applyMark(const MarkChange& change, const std::string& ra
     }
     if (changed != 1) {
         refuse("edit \"" + edit.label + "\"", jointLabel(change.key.joint) + " in " + change.key.camera + ", frame " +
-                                                  std::to_string(change.key.frame) + " is not in the state that the edit starts from");
+                                                  std::to_string(change.key.frame) +
+                                                  " is not in the state that the edit starts from");
     }
 }
 
-void AnnotationTables::applyNote(const NoteChange& change, const std::string& rater, const std::string& time, const Edit& edit) {
+void AnnotationTables::applyNote(const NoteChange& change, const std::string& rater, const std::string& time,
+                                 const Edit& edit) {
     const Run current(prepared("SELECT text FROM note WHERE frame = ?"));
     current.m_statement.bind(1, change.frame);
-    const std::string before = current.m_statement.executeStep() ? current.m_statement.getColumn(0).getString() : std::string();
-    if (before != change.before) {
+    const std::string before =
+        current.m_statement.executeStep() ? current.m_statement.getColumn(0).getString() : std::string();
+    if (before != change.before)
         refuse("edit \"" + edit.label + "\"", "the note of frame " + std::to_string(change.frame) + " is another one");
-    }
-    const Run run(prepared(change.after.empty() ? "DELETE FROM note WHERE frame = ?" : "INSERT OR REPLACE INTO note VALUES(?, ?, ?, ?)"));
+    const Run run(prepared(change.after.empty() ? "DELETE FROM note WHERE frame = ?"
+                                                : "INSERT OR REPLACE INTO note VALUES(?, ?, ?, ?)"));
     run.m_statement.bind(1, change.frame);
     if (!change.after.empty()) {
         run.m_statement.bind(2, change.after);
@@ -255,10 +266,10 @@ void AnnotationTables::addEntry(const Edit& edit, const std::string& rater, cons
 void AnnotationTables::addChanges(std::int64_t id, const Edit& edit) {
     int position = 0;
     for (const MarkChange& change : edit.marks) {
-        const Run run(prepared(
-            "INSERT INTO mark_change(entry, position, frame, rater, hand, joint, camera, x_before, y_before, placement_before, state_before, "
-            "likelihood_before, x_after, y_after, placement_after, state_after, likelihood_after) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
+        const Run run(prepared("INSERT INTO mark_change(entry, position, frame, rater, hand, joint, camera, x_before, "
+                               "y_before, placement_before, state_before, "
+                               "likelihood_before, x_after, y_after, placement_after, state_after, likelihood_after) "
+                               "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
         run.m_statement.bind(1, id);
         run.m_statement.bind(2, position++);
         bindKey(run.m_statement, 3, change.key);

@@ -19,8 +19,8 @@ namespace core {
 /// Whether an entry of the journal is part of the annotations now.
 enum class EntryState {
     Done = 0,
-    Undone = 1,    ///< can be redone
-    Abandoned = 2  ///< was undone when another edit was made
+    Undone = 1,   ///< can be redone
+    Abandoned = 2 ///< was undone when another edit was made
 };
 
 /// The tables of an annotation file: every statement that is ever sent to it. Functions throw SQLite::Exception, or

@@ -10,8 +10,8 @@ struct sqlite3_stmt;
 
 namespace core {
 
-/// Steps through the rows of one SELECT without a copy per value: several times faster than SQLiteCpp's columns, for whole
-/// tables. Throws SQLite::Exception.
+/// Steps through the rows of one SELECT without a copy per value: several times faster than SQLiteCpp's columns, for
+/// whole tables. Throws SQLite::Exception.
 class RowReader {
 public:
     RowReader(sqlite3* database, const char* sql);

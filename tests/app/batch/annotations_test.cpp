@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/io/store/annotation_store.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/files/json_file.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -31,14 +31,29 @@ protected:
     /// A ground truth file in which anna has clicked the left index in both cameras of frame 1, with a note.
     std::string groundTruth(double x, const std::string& note) {
         const auto view = [x](const std::string& camera) {
-            return nlohmann::json{{"camera", camera}, {"px", {x, 20}}, {"state", "visible"}, {"placement", "manual"}, {"errorPx", nullptr}};
+            return nlohmann::json{{"camera", camera},
+                                  {"px", {x, 20}},
+                                  {"state", "visible"},
+                                  {"placement", "manual"},
+                                  {"errorPx", nullptr}};
         };
-        const nlohmann::json joint{{"xyz", nullptr}, {"covariance", nullptr}, {"rmsPx", nullptr}, {"views", {view(m_camera), view(m_other)}},
-                                   {"unplaceable", nlohmann::json::array()}, {"status", "done"}};
-        const nlohmann::json frame{{"frame", 1}, {"note", note},
-                                   {"raters", {{{"rater", "anna"}, {"hands", {{"left", {{"joints", {{"index_mcp", joint}}}}}}}}}}};
-        const nlohmann::json file{{"format", "handlens-ground-truth"}, {"version", 1}, {"units", "mm"}, {"cameras", nlohmann::json::array()},
-                                  {"sequence", "first"}, {"joints", {"index_mcp"}}, {"frames", {frame}}};
+        const nlohmann::json joint{{"xyz", nullptr},
+                                   {"covariance", nullptr},
+                                   {"rmsPx", nullptr},
+                                   {"views", {view(m_camera), view(m_other)}},
+                                   {"unplaceable", nlohmann::json::array()},
+                                   {"status", "done"}};
+        const nlohmann::json frame{
+            {"frame", 1},
+            {"note", note},
+            {"raters", {{{"rater", "anna"}, {"hands", {{"left", {{"joints", {{"index_mcp", joint}}}}}}}}}}};
+        const nlohmann::json file{{"format", "handlens-ground-truth"},
+                                  {"version", 1},
+                                  {"units", "mm"},
+                                  {"cameras", nlohmann::json::array()},
+                                  {"sequence", "first"},
+                                  {"joints", {"index_mcp"}},
+                                  {"frames", {frame}}};
         const std::string path = m_folder / ("gt" + std::to_string(static_cast<int>(x)) + note + ".json");
         std::ofstream(path) << file.dump();
         return path;
@@ -74,7 +89,9 @@ TEST_F(AnnotationsVerb, AsksBeforeItReplacesMarksAndNotes) {
     const Ended refused = import("handlens", groundTruth(30, "b"));
     EXPECT_EQ(refused.status, 1);
     EXPECT_EQ(std::count(refused.err.begin(), refused.err.end(), '\n'), 1) << refused.err;
-    EXPECT_NE(refused.err.find("would replace 2 marks of anna and 1 note in 1 frame: choose --replace or --keep"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("would replace 2 marks of anna and 1 note in 1 frame: choose --replace or --keep"),
+              std::string::npos)
+        << refused.err;
     EXPECT_EQ(stored(), before);
     EXPECT_EQ(import("handlens", groundTruth(30, "b"), {"--keep"}).status, 0);
     EXPECT_EQ(stored(), before);
@@ -84,7 +101,8 @@ TEST_F(AnnotationsVerb, AsksBeforeItReplacesMarksAndNotes) {
     EXPECT_EQ(stored().notes.at(1), "b");
     EXPECT_EQ(import("handlens", groundTruth(30, "b")).status, 0) << "nothing to ask about";
     EXPECT_EQ(import("handlens", groundTruth(30, "b"), {"--keep", "--replace"}).status, 2);
-    auto store = core::AnnotationStore::open(core::annotationFile(core::readDataset(m_set), core::readDataset(m_set).sequence("first")));
+    auto store = core::AnnotationStore::open(
+        core::annotationFile(core::readDataset(m_set), core::readDataset(m_set).sequence("first")));
     EXPECT_TRUE(store.undo());
     EXPECT_EQ(store.annotations(), before) << "one step";
 }
@@ -101,13 +119,15 @@ TEST_F(AnnotationsVerb, ARaterThatIsNamedTakesAllMarksOfEveryKind) {
 
 TEST_F(AnnotationsVerb, TheLoginNameIsTheRaterOfFilesThatNameNone) {
     ASSERT_EQ(::setenv("LOGNAME", "carla", 1), 0);
-    const Ended ended = import("deeplabcut", table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nimg1.png,10,20\n"));
+    const Ended ended = import(
+        "deeplabcut", table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nimg1.png,10,20\n"));
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(mark("carla")->px.x(), 10);
 }
 
 TEST_F(AnnotationsVerb, GuessesComeAsProposals) {
-    const std::string file = table("scorer,net,net,net\nbodyparts,left_index_mcp,left_index_mcp,left_index_mcp\ncoords,x,y,likelihood\n1,10,20,0.003\n2,11,21,0.9\n");
+    const std::string file = table("scorer,net,net,net\nbodyparts,left_index_mcp,left_index_mcp,left_index_mcp\ncoords,"
+                                   "x,y,likelihood\n1,10,20,0.003\n2,11,21,0.9\n");
     const Ended ended = import("anipose2d", file, {"--rater", "net"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(*mark("net"), (core::Mark{{10, 20}, core::Placement::Proposed, core::MarkState::Visible, 0.003}));
@@ -117,23 +137,33 @@ TEST_F(AnnotationsVerb, GuessesComeAsProposals) {
 }
 
 TEST_F(AnnotationsVerb, LabelsOfAnotherVideoAreRefusedUntilTheyAreNamed) {
-    const std::string file = table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img1.png,10,20\n");
+    const std::string file =
+        table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img1.png,10,20\n");
     const Ended refused = import("deeplabcut", file, {"--rater", "x"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_NE(refused.err.find("has labels of monday, but none of sequence first: if they belong there, say --video monday"), std::string::npos) << refused.err;
+    EXPECT_NE(
+        refused.err.find("has labels of monday, but none of sequence first: if they belong there, say --video monday"),
+        std::string::npos)
+        << refused.err;
     EXPECT_TRUE(stored().marks.empty());
     const Ended named = import("deeplabcut", file, {"--rater", "x", "--video", "monday"});
     EXPECT_EQ(named.status, 0) << named.err;
     EXPECT_EQ(mark("x")->px.x(), 10);
-    const Ended both = import("deeplabcut", table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img1.png,9,20\n"
-                                                  "labeled-data/first/img2.png,11,20\n"), {"--rater", "y"});
+    const Ended both = import(
+        "deeplabcut",
+        table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img1.png,9,20\n"
+              "labeled-data/first/img2.png,11,20\n"),
+        {"--rater", "y"});
     EXPECT_EQ(both.status, 0) << both.err;
     EXPECT_NE(both.out.find("1 row of other videos left out: monday"), std::string::npos) << both.out;
     EXPECT_FALSE(mark("y"));
 }
 
 TEST_F(AnnotationsVerb, MarksOutsideThePictureAreNotedByTheImportAndByTheCheck) {
-    const Ended ended = import("deeplabcut", table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nimg1.png,-10,20\nimg2.png,-1,-1\n"), {"--rater", "x"});
+    const Ended ended = import(
+        "deeplabcut",
+        table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nimg1.png,-10,20\nimg2.png,-1,-1\n"),
+        {"--rater", "x"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find("1 mark lies outside the picture of " + m_camera), std::string::npos) << ended.out;
     EXPECT_EQ(stored().marks.size(), 1u) << "-1 -1 is missing";

@@ -4,9 +4,9 @@
 #include <opencv2/core.hpp>
 
 #include "core/contour/rasteriser.h"
-#include "core/io/footage/image_file.h"
-#include "core/io/files/json_file.h"
 #include "core/io/benchmark/pairs_file.h"
+#include "core/io/files/json_file.h"
+#include "core/io/footage/image_file.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
@@ -40,7 +40,8 @@ TEST_F(Batch, ExplainsItself) {
     EXPECT_EQ(runBatch({"--version"}).status, 0);
     const Ended help = runBatch({"--help"});
     EXPECT_EQ(help.status, 0);
-    for (const char* verb : {"demo", "import", "check", "info", "joints", "render", "fit", "benchmark", "merge", "triangulate", "calibration", "annotations", "export", "new", "report"}) {
+    for (const char* verb : {"demo", "import", "check", "info", "joints", "render", "fit", "benchmark", "merge",
+                             "triangulate", "calibration", "annotations", "export", "new", "report"}) {
         EXPECT_NE(help.out.find(std::string("\n  ") + verb), std::string::npos) << verb;
         EXPECT_EQ(runBatch({verb, "--help"}).status, 0) << verb;
     }
@@ -51,8 +52,11 @@ TEST_F(Batch, AnswersBadUsageWithStatusTwo) {
     expectRefused(runBatch({"nonsense"}), 2, "", "nonsense");
     expectRefused(runBatch({"joints", m_set}), 2, "", "required");
     expectRefused(runBatch({"joints", m_set, "--sequence", "first", "--frame", "x", "--out", m_out}), 2, "", "--frame");
-    expectRefused(runBatch({"fit", m_set, "--sequence", "first", "--start", "0", "--test", "1", "--method", "chh", "--out", m_out}), 2, "", "chh");
-    expectRefused(runBatch({"import", "tzionas", "--models", m_set, "--ring", "8", "--cameras", "c", "--out", m_out}), 2, "", "");
+    expectRefused(runBatch({"fit", m_set, "--sequence", "first", "--start", "0", "--test", "1", "--method", "chh",
+                            "--out", m_out}),
+                  2, "", "chh");
+    expectRefused(runBatch({"import", "tzionas", "--models", m_set, "--ring", "8", "--cameras", "c", "--out", m_out}),
+                  2, "", "");
     EXPECT_FALSE(fs::exists(m_out));
 }
 
@@ -70,18 +74,24 @@ TEST_F(Batch, ReportsOnAnnotations) {
 
 TEST_F(Batch, AnswersBadInputWithStatusOneAndOneLine) {
     expectRefused(runBatch({"info", m_folder / "none"}), 1, m_folder / "none", "no such dataset");
-    expectRefused(runBatch({"joints", m_set, "--sequence", "third", "--frame", "0", "--out", m_out}), 1, m_set, "third");
-    expectRefused(runBatch({"joints", m_set, "--sequence", "first", "--frame", "5", "--out", m_out}), 1, "--frame", "frames 0 to 4");
-    expectRefused(runBatch({"joints", m_set, "--sequence", "first", "--frame", "-1", "--out", m_out}), 1, "--frame", "frames 0 to 4");
-    expectRefused(runBatch({"joints", m_set, "--sequence", "second", "--frame", "0", "--out", m_out}), 1, m_set, "no recorded motion");
+    expectRefused(runBatch({"joints", m_set, "--sequence", "third", "--frame", "0", "--out", m_out}), 1, m_set,
+                  "third");
+    expectRefused(runBatch({"joints", m_set, "--sequence", "first", "--frame", "5", "--out", m_out}), 1, "--frame",
+                  "frames 0 to 4");
+    expectRefused(runBatch({"joints", m_set, "--sequence", "first", "--frame", "-1", "--out", m_out}), 1, "--frame",
+                  "frames 0 to 4");
+    expectRefused(runBatch({"joints", m_set, "--sequence", "second", "--frame", "0", "--out", m_out}), 1, m_set,
+                  "no recorded motion");
     expectRefused(runBatch({"check", m_folder / "a\nb"}), 1, "", "a b");
     EXPECT_FALSE(fs::exists(m_out));
 }
 
 TEST_F(Batch, APairsFileIsNotSilentlyAccompaniedByADraw) {
     core::writePairs(m_folder / "pairs.json", {core::FramePair{"first", 0, 1}});
-    const std::vector<std::string> plain{"benchmark", m_set, "--pairs", m_folder / "pairs.json", "--methods", "ch", "--out", m_out};
-    const std::pair<const char*, const char*> draws[] = {{"--fraction", "0.5"}, {"--seed", "3"}, {"--differences", "1,2"}};
+    const std::vector<std::string> plain{"benchmark", m_set, "--pairs", m_folder / "pairs.json",
+                                         "--methods", "ch",  "--out",   m_out};
+    const std::pair<const char*, const char*> draws[] = {
+        {"--fraction", "0.5"}, {"--seed", "3"}, {"--differences", "1,2"}};
     for (const auto& [option, value] : draws) {
         std::vector<std::string> words = plain;
         words.emplace_back(option);
@@ -100,9 +110,8 @@ TEST_F(Batch, SaysThatAnOutputCannotBeWritten) {
         return runBatch(words);
     };
     expectRefused(to(m_folder / "none/out.json"), 1, m_folder / "none/out.json", "cannot be written");
-    if (fs::exists("/dev/full")) {
+    if (fs::exists("/dev/full"))
         expectRefused(to("/dev/full"), 1, "/dev/full", "No space left");
-    }
 }
 
 TEST_F(Batch, ChecksAndDescribesADataset) {
@@ -138,7 +147,8 @@ TEST_F(Batch, DrawsAPicturePerCamera) {
     const test::SmallDataset small = test::smallDataset();
     for (const char* what : {"mask", "shaded", "image"}) {
         const std::string out = m_folder / what;
-        ASSERT_EQ(runBatch({"render", m_set, "--sequence", "first", "--frame", "2", "--what", what, "--out", out}).status, 0);
+        ASSERT_EQ(
+            runBatch({"render", m_set, "--sequence", "first", "--frame", "2", "--what", what, "--out", out}).status, 0);
         for (const core::Camera& camera : small.dataset.cameras) {
             const cv::Mat image = core::readImage(out + "/" + camera.name + ".png");
             EXPECT_EQ(image.size(), cv::Size(1080, 1920)) << what;
@@ -154,7 +164,8 @@ TEST_F(Batch, FitsAPairOfTheDemo) {
     ASSERT_EQ(runBatch({"demo", "--out", demo}).status, 0);
     const nlohmann::json info = nlohmann::json::parse(runBatch({"info", demo, "--json"}).out);
     const std::string sequence = info["sequences"][0]["name"];
-    const Ended fit = runBatch({"fit", demo, "--sequence", sequence, "--start", "40", "--test", "45", "--method", "dch-thres:tau=30", "--profile", "--out", m_out});
+    const Ended fit = runBatch({"fit", demo, "--sequence", sequence, "--start", "40", "--test", "45", "--method",
+                                "dch-thres:tau=30", "--profile", "--out", m_out});
     ASSERT_EQ(fit.status, 0) << fit.err;
     EXPECT_NE(fit.out.find("matching"), std::string::npos) << fit.out;
     const nlohmann::json value = core::readJsonFile(m_out);
@@ -162,9 +173,8 @@ TEST_F(Batch, FitsAPairOfTheDemo) {
     EXPECT_EQ(value["history"].size(), value["iterations"]);
     EXPECT_LT(value["errorMm"].get<double>(), 0.5 * value["initialErrorMm"].get<double>());
     double sum = 0;
-    for (const nlohmann::json& joint : value["joints"]) {
+    for (const nlohmann::json& joint : value["joints"])
         sum += joint["errorMm"].get<double>();
-    }
     EXPECT_NEAR(sum / static_cast<double>(value["joints"].size()), value["errorMm"].get<double>(), 1e-9);
 }
 

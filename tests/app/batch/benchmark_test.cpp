@@ -23,9 +23,11 @@ class BatchBenchmark : public testing::Test {
 protected:
     BatchBenchmark() { test::writeTinyDataset(m_set, 4); }
 
-    std::vector<std::string> command(const fs::path& out, const std::string& fraction = "0.2", const std::string& shard = "0/1") const {
-        return {"benchmark", m_set, "--sequences", "a", "--fraction", fraction, "--differences", "1,5", "--seed", "7",
-                "--methods", "ch,dch-thres:tau=45", "--shard", shard, "--out", out};
+    std::vector<std::string> command(const fs::path& out, const std::string& fraction = "0.2",
+                                     const std::string& shard = "0/1") const {
+        return {"benchmark",     m_set, "--sequences", "a", "--fraction", fraction,
+                "--differences", "1,5", "--seed",      "7", "--methods",  "ch,dch-thres:tau=45",
+                "--shard",       shard, "--out",       out};
     }
 
     test::TemporaryFolder m_folder;
@@ -36,9 +38,8 @@ protected:
 std::vector<std::string> resultsOf(const fs::path& folder) {
     std::vector<std::string> lines;
     std::istringstream text(core::readTextFile(folder / "results.csv"));
-    for (std::string line; std::getline(text, line);) {
+    for (std::string line; std::getline(text, line);)
         lines.push_back(line.substr(0, line.rfind(',')));
-    }
     return lines;
 }
 
@@ -61,10 +62,10 @@ TEST_F(BatchBenchmark, WritesTablesCurvesAndAReport) {
     }
     const nlohmann::json pairs = core::readJsonFile(out / "pairs.json");
     EXPECT_EQ(pairs["pairs"].size(), 12u);
-    for (const char* file : {"joints.csv", "curves.csv", "table.md", "table.tex", "report.html"}) {
+    for (const char* file : {"joints.csv", "curves.csv", "table.md", "table.tex", "report.html"})
         EXPECT_GT(fs::file_size(out / file), 100u) << file;
-    }
-    EXPECT_EQ(core::readTextFile(out / "report.html").find("http://"), std::string::npos) << "the report needs no network";
+    EXPECT_EQ(core::readTextFile(out / "report.html").find("http://"), std::string::npos)
+        << "the report needs no network";
 }
 
 TEST_F(BatchBenchmark, MergesShardsIntoTheWholeRun) {
@@ -90,7 +91,9 @@ TEST_F(BatchBenchmark, ThatIsInterruptedKeepsItsWorkAndContinues) {
         fs::remove_all(out);
         const Ended stopped = test::runBatchUntil(command(out, "0.8"), out / "finished.jsonl", signal);
         ASSERT_EQ(stopped.status, status) << stopped.err;
-        EXPECT_TRUE(stopped.err.ends_with("stopped; what is finished is kept, and the same command continues from there\n")) << stopped.err;
+        EXPECT_TRUE(
+            stopped.err.ends_with("stopped; what is finished is kept, and the same command continues from there\n"))
+            << stopped.err;
         EXPECT_EQ(stopped.err.find("usage"), std::string::npos) << stopped.err;
         EXPECT_GT(resultsOf(out).size(), 1u);
     }
@@ -99,8 +102,9 @@ TEST_F(BatchBenchmark, ThatIsInterruptedKeepsItsWorkAndContinues) {
 }
 
 TEST_F(BatchBenchmark, PrintsItsProgressToStandardError) {
-    const Ended ended = runBatch({"benchmark", m_set, "--sequences", "a", "--fraction", "0.8", "--differences", "1,2,3,4,5", "--methods",
-                                  "ch,ch:schedule=paper,dch-thres,dch-quant,dch-quant2,dch-dt3,best", "--out", m_folder / "out"});
+    const Ended ended = runBatch(
+        {"benchmark", m_set, "--sequences", "a", "--fraction", "0.8", "--differences", "1,2,3,4,5", "--methods",
+         "ch,ch:schedule=paper,dch-thres,dch-quant,dch-quant2,dch-dt3,best", "--out", m_folder / "out"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_EQ(ended.out.find(" of "), std::string::npos) << ended.out;
     EXPECT_NE(ended.err.find("benchmark: "), std::string::npos) << "it takes more than a second";

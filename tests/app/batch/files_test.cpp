@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/annotation/edits.h"
-#include "core/io/store/annotation_store.h"
 #include "core/io/calibration/calibration.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/files/json_file.h"
 #include "core/io/files/text_file.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/clicks.h"
 #include "tests/support/expect_error.h"
@@ -73,14 +73,16 @@ TEST_F(BatchFiles, CalibrationConvertsThereAndBack) {
         for (std::size_t c = 0; c < got.size(); ++c) {
             EXPECT_EQ(got[c].name, wanted[c].name);
             EXPECT_EQ(got[c].size, wanted[c].size) << kind;
-            EXPECT_LT((*core::project(got[c], kLeftPoint) - *core::project(wanted[c], kLeftPoint)).norm(), 1e-6) << kind;
+            EXPECT_LT((*core::project(got[c], kLeftPoint) - *core::project(wanted[c], kLeftPoint)).norm(), 1e-6)
+                << kind;
         }
     }
 }
 
 TEST_F(BatchFiles, TriangulateFindsThePointAndNamesTheWrongClick) {
     const std::vector<core::Camera> cameras = test::cameraRing(6);
-    const fs::path camerasFile = m_folder / "cameras.json", file = m_folder / "points.json", out = m_folder / "out.json";
+    const fs::path camerasFile = m_folder / "cameras.json", file = m_folder / "points.json",
+                   out = m_folder / "out.json";
     core::writeCameras(camerasFile, cameras);
     json views = json::array();
     for (const core::Camera& camera : cameras) {
@@ -131,8 +133,11 @@ TEST_F(BatchFiles, ExportWritesTheGroundTruthAndAnnotationsReadsIt) {
 }
 
 TEST_F(BatchFiles, ExportWritesEveryKind) {
-    const std::pair<const char*, const char*> kinds[] = {{"coco", "keypoints"}, {"trc", "PathFileType"},  {"csv", "index_mcp"},
-                                                         {"csv-marks", "cam1"}, {"anipose3d", "fnum"}};
+    const std::pair<const char*, const char*> kinds[] = {{"coco", "keypoints"},
+                                                         {"trc", "PathFileType"},
+                                                         {"csv", "index_mcp"},
+                                                         {"csv-marks", "cam1"},
+                                                         {"anipose3d", "fnum"}};
     for (const auto& [kind, word] : kinds) {
         const fs::path out = m_folder / kind;
         const Ended ended = exportTo(kind, out);
@@ -155,7 +160,8 @@ TEST_F(BatchFiles, AnnotationsReadsMarksFromACsv) {
     const Ended read = runBatch({"annotations", m_empty, "--sequence", "first", "--from", "csv-marks", file});
     ASSERT_EQ(read.status, 0) << read.err;
     EXPECT_EQ(annotationsOf(m_empty).marks.size(), 12u);
-    const Ended wrong = runBatch({"annotations", m_empty, "--sequence", "first", "--from", "csv-marks", fs::path(m_set) / "cameras.json"});
+    const Ended wrong = runBatch(
+        {"annotations", m_empty, "--sequence", "first", "--from", "csv-marks", fs::path(m_set) / "cameras.json"});
     EXPECT_EQ(wrong.status, 1);
     EXPECT_EQ(annotationsOf(m_empty).marks.size(), 12u) << "a file that cannot be read changes nothing";
 }

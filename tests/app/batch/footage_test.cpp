@@ -22,9 +22,8 @@ class FootageVerbs : public testing::Test {
 protected:
     FootageVerbs() {
         std::vector<core::Camera> cameras = test::cameraRing(8);
-        for (core::Camera& camera : cameras) {
+        for (core::Camera& camera : cameras)
             camera.size = {64, 48};
-        }
         core::writeCameras(m_cameras, cameras);
     }
 
@@ -42,8 +41,15 @@ protected:
         core::writePng(m_folder / name, cv::Mat(48, 64, CV_8U, cv::Scalar(255)));
     }
     Ended make(std::vector<std::string> more) {
-        std::vector<std::string> arguments{"new", "--cameras", m_cameras, "--images", "cam0=" + (m_folder / "shots/cam0").string(), "--images",
-                                           "cam1=" + (m_folder / "shots/cam1").string(), "--out", m_set};
+        std::vector<std::string> arguments{"new",
+                                           "--cameras",
+                                           m_cameras,
+                                           "--images",
+                                           "cam0=" + (m_folder / "shots/cam0").string(),
+                                           "--images",
+                                           "cam1=" + (m_folder / "shots/cam1").string(),
+                                           "--out",
+                                           m_set};
         arguments.insert(arguments.end(), more.begin(), more.end());
         return runBatch(arguments);
     }
@@ -70,12 +76,12 @@ TEST_F(FootageVerbs, NewNamesTheScaleAndTakesIt) {
     const core::FrameSource frames(dataset, dataset.sequences[0], {});
     EXPECT_EQ(frames.read(1, 3).at<cv::Vec3b>(47, 0)[0], 255) << "the first pixel, turned anticlockwise";
     EXPECT_EQ(runBatch({"check", m_set}).status, 0);
-    const Ended added = runBatch({"new", "--add", m_set, "--images", "cam0=" + (m_folder / "shots/cam0").string(), "--scale", "cam0=0.5", "--sequence", "b"});
+    const Ended added = runBatch({"new", "--add", m_set, "--images", "cam0=" + (m_folder / "shots/cam0").string(),
+                                  "--scale", "cam0=0.5", "--sequence", "b"});
     EXPECT_EQ(added.status, 2);
     EXPECT_NE(added.err.find("--scale"), std::string::npos) << added.err;
-    for (const char* odd : {"cam0=45", "cam0=", "cam7=90"}) {
+    for (const char* odd : {"cam0=45", "cam0=", "cam7=90"})
         EXPECT_EQ(make({"--rotate", odd}).status, 2) << odd;
-    }
 }
 
 TEST_F(FootageVerbs, CamerasWithoutFootageAreNoViews) {
@@ -101,7 +107,8 @@ TEST_F(FootageVerbs, MasksAreAttachedAtOnceOrLater) {
     const core::Dataset dataset = core::readDataset(m_set);
     EXPECT_FALSE(core::readFrameMasks(dataset.folder, dataset.sequences[0], dataset.cameras, 2)[0].empty());
     EXPECT_FALSE(core::readFrameMasks(dataset.folder, dataset.sequences[0], dataset.cameras, 3)[1].empty());
-    const Ended none = runBatch({"masks", m_set, "--sequence", "1", "--from", (m_folder / "shots").string() + "/{camera}_{frame}.png"});
+    const Ended none = runBatch(
+        {"masks", m_set, "--sequence", "1", "--from", (m_folder / "shots").string() + "/{camera}_{frame}.png"});
     EXPECT_EQ(none.status, 1);
     EXPECT_EQ(std::count(none.err.begin(), none.err.end(), '\n'), 1) << none.err;
 }
@@ -115,9 +122,12 @@ TEST_F(FootageVerbs, RelinkFindsWhatHasMoved) {
     EXPECT_EQ(runBatch({"check", m_set}).status, 1);
     const Ended found = runBatch({"relink", m_set, "--root", m_folder / "archive"});
     ASSERT_EQ(found.status, 0) << found.err;
-    EXPECT_NE(found.out.find("1, cam0: found: ../shots/cam0/{frame}.png -> ../archive/2024/shots/cam0/{frame}.png"), std::string::npos) << found.out;
+    EXPECT_NE(found.out.find("1, cam0: found: ../shots/cam0/{frame}.png -> ../archive/2024/shots/cam0/{frame}.png"),
+              std::string::npos)
+        << found.out;
     EXPECT_EQ(runBatch({"check", m_set}).status, 0);
-    EXPECT_NE(runBatch({"relink", m_set, "--root", m_folder / "archive"}).out.find("1, cam1: unchanged"), std::string::npos);
+    EXPECT_NE(runBatch({"relink", m_set, "--root", m_folder / "archive"}).out.find("1, cam1: unchanged"),
+              std::string::npos);
     fs::remove_all(m_folder / "archive/2024/shots/cam1");
     const std::string before = test::readText(m_folder / "set/dataset.json");
     const Ended lost = runBatch({"relink", m_set, "--root", m_folder / "archive"});
@@ -128,9 +138,8 @@ TEST_F(FootageVerbs, RelinkFindsWhatHasMoved) {
 
 TEST_F(FootageVerbs, ACalibrationInMetresIsNoticed) {
     std::vector<core::Camera> cameras = core::readCameras(m_cameras);
-    for (core::Camera& camera : cameras) {
+    for (core::Camera& camera : cameras)
         camera.cameraFromWorld.translation /= 1000;
-    }
     core::writeCameras(m_cameras, cameras);
     shoot(0, {64, 48});
     shoot(1, {64, 48});

@@ -23,28 +23,32 @@ TEST(BatchImport, MakesADatasetOfTwoGltfHands) {
     test::writeText(folder / "rig.json", kRig);
     const fs::path hands = fs::path(HANDLENS_TEST_DATA) / "gltf";
     const std::string out = folder / "set";
-    const Ended ended = runBatch({"import", "gltf", "--left", hands / "left_hand.gltf", "--right", hands / "right_hand.gltf", "--rig",
-                                  folder / "rig.json", "--out", out});
+    const Ended ended = runBatch({"import", "gltf", "--left", hands / "left_hand.gltf", "--right",
+                                  hands / "right_hand.gltf", "--rig", folder / "rig.json", "--out", out});
     ASSERT_EQ(ended.status, 0) << ended.err;
-    EXPECT_NE(ended.out.find("right hand: 21 vertices, 34 triangles, 7 degrees of freedom"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("right hand: 21 vertices, 34 triangles, 7 degrees of freedom"), std::string::npos)
+        << ended.out;
     const core::Dataset dataset = core::readDataset(out);
     ASSERT_EQ(dataset.hands.size(), 2u);
     EXPECT_EQ(dataset.hands[1].skeleton.bones[2].name, "index_pip");
-    EXPECT_LT((dataset.hands[1].skeleton.bones[1].worldFromBoneAtRest.translation - Eigen::Vector3d(590, 100, -180)).norm(), 0.1);
+    EXPECT_LT(
+        (dataset.hands[1].skeleton.bones[1].worldFromBoneAtRest.translation - Eigen::Vector3d(590, 100, -180)).norm(),
+        0.1);
     EXPECT_EQ(runBatch({"check", out}).status, 0);
 }
 
 TEST(BatchImport, MakesADatasetOfTheAuthorsHands) {
     const fs::path hands = fs::path(HANDLENS_SHARED_DATA) / "tzionas-hands";
-    if (!fs::exists(hands / "02")) {
+    if (!fs::exists(hands / "02"))
         GTEST_SKIP() << "the authors' hands are not at " << hands;
-    }
     const test::TemporaryFolder folder;
     const std::string out = folder / "set";
-    const Ended ended = runBatch({"import", "tzionas", "--models", hands / "02", "--model-files", hands / "model", "--ring", "4", "--out", out});
+    const Ended ended = runBatch(
+        {"import", "tzionas", "--models", hands / "02", "--model-files", hands / "model", "--ring", "4", "--out", out});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find("2 hands, 1 sequences, 4 cameras"), std::string::npos) << ended.out;
-    EXPECT_EQ(ended.out.find("fitting poses"), std::string::npos) << "progress belongs to standard error: " << ended.out;
+    EXPECT_EQ(ended.out.find("fitting poses"), std::string::npos)
+        << "progress belongs to standard error: " << ended.out;
     const core::Dataset dataset = core::readDataset(out);
     ASSERT_EQ(dataset.sequences.size(), 1u);
     EXPECT_EQ(dataset.sequences[0].name, "02");

@@ -21,15 +21,15 @@ class New : public testing::Test {
 protected:
     New() {
         std::vector<core::Camera> cameras = test::cameraRing(2);
-        for (core::Camera& camera : cameras) {
+        for (core::Camera& camera : cameras)
             camera.size = {32, 24};
-        }
         core::writeCameras(m_cameras, cameras);
         for (int camera = 0; camera < 2; ++camera) {
             const fs::path folder = m_folder / ("shots" + std::to_string(camera));
             fs::create_directory(folder);
             for (int i = 0; i < 12 - 3 * camera; ++i) {
-                core::writePng(folder / ("img_" + std::to_string(i + 95) + ".png"), cv::Mat(24, 32, CV_8UC3, cv::Scalar::all(10 * i + camera)));
+                core::writePng(folder / ("img_" + std::to_string(i + 95) + ".png"),
+                               cv::Mat(24, 32, CV_8UC3, cv::Scalar::all(10 * i + camera)));
             }
         }
     }
@@ -39,8 +39,9 @@ protected:
 };
 
 TEST_F(New, MakesADatasetOfNumberedImages) {
-    const Ended made = runBatch({"new", "--cameras", m_cameras, "--images", "cam0=" + (m_folder / "shots0").string(), "--images",
-                                 "cam1=" + (m_folder / "shots1/img_{frame}.png").string(), "--offset", "cam0=2", "--offset", "cam1=95", "--fps", "30", "--out", m_set});
+    const Ended made = runBatch({"new", "--cameras", m_cameras, "--images", "cam0=" + (m_folder / "shots0").string(),
+                                 "--images", "cam1=" + (m_folder / "shots1/img_{frame}.png").string(), "--offset",
+                                 "cam0=2", "--offset", "cam1=95", "--fps", "30", "--out", m_set});
     ASSERT_EQ(made.status, 0) << made.err;
     EXPECT_NE(made.out.find("note: cam0 has 1 frames more"), std::string::npos) << made.out;
     EXPECT_EQ(runBatch({"check", m_set}).status, 0);
@@ -55,7 +56,8 @@ TEST_F(New, MakesADatasetOfNumberedImages) {
 
 TEST_F(New, AddsSequencesToADataset) {
     const std::string shots = "cam0=" + (m_folder / "shots0").string();
-    ASSERT_EQ(runBatch({"new", "--cameras", m_cameras, "--images", shots, "--sequence", "a", "--out", m_set}).status, 0);
+    ASSERT_EQ(runBatch({"new", "--cameras", m_cameras, "--images", shots, "--sequence", "a", "--out", m_set}).status,
+              0);
     ASSERT_EQ(runBatch({"new", "--add", m_set, "--images", shots, "--sequence", "b"}).status, 0);
     const core::Dataset dataset = core::readDataset(m_set);
     ASSERT_EQ(dataset.sequences.size(), 2u);
@@ -82,7 +84,8 @@ TEST_F(New, RefusesFootageThatDoesNotFit) {
     refuse({"--video", "cam0=" + (m_folder / "none.mp4").string()}, "no such video");
     refuse({"--video", "cam0=" + m_cameras}, "not a readable video");
     refuse({"--images", "cam0=" + shots, "--offset", "cam1=3"}, "--offset");
-    refuse({"--images", "cam0=" + shots, "--images", "cam1=" + (m_folder / "shots1").string(), "--offset", "cam1=40"}, "no such file");
+    refuse({"--images", "cam0=" + shots, "--images", "cam1=" + (m_folder / "shots1").string(), "--offset", "cam1=40"},
+           "no such file");
     core::writePng(m_folder / "shots1/img_95.png", cv::Mat(24, 33, CV_8UC3, cv::Scalar::all(0)));
     refuse({"--images", "cam1=" + (m_folder / "shots1").string()}, "33 x 24, but cam1 is calibrated for 32 x 24");
     test::writeText(m_folder / "shots0/other.png", "x");
@@ -91,16 +94,15 @@ TEST_F(New, RefusesFootageThatDoesNotFit) {
 
 TEST(RealFootage, BecomesADataset) {
     const fs::path footage = fs::path(HANDLENS_SHARED_DATA) / "handpose3d";
-    if (!fs::exists(footage / "cam0_test.mp4")) {
+    if (!fs::exists(footage / "cam0_test.mp4"))
         GTEST_SKIP() << "the footage is not at " << footage;
-    }
     const test::TemporaryFolder folder;
     std::vector<core::Camera> cameras = test::cameraRing(2);
-    for (core::Camera& camera : cameras) {
+    for (core::Camera& camera : cameras)
         camera.size = {720, 720};
-    }
     core::writeCameras(folder / "cameras.json", cameras);
-    const Ended made = runBatch({"new", "--cameras", folder / "cameras.json", "--video", "cam0=" + (footage / "cam0_test.mp4").string(), "--video",
+    const Ended made = runBatch({"new", "--cameras", folder / "cameras.json", "--video",
+                                 "cam0=" + (footage / "cam0_test.mp4").string(), "--video",
                                  "cam1=" + (footage / "cam1_test.mp4").string(), "--out", folder / "set"});
     ASSERT_EQ(made.status, 0) << made.err;
     const core::Dataset dataset = core::readDataset(folder / "set");

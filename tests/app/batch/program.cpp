@@ -22,14 +22,13 @@ namespace {
     std::vector<std::string> words{HANDLENS_BATCH};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
-    for (std::string& word : words) {
+    for (std::string& word : words)
         argv.push_back(word.data());
-    }
     argv.push_back(nullptr);
-    const bool isRedirected = std::freopen(out.c_str(), "w", stdout) != nullptr && std::freopen(err.c_str(), "w", stderr) != nullptr;
-    if (isRedirected) {
+    const bool isRedirected =
+        std::freopen(out.c_str(), "w", stdout) != nullptr && std::freopen(err.c_str(), "w", stderr) != nullptr;
+    if (isRedirected)
         ::execv(argv[0], argv.data());
-    }
     ::_exit(127);
 }
 
@@ -38,9 +37,8 @@ Ended runMeanwhile(const std::vector<std::string>& arguments, const std::functio
     const TemporaryFolder folder;
     const std::string out = folder / "out", err = folder / "err";
     const pid_t child = ::fork();
-    if (child == 0) {
+    if (child == 0)
         become(arguments, out, err);
-    }
     meanwhile(child);
     int status = 0;
     ::waitpid(child, &status, 0);
@@ -56,16 +54,16 @@ bool holdsSomething(const std::filesystem::path& file) {
 } // namespace
 
 Ended runBatch(const std::vector<std::string>& arguments) {
-    return runMeanwhile(arguments, [](pid_t) {});
+    return runMeanwhile(
+        arguments, [](pid_t) {});
 }
 
 Ended runBatchUntil(const std::vector<std::string>& arguments, const std::filesystem::path& file, int signal) {
     using namespace std::chrono_literals;
     return runMeanwhile(arguments, [&](pid_t child) {
         const auto end = std::chrono::steady_clock::now() + 30s;
-        while (!holdsSomething(file) && std::chrono::steady_clock::now() < end) {
+        while (!holdsSomething(file) && std::chrono::steady_clock::now() < end)
             std::this_thread::sleep_for(1ms);
-        }
         ::kill(child, signal);
     });
 }

@@ -14,17 +14,17 @@ core::AnnotationSet sample() {
     core::AnnotationSet set;
     for (const int frame : {7, 2, 40}) {
         for (const char* rater : {"ann", "ann b", "bob"}) {
-            for (const char* joint : {"index_mcp", "index_mcp2", "wrist"}) {
-                for (const char* camera : {"cam0", "cam1"}) {
+            for (const char* joint : {"index_mcp", "index_mcp2", "wrist"})
+                for (const char* camera : {"cam0", "cam1"})
                     set.marks[{frame, rater, {Side::Right, joint}, camera}] = {};
-                }
-            }
         }
     }
     return set;
 }
 
-int count(const core::MarkRange& range) { return static_cast<int>(std::distance(range.begin(), range.end())); }
+int count(const core::MarkRange& range) {
+    return static_cast<int>(std::distance(range.begin(), range.end()));
+}
 
 TEST(AnnotationSet, ListsAnnotatedFramesInOrder) {
     EXPECT_EQ(core::annotatedFrames(sample()), (std::vector<int>{2, 7, 40}));
@@ -49,12 +49,10 @@ TEST(AnnotationSet, RangesHoldExactlyWhatTheySay) {
 }
 
 TEST(AnnotationSet, NamesReadBack) {
-    for (const auto placement : {core::Placement::Manual, core::Placement::Auto, core::Placement::Proposed}) {
+    for (const auto placement : {core::Placement::Manual, core::Placement::Auto, core::Placement::Proposed})
         EXPECT_EQ(core::placementFromName(core::placementName(placement)), placement);
-    }
-    for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable}) {
+    for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable})
         EXPECT_EQ(core::stateFromName(core::stateName(state)), state);
-    }
     EXPECT_FALSE(core::placementFromName("Manual"));
     EXPECT_FALSE(core::stateFromName(""));
 }

@@ -21,8 +21,11 @@ protected:
             test::clickEverywhere(set, cameras, frame, "bob", kIndex, {10.0 + frame, 5, 0}, 0.7, &random);
         }
         for (const char* camera : {"cam0", "cam1"}) // two views only: less certain
-            set.marks[{8, "ann", kThumb, camera}] = {*core::project(*std::find_if(cameras.begin(), cameras.end(), [&](const core::Camera& c) { return c.name == camera; }), {0, 30, 10}),
-                                                     core::Placement::Manual, core::MarkState::Visible};
+            set.marks[{8, "ann", kThumb, camera}] = {
+                *core::project(*std::find_if(cameras.begin(), cameras.end(),
+                                             [&](const core::Camera& c) { return c.name == camera; }),
+                               {0, 30, 10}),
+                core::Placement::Manual, core::MarkState::Visible};
         set.marks[{8, "ann", kThumb, "cam2"}] = {{500, 900}, core::Placement::Auto, core::MarkState::Visible};
     }
     std::vector<core::Camera> cameras = test::cameraRing(6);
@@ -63,7 +66,8 @@ TEST_F(AnnotationSummaryTest, ProposalsCountForNothing) {
     const core::AnnotationSummary before = core::summariseAnnotations("one", 40, set, cameras, {});
     for (const char* const rater : {"ann", "import"}) {
         for (const core::Camera& camera : cameras) {
-            set.marks[{9, rater, kIndex, camera.name}] = {{500, 900}, core::Placement::Proposed, core::MarkState::Visible};
+            set.marks[{9, rater, kIndex, camera.name}] = {
+                {500, 900}, core::Placement::Proposed, core::MarkState::Visible};
         }
     }
     const core::AnnotationSummary after = core::summariseAnnotations("one", 40, set, cameras, {});

@@ -17,7 +17,8 @@ protected:
         std::uniform_real_distribution<double> uniform(-80, 80);
         for (int i = 0; i < joints; ++i) {
             const Eigen::Vector3d point(uniform(m_random), uniform(m_random), uniform(m_random));
-            test::clickEverywhere(m_set, {m_cameras.begin(), m_cameras.begin() + views}, i, "ann", {Side::Left, "wrist"}, point, sigmaPx, &m_random);
+            test::clickEverywhere(m_set, {m_cameras.begin(), m_cameras.begin() + views}, i, "ann",
+                                  {Side::Left, "wrist"}, point, sigmaPx, &m_random);
         }
     }
 
@@ -44,9 +45,8 @@ TEST_F(ClickNoiseTest, IsUnbiasedWithFewViewsToo) {
 
 TEST_F(ClickNoiseTest, LeavesWrongClicksOut) {
     click(1.0, 300);
-    for (int i = 0; i < 300; i += 5) {
+    for (int i = 0; i < 300; i += 5)
         m_set.marks.at({i, "ann", {Side::Left, "wrist"}, "cam3"}).px += Eigen::Vector2d(60, -30);
-    }
     const auto noise = core::estimateClickNoise(m_set, m_cameras, "ann");
     EXPECT_NEAR(noise->sigmaPx, 1.0, 0.05);
     EXPECT_GE(noise->outliers, 60);
@@ -55,16 +55,13 @@ TEST_F(ClickNoiseTest, LeavesWrongClicksOut) {
 TEST_F(ClickNoiseTest, TellsAPoorCameraFromTheOthers) {
     click(0.5, 400);
     std::normal_distribution<double> normal(0, 1.2);
-    for (auto& [key, mark] : m_set.marks) {
-        if (key.camera == "cam6") {
+    for (auto& [key, mark] : m_set.marks)
+        if (key.camera == "cam6")
             mark.px += Eigen::Vector2d(normal(m_random), normal(m_random));
-        }
-    }
     const auto byCamera = core::estimateClickNoise(m_set, m_cameras, "ann")->sigmaPxByCamera;
     EXPECT_EQ(byCamera.size(), 8u);
-    for (const auto& [camera, sigma] : byCamera) {
+    for (const auto& [camera, sigma] : byCamera)
         EXPECT_TRUE(camera == "cam6" ? sigma > 0.9 : sigma < 0.7) << camera << " " << sigma;
-    }
 }
 
 TEST_F(ClickNoiseTest, NeedsEnoughJointsOfThreeViews) {

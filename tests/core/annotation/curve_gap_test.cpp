@@ -14,15 +14,14 @@ using Eigen::Vector3d;
 
 const Vector3d kTruth(20, -35, 12);
 
-/// The distance from `px` in `camera` to everything that the ray of `fromPx` in `from` could be: brute force over its length.
+/// The distance from `px` in `camera` to everything that the ray of `fromPx` in `from` could be: brute force over its
+/// length.
 double distanceToRay(const core::Camera& from, const Vector2d& fromPx, const core::Camera& camera, const Vector2d& px) {
     const auto ray = core::viewingRay(from, fromPx);
     double nearest = 1e9;
-    for (double mm = 1; mm < 4000; mm += 0.05) {
-        if (const auto at = core::project(camera, from.centreInWorld() + mm * ray->direction)) {
+    for (double mm = 1; mm < 4000; mm += 0.05)
+        if (const auto at = core::project(camera, from.centreInWorld() + mm * ray->direction))
             nearest = std::min(nearest, (*at - px).norm());
-        }
-    }
     return nearest;
 }
 
@@ -82,7 +81,8 @@ TEST_F(CurveGaps, TwoViewsThatDisagreeAreBadAndSayByHowMuch) {
     EXPECT_DOUBLE_EQ(findings[0].value, joint.gaps[0].px);
     EXPECT_EQ(findings[0].camera, joint.gaps[0].camera);
     EXPECT_EQ(findings[0].curveOf, joint.gaps[0].curveOf);
-    EXPECT_NE(findings[0].text.find("px off " + joint.gaps[0].curveOf + "'s curve"), std::string::npos) << findings[0].text;
+    EXPECT_NE(findings[0].text.find("px off " + joint.gaps[0].curveOf + "'s curve"), std::string::npos)
+        << findings[0].text;
 }
 
 TEST_F(CurveGaps, ClicksThatAgreeHaveNone) {

@@ -19,28 +19,30 @@ protected:
     int draw(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
 
     MarkKey randomKey() {
-        return {draw(3), draw(2) ? "ann" : "bob", {draw(2) ? core::Side::Left : core::Side::Right, draw(2) ? "wrist" : "thumb_ip"},
+        return {draw(3),
+                draw(2) ? "ann" : "bob",
+                {draw(2) ? core::Side::Left : core::Side::Right, draw(2) ? "wrist" : "thumb_ip"},
                 "cam" + std::to_string(draw(2))};
     }
     std::optional<Mark> randomMark() {
-        if (draw(3) == 0) {
+        if (draw(3) == 0)
             return std::nullopt;
-        }
-        return Mark{{draw(4) * 0.25, 1.5 * draw(4)}, static_cast<core::Placement>(draw(2)), static_cast<core::MarkState>(draw(3))};
+        return Mark{{draw(4) * 0.25, 1.5 * draw(4)},
+                    static_cast<core::Placement>(draw(2)),
+                    static_cast<core::MarkState>(draw(3))};
     }
     Edit randomEdit(const AnnotationSet& set) {
         std::map<MarkKey, std::optional<Mark>> wanted;
-        for (int i = draw(5); i >= 0; --i) {
+        for (int i = draw(5); i >= 0; --i)
             wanted[randomKey()] = randomMark();
-        }
         Edit edit{"random " + std::to_string(draw(1000)), {}, {}};
-        for (const auto& [key, mark] : wanted) {
+        for (const auto& [key, mark] : wanted)
             edit.marks.push_back({key, core::markAt(set, key), mark});
-        }
         if (draw(2)) {
             const int frame = draw(3);
             const auto note = set.notes.find(frame);
-            edit.notes.push_back({frame, note == set.notes.end() ? "" : note->second, draw(2) ? "" : "note " + std::to_string(draw(9))});
+            edit.notes.push_back(
+                {frame, note == set.notes.end() ? "" : note->second, draw(2) ? "" : "note " + std::to_string(draw(9))});
         }
         return edit;
     }

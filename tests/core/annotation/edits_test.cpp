@@ -38,7 +38,9 @@ protected:
         test::clickEverywhere(m_set, {m_cameras.begin(), m_cameras.begin() + 3}, frame, kRater, joint, point);
     }
     MarkKey key(int frame, const JointId& joint, int camera) { return {frame, kRater, joint, m_cameras[camera].name}; }
-    std::optional<Mark> mark(int frame, const JointId& joint, int camera) { return core::markAt(m_set, key(frame, joint, camera)); }
+    std::optional<Mark> mark(int frame, const JointId& joint, int camera) {
+        return core::markAt(m_set, key(frame, joint, camera));
+    }
 
     std::vector<core::Camera> m_cameras = test::cameraRing(8);
     AnnotationSet m_set;
@@ -54,7 +56,8 @@ TEST_F(Edits, PlacingMovesAndKeepsWhatTheAnnotatorSaid) {
     EXPECT_EQ(mark(4, kIndex, 3), (Mark{{11, 21}, Placement::Manual, MarkState::Occluded}));
     perform(core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Unplaceable));
     EXPECT_FALSE(mark(4, kIndex, 3)->isPlaced());
-    EXPECT_TRUE(core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Occluded).empty()); // there is no place to be occluded
+    EXPECT_TRUE(
+        core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Occluded).empty()); // there is no place to be occluded
     const Edit place = core::placeEdit(m_set, key(4, kIndex, 3), {1, 2});
     EXPECT_EQ(place.label, "place left index_mcp in cam3");
     perform(place);
@@ -89,9 +92,8 @@ TEST_F(Edits, AcceptingPutsAutoMarksOnReprojectionsAndNeverTouchesClicks) {
     EXPECT_EQ(m_set.marks.size(), clicked.marks.size() + 1);
     perform(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex));
     EXPECT_EQ(m_set.marks.size(), 8u);
-    for (const auto& [k, m] : clicked.marks) {
+    for (const auto& [k, m] : clicked.marks)
         EXPECT_EQ(m_set.marks.at(k), m);
-    }
     EXPECT_EQ(mark(5, kIndex, 5)->placement, Placement::Auto);
     EXPECT_LT((mark(5, kIndex, 5)->px - *core::project(m_cameras[5], point)).norm(), 1e-6);
     // Accepted marks are no evidence: the point still rests on the three clicks.
@@ -126,7 +128,8 @@ TEST_F(Edits, ProposalsMakeWayForClicksForAcceptanceAndForNewerProposals) {
     perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose"));
     ASSERT_EQ(m_set.marks.size(), 8u);
     EXPECT_TRUE(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex).empty()) << "a guess gives no point";
-    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose").empty()) << "the same again";
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose").empty())
+        << "the same again";
     perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose"));
     EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], point)).norm(), 1e-9);
     perform(core::placeEdit(m_set, key(5, kIndex, 0), *core::project(m_cameras[0], elsewhere)));
@@ -134,25 +137,28 @@ TEST_F(Edits, ProposalsMakeWayForClicksForAcceptanceAndForNewerProposals) {
     EXPECT_EQ(mark(5, kIndex, 0)->placement, Placement::Manual);
     perform(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex));
     EXPECT_EQ(mark(5, kIndex, 3)->placement, Placement::Auto);
-    EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], elsewhere)).norm(), 1e-6) << "the reprojection, not the guess";
-    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose").empty()) << "what is accepted stays";
+    EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], elsewhere)).norm(), 1e-6)
+        << "the reprojection, not the guess";
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose").empty())
+        << "what is accepted stays";
 }
 
 TEST_F(Edits, InterpolationFillsOnlyTheFramesBetween) {
     const auto path = [](double t) { return Vector3d(t - 20, 0.04 * t * t, 5); };
-    for (const int frame : {0, 10, 16, 30}) {
+    for (const int frame : {0, 10, 16, 30})
         click(frame, kIndex, path(frame));
-    }
     const AnnotationSet clicked = m_set;
     perform(core::interpolateEdit(m_set, m_cameras, 10, 20, kRater, core::Interpolation::Cubic));
     EXPECT_EQ(core::annotatedFrames(m_set), (std::vector<int>{0, 10, 11, 12, 13, 14, 15, 16, 30}));
     const auto joint = core::reconstruct(m_set, m_cameras, 13, kRater, kIndex);
     ASSERT_TRUE(joint.proposal);
-    EXPECT_LT((*joint.proposal - path(13)).norm(), 1e-3); // the cubic sees frames 0 and 30 too, and is exact for a parabola
+    EXPECT_LT((*joint.proposal - path(13)).norm(),
+              1e-3); // the cubic sees frames 0 and 30 too, and is exact for a parabola
     m_set = clicked;
     perform(core::interpolateEdit(m_set, m_cameras, 0, 30, kRater, core::Interpolation::Linear));
     EXPECT_EQ(core::annotatedFrames(m_set).size(), 31u);
-    EXPECT_LT((*core::reconstruct(m_set, m_cameras, 5, kRater, kIndex).proposal - 0.5 * (path(0) + path(10))).norm(), 1e-3);
+    EXPECT_LT((*core::reconstruct(m_set, m_cameras, 5, kRater, kIndex).proposal - 0.5 * (path(0) + path(10))).norm(),
+              1e-3);
 }
 
 TEST_F(Edits, SwappingHandsIsItsOwnInverseAndLeavesOtherRatersAlone) {

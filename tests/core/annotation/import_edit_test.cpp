@@ -18,18 +18,18 @@ const JointId kIndex{Side::Left, "index_mcp"}, kWrist{Side::Right, "wrist"};
 core::MarkKey key(int frame, const JointId& joint, int camera, const std::string& rater = "anna") {
     return {frame, rater, joint, "cam" + std::to_string(camera)};
 }
-Mark proposal(double x) { return {{x, 1}, Placement::Proposed, MarkState::Visible}; }
+Mark proposal(double x) {
+    return {{x, 1}, Placement::Proposed, MarkState::Visible};
+}
 
-/// Anna has clicked the index in cam0 and cam1 of frames 5 and 6 and noted something; the file says otherwise of frame 5, and has
-/// her wrist and somebody else's index, too.
+/// Anna has clicked the index in cam0 and cam1 of frames 5 and 6 and noted something; the file says otherwise of frame
+/// 5, and has her wrist and somebody else's index, too.
 class ImportEdit : public testing::Test {
 protected:
     ImportEdit() {
-        for (const int frame : {5, 6}) {
-            for (const int camera : {0, 1}) {
+        for (const int frame : {5, 6})
+            for (const int camera : {0, 1})
                 m_set.marks[key(frame, kIndex, camera)] = Mark{{10.0 + camera, 20}};
-            }
-        }
         m_set.notes[5] = "hers";
         m_file.marks[key(5, kIndex, 1)] = Mark{{50, 60}};
         m_file.marks[key(5, kIndex, 2)] = Mark{{52, 60}};
@@ -106,9 +106,8 @@ TEST_F(ImportEdit, ALaterFileOfTheSamePersonMayHoldMoreViews) {
 TEST_F(ImportEdit, ProposalsDisplaceNothingThatSomebodySettledAndMakeWay) {
     m_set.marks[key(5, kWrist, 0)] = proposal(1);
     m_file = {};
-    for (const int camera : {0, 1, 2}) {
+    for (const int camera : {0, 1, 2})
         m_file.marks[key(5, kIndex, camera)] = proposal(7);
-    }
     m_file.marks[key(5, kWrist, 0)] = Mark{{9, 9}};
     EXPECT_TRUE(core::importConflicts(m_set, m_file).empty());
     const AnnotationSet set = after(ImportMode::Replace);

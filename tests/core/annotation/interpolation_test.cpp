@@ -8,7 +8,9 @@ namespace {
 using core::Interpolation;
 using Eigen::Vector3d;
 
-Vector3d parabola(double t) { return {1 + 2 * t - 0.5 * t * t, -3 + t, 0.25 * t * t}; }
+Vector3d parabola(double t) {
+    return {1 + 2 * t - 0.5 * t * t, -3 + t, 0.25 * t * t};
+}
 
 TEST(Interpolation, LinearIsExactOnALine) {
     const std::map<int, Vector3d> points{{10, {0, 0, 0}}, {20, {10, -20, 5}}};
@@ -19,18 +21,18 @@ TEST(Interpolation, LinearIsExactOnALine) {
 
 TEST(Interpolation, CubicIsExactOnAParabolaAlsoAtTheEndsAndWithUnevenFrames) {
     std::map<int, Vector3d> points;
-    for (const int frame : {0, 3, 11, 12, 30}) {
+    for (const int frame : {0, 3, 11, 12, 30})
         points[frame] = parabola(frame);
-    }
-    for (int frame = 0; frame <= 30; ++frame) {
+    for (int frame = 0; frame <= 30; ++frame)
         EXPECT_LT((*core::interpolated(points, frame, Interpolation::Cubic) - parabola(frame)).norm(), 1e-9) << frame;
-    }
 }
 
 TEST(Interpolation, CubicIsSmoothWhereLinearHasACorner) {
     const std::map<int, Vector3d> points{{0, {0, 0, 0}}, {100, {0, 50, 0}}, {200, {0, 0, 0}}};
-    const double before = core::interpolated(points, 100, Interpolation::Cubic)->y() - core::interpolated(points, 99, Interpolation::Cubic)->y();
-    const double after = core::interpolated(points, 101, Interpolation::Cubic)->y() - core::interpolated(points, 100, Interpolation::Cubic)->y();
+    const double before = core::interpolated(points, 100, Interpolation::Cubic)->y() -
+                          core::interpolated(points, 99, Interpolation::Cubic)->y();
+    const double after = core::interpolated(points, 101, Interpolation::Cubic)->y() -
+                         core::interpolated(points, 100, Interpolation::Cubic)->y();
     EXPECT_NEAR(before, after, 0.03);
 }
 

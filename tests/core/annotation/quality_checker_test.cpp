@@ -35,20 +35,17 @@ protected:
                 core::Pose pose = test::curledPose(hand.skeleton, 0.2 + 0.01 * frame);
                 pose.head<3>() = Vector3d(-80, hand.side == Side::Left ? 70 : -70, 0.2 * frame);
                 const auto joints = core::jointPositions(hand.skeleton, pose);
-                for (std::size_t b = 0; b < joints.size(); ++b) {
+                for (std::size_t b = 0; b < joints.size(); ++b)
                     frames[frame][{hand.side, hand.skeleton.bones[b].name}] = joints[b];
-                }
             }
         }
         return frames;
     }
     std::vector<QualityFinding> findingsOf(const std::map<int, std::map<JointId, Vector3d>>& frames) {
         m_set = {};
-        for (const auto& [frame, joints] : frames) {
-            for (const auto& [id, point] : joints) {
+        for (const auto& [frame, joints] : frames)
+            for (const auto& [id, point] : joints)
                 test::clickEverywhere(m_set, m_cameras, frame, kRater, id, point, 0.3, &m_random);
-            }
-        }
         return core::checkSequence(m_set, m_cameras, kRater, m_hands);
     }
     static std::vector<QualityFinding> ofKind(std::vector<QualityFinding> findings, QualityKind kind) {
@@ -84,9 +81,8 @@ TEST_F(Quality, NamesTheBoneWhoseLengthIsOff) {
 TEST_F(Quality, NamesTheClickThatDisagreesAndTheJointWithoutAPoint) {
     findingsOf(goodJoints());
     m_set.marks.at({30, kRater, {Side::Right, "index_pip"}, "cam5"}).px.x() += 40;
-    for (const char* camera : {"cam0", "cam1", "cam2", "cam3", "cam4", "cam6"}) {
+    for (const char* camera : {"cam0", "cam1", "cam2", "cam3", "cam4", "cam6"})
         m_set.marks.erase({30, kRater, {Side::Right, "wrist"}, camera});
-    }
     m_set.marks.at({30, kRater, {Side::Right, "wrist"}, "cam7"}).px.y() += 60;
     const auto findings = ofKind(core::checkSequence(m_set, m_cameras, kRater, m_hands), QualityKind::Disagreement);
     ASSERT_EQ(findings.size(), 2u);
@@ -110,10 +106,12 @@ TEST_F(Quality, FindsTwoJointsOnOnePixel) {
 TEST_F(Quality, FindsFingersThatWereExchanged) {
     auto frames = goodJoints();
     for (const char* joint : {"_mcp", "_pip", "_dip", "_tip"}) { // the whole finger: knuckles are out of order
-        std::swap(frames[20][{Side::Right, std::string("middle") + joint}], frames[20][{Side::Right, std::string("ring") + joint}]);
+        std::swap(frames[20][{Side::Right, std::string("middle") + joint}],
+                  frames[20][{Side::Right, std::string("ring") + joint}]);
     }
     for (const char* joint : {"_pip", "_dip", "_tip"}) { // all but the knuckle
-        std::swap(frames[30][{Side::Left, std::string("ring") + joint}], frames[30][{Side::Left, std::string("little") + joint}]);
+        std::swap(frames[30][{Side::Left, std::string("ring") + joint}],
+                  frames[30][{Side::Left, std::string("little") + joint}]);
     }
     const auto findings = ofKind(findingsOf(frames), QualityKind::FingerOrder);
     ASSERT_GE(findings.size(), 2u);
@@ -125,15 +123,15 @@ TEST_F(Quality, FindsFingersThatWereExchanged) {
 
 TEST_F(Quality, FindsHandsThatWereExchangedFromAFrameOn) {
     auto frames = goodJoints();
-    for (auto& [id, point] : frames[30]) {
-        if (id.hand == Side::Left) {
+    for (auto& [id, point] : frames[30])
+        if (id.hand == Side::Left)
             std::swap(point, frames[30][{Side::Right, id.joint}]);
-        }
-    }
     const auto findings = ofKind(findingsOf(frames), QualityKind::HandMixUp);
-    const auto at30 = std::count_if(findings.begin(), findings.end(), [](const QualityFinding& f) { return f.frame == 30; });
+    const auto at30 =
+        std::count_if(findings.begin(), findings.end(), [](const QualityFinding& f) { return f.frame == 30; });
     EXPECT_EQ(at30, 3); // exchanged since the frame before; and the fingers of both, well bent, bend backwards
-    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const QualityFinding& f) { return f.text.find("exchanged") != std::string::npos; }));
+    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
+                            [](const QualityFinding& f) { return f.text.find("exchanged") != std::string::npos; }));
 }
 
 TEST_F(Quality, FindsTheWrongHandByTheWayItsFingersBend) {
@@ -141,30 +139,25 @@ TEST_F(Quality, FindsTheWrongHandByTheWayItsFingersBend) {
         auto frames = goodJoints();
         std::map<int, std::map<JointId, Vector3d>> one;
         for (const auto& [frame, joints] : frames) {
-            for (const auto& [id, point] : joints) {
-                if (id.hand == side) { // filed under the other hand, alone in the picture
+            for (const auto& [id, point] : joints)
+                if (id.hand == side) // filed under the other hand, alone in the picture
                     one[frame][{side == Side::Left ? Side::Right : Side::Left, id.joint}] = point;
-                }
-            }
         }
         const auto findings = ofKind(findingsOf(one), QualityKind::HandMixUp);
         EXPECT_GE(findings.size(), 3u); // those frames in which they bend enough
-        for (const QualityFinding& finding : findings) {
+        for (const QualityFinding& finding : findings)
             EXPECT_NE(finding.text.find("other hand"), std::string::npos);
-        }
     }
 }
 
 TEST_F(Quality, AFrameLookedAtAgainIsAsGoodAsALookAtEverything) {
     findingsOf(goodJoints());
     core::QualityChecker checker(m_cameras, m_hands, kRater);
-    for (const int frame : core::annotatedFrames(m_set)) {
+    for (const int frame : core::annotatedFrames(m_set))
         checker.check(m_set, frame);
-    }
     EXPECT_TRUE(checker.findings().empty());
-    for (auto& [key, mark] : m_set.marks) { // a finger of frame 20 moves: its bones, and a click
+    for (auto& [key, mark] : m_set.marks) // a finger of frame 20 moves: its bones, and a click
         mark.px.x() += key.frame == 20 && key.joint == JointId{Side::Left, "ring_tip"} ? 25 : 0;
-    }
     m_set.marks.at({20, kRater, {Side::Right, "index_pip"}, "cam5"}).px.x() += 40;
     std::erase_if(m_set.marks, [](const auto& entry) { return entry.first.frame == 40; });
     checker.check(m_set, 20);
@@ -180,13 +173,13 @@ TEST_F(Quality, FindsAnglesBeyondTheLimits) {
     core::Pose pose = test::curledPose(skeleton, 0.4);
     for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
         if (skeleton.dofs[d].name == "middle_pip.flexion") {
-            pose[core::kRigidDofs + static_cast<Eigen::Index>(d)] = skeleton.dofs[d].minRad - 0.5; // 29 degrees too far back
+            pose[core::kRigidDofs + static_cast<Eigen::Index>(d)] =
+                skeleton.dofs[d].minRad - 0.5; // 29 degrees too far back
         }
     }
     const auto joints = core::jointPositions(skeleton, pose);
-    for (std::size_t b = 0; b < joints.size(); ++b) {
+    for (std::size_t b = 0; b < joints.size(); ++b)
         frames[20][{Side::Right, skeleton.bones[b].name}] = joints[b];
-    }
     const auto findings = ofKind(findingsOf(frames), QualityKind::JointAngle);
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].joint, (JointId{Side::Right, "middle_pip"}));

@@ -20,10 +20,10 @@ const JointId kWrist{Side::Left, "wrist"}, kTip{Side::Right, "index_tip"};
 class Raters : public testing::Test {
 protected:
     Vector3d place(int frame) { return {0.5 * frame - 40, 20 - 0.3 * frame, 5}; }
-    void click(const std::string& rater, const JointId& joint, int frames, double sigmaPx, const Vector3d& shift = Vector3d(0, 0, 0)) {
-        for (int frame = 0; frame < frames; ++frame) {
+    void click(const std::string& rater, const JointId& joint, int frames, double sigmaPx,
+               const Vector3d& shift = Vector3d(0, 0, 0)) {
+        for (int frame = 0; frame < frames; ++frame)
             test::clickEverywhere(m_set, m_cameras, frame, rater, joint, place(frame) + shift, sigmaPx, &m_random);
-        }
     }
 
     std::vector<core::Camera> m_cameras = test::cameraRing(8);
@@ -53,7 +53,8 @@ TEST_F(Raters, LimitsOfAgreementHold95PercentOfTheDifferences) {
     click("ann", kWrist, 400, 1.0);
     click("bob", kWrist, 400, 1.0);
     const auto comparison = core::compareRaters(m_set, m_cameras, "ann", "bob");
-    const auto first = core::sequencePoints(m_set, m_cameras, "ann"), second = core::sequencePoints(m_set, m_cameras, "bob");
+    const auto first = core::sequencePoints(m_set, m_cameras, "ann"),
+               second = core::sequencePoints(m_set, m_cameras, "bob");
     for (int axis = 0; axis < 3; ++axis) {
         const core::BlandAltman& numbers = comparison->all.axes[axis];
         int inside = 0;
@@ -85,7 +86,9 @@ TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
     core::TriangulationOptions wide;
     wide.sigmaPx = 3;
     for (int frame = 0; frame < 200; ++frame) {
-        const auto error = [&](const core::TriangulationResult& result) { return (result.point->pointInWorld - place(frame)).squaredNorm(); };
+        const auto error = [&](const core::TriangulationResult& result) {
+            return (result.point->pointInWorld - place(frame)).squaredNorm();
+        };
         weighted += error(core::consensus(m_set, m_cameras, frame, kWrist, {{"ann", 0.5}, {"bob", 3.0}}).result);
         equal += error(core::consensus(m_set, m_cameras, frame, kWrist, {}, wide).result);
         steady += error(core::reconstruct(m_set, m_cameras, frame, "ann", kWrist).result);
@@ -95,15 +98,13 @@ TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
 }
 
 TEST_F(Raters, ConsensusNamesTheRaterWhoIsWrong) {
-    for (const char* rater : {"ann", "bob", "eve"}) {
+    for (const char* rater : {"ann", "bob", "eve"})
         click(rater, kWrist, 1, 0.5);
-    }
     m_set.marks.at({0, "bob", kWrist, "cam2"}).px.x() += 50;
     const auto result = core::consensus(m_set, m_cameras, 0, kWrist);
     ASSERT_EQ(result.clicks.size(), 24u);
-    for (const core::ConsensusClick& click : result.clicks) {
+    for (const core::ConsensusClick& click : result.clicks)
         EXPECT_EQ(click.outlier, click.rater == "bob" && click.camera == "cam2");
-    }
 }
 
 TEST_F(Raters, RepeatTasksAreASubsetOfWhatIsFinishedDrawnBySeed) {
@@ -112,9 +113,8 @@ TEST_F(Raters, RepeatTasksAreASubsetOfWhatIsFinishedDrawnBySeed) {
     const auto tasks = core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 7);
     EXPECT_EQ(tasks.size(), 12u);
     EXPECT_EQ(std::set<core::RepeatTask>(tasks.begin(), tasks.end()).size(), 12u);
-    for (const core::RepeatTask& task : tasks) {
+    for (const core::RepeatTask& task : tasks)
         EXPECT_TRUE(task.joint == kWrist && task.frame < 60);
-    }
     EXPECT_EQ(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 7), tasks);
     EXPECT_NE(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 8), tasks);
     EXPECT_EQ(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.0, 7).size(), 1u);
@@ -135,9 +135,8 @@ TEST(RaterWork, CountsSettledMarksAndTheirFrames) {
     core::AnnotationSet set;
     const core::JointId joint{core::Side::Left, "wrist"};
     for (const int frame : {3, 4}) {
-        for (const char* camera : {"cam0", "cam1"}) {
+        for (const char* camera : {"cam0", "cam1"})
             set.marks[{frame, "anna", joint, camera}] = core::Mark{{1, 2}};
-        }
         set.marks[{frame, "net", joint, "cam0"}] = {{1, 2}, core::Placement::Proposed, core::MarkState::Visible};
     }
     set.marks[{4, "bob", joint, "cam0"}] = core::Mark{{1, 2}};

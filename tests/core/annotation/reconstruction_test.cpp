@@ -25,9 +25,8 @@ const Vector3d kTruth(20, -35, 12);
 class Reconstruction : public testing::Test {
 protected:
     void click(const std::vector<int>& cameras, double sigmaPx = 0) {
-        for (const int i : cameras) {
+        for (const int i : cameras)
             test::clickEverywhere(m_set, {m_cameras[i]}, 3, kRater, kJoint, kTruth, sigmaPx, &m_random);
-        }
     }
     core::Mark& mark(int camera) { return m_set.marks.at({3, kRater, kJoint, m_cameras[camera].name}); }
     JointReconstruction look(const core::ReconstructionOptions& options = {}) {
@@ -74,9 +73,8 @@ TEST_F(Reconstruction, OnlyManualPlacedMarksAreEvidence) {
 
 TEST_F(Reconstruction, ProposalsAreNeitherEvidenceNorProgress) {
     click({0, 1, 2, 3, 4, 5, 6, 7});
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8; ++i)
         mark(i).placement = Placement::Proposed;
-    }
     const JointReconstruction guessed = look();
     EXPECT_EQ(guessed.status, core::JointStatus::None);
     EXPECT_EQ(guessed.placedViews, 0);
@@ -106,15 +104,13 @@ TEST_F(Reconstruction, ViewsWithoutAPictureNeedNoMark) {
     click({0, 1, 2});
     EXPECT_EQ(look(options).status, core::JointStatus::Partial);
     EXPECT_EQ(look(options).countedViews, 4);
-    for (const core::NextView& next : look(options).nextViews) {
+    for (const core::NextView& next : look(options).nextViews)
         EXPECT_EQ(next.camera, "cam3");
-    }
     click({3});
     EXPECT_EQ(look(options).status, core::JointStatus::Done);
     EXPECT_EQ(look().status, core::JointStatus::Partial) << "every camera counts where all have footage";
-    for (const core::Camera& camera : m_cameras) {
+    for (const core::Camera& camera : m_cameras)
         options.withoutPicture.insert(camera.name);
-    }
     EXPECT_EQ(look(options).countedViews, 8) << "without any footage, all count";
     core::PictureGaps gaps{{"cam7"}, {{"cam6", {{3, 2}}}, {"cam5", {{9, 1}}}}};
     EXPECT_EQ(gaps.at(3), (std::set<std::string>{"cam6", "cam7"}));
@@ -163,16 +159,13 @@ TEST_F(Reconstruction, RanksTheNextViewByWhatItWouldGive) {
     ASSERT_EQ(joint.nextViews.size(), 6u);
     for (std::size_t k = 0; k < joint.nextViews.size(); ++k) {
         AnnotationSet more = m_set;
-        for (const core::Camera& camera : m_cameras) {
-            if (camera.name == joint.nextViews[k].camera) {
+        for (const core::Camera& camera : m_cameras)
+            if (camera.name == joint.nextViews[k].camera)
                 test::clickEverywhere(more, {camera}, 3, kRater, kJoint, kTruth);
-            }
-        }
         const auto then = core::reconstruct(more, m_cameras, 3, kRater, kJoint);
         EXPECT_NEAR(core::sigmaMm(then.result.point->covariance), joint.nextViews[k].predictedSigmaMm, 1e-6);
-        if (k > 0) {
+        if (k > 0)
             EXPECT_GE(joint.nextViews[k].predictedSigmaMm, joint.nextViews[k - 1].predictedSigmaMm);
-        }
     }
     EXPECT_LT(joint.nextViews[0].predictedSigmaMm, core::sigmaMm(joint.result.point->covariance));
 }
@@ -184,8 +177,9 @@ TEST_F(Reconstruction, AfterOneClickTheSecondViewIsRankedNearAHint) {
     options.nearInWorld = Vector3d(0, 0, 0);
     const auto next = look(options).nextViews;
     ASSERT_GE(next.size(), 6u);
-    EXPECT_TRUE(next.front().camera == "cam2" || next.front().camera == "cam6") << next.front().camera; // at right angles
-    EXPECT_EQ(next.back().camera, "cam4");                                                             // along the ray
+    EXPECT_TRUE(next.front().camera == "cam2" || next.front().camera == "cam6")
+        << next.front().camera;            // at right angles
+    EXPECT_EQ(next.back().camera, "cam4"); // along the ray
 }
 
 TEST_F(Reconstruction, EllipseHolds95PercentOfTheReprojections) {

@@ -45,9 +45,8 @@ TEST(BenchmarkRun, ErrorsAreMeanJointDistancesToTheTestFrame) {
         const HandPoses& start = motion[static_cast<std::size_t>(row.pair.start)];
         const HandPoses& truth = motion[static_cast<std::size_t>(row.pair.test)];
         std::vector<cv::Mat> masks;
-        for (const Camera& camera : scene.cameras) {
+        for (const Camera& camera : scene.cameras)
             masks.push_back(renderHandsMask(camera, scene.hands, truth));
-        }
         const FitResult fit = pretendToFit(masks, start, parseMethod(row.method), {});
         EXPECT_NEAR(row.initialErrorMm, meanJointDistanceMm(scene.hands, start, truth), 1e-6);
         EXPECT_NEAR(row.errorMm, meanJointDistanceMm(scene.hands, fit.poses, truth), 1e-6);
@@ -92,16 +91,16 @@ TEST(BenchmarkRun, StopsBetweenFitsAndGoesOnWhereItEnded) {
     const BenchmarkResults whole = runBenchmark(scene, pairs, twoMethods(), pretendToFit);
     std::stop_source stop;
     const auto stopAfterFive = [&](const BenchmarkProgress& progress) {
-        if (progress.finished == 5) {
+        if (progress.finished == 5)
             stop.request_stop();
-        }
     };
     const BenchmarkResults part =
         runBenchmark(scene, pairs, twoMethods(), pretendToFit, stopAfterFive, stop.get_token());
     EXPECT_TRUE(part.stopped);
     EXPECT_EQ(part.rows.size(), 5u);
     std::atomic<int> fits = 0;
-    const PairEstimator counting = [&](const auto& masks, const auto& start, const auto& method, std::stop_token token) {
+    const PairEstimator counting = [&](const auto& masks, const auto& start, const auto& method,
+                                       std::stop_token token) {
         ++fits;
         return pretendToFit(masks, start, method, std::move(token));
     };

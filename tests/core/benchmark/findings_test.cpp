@@ -16,9 +16,8 @@ namespace {
 double papersError(const std::string& method) {
     const Method m = parseMethod(method);
     const auto among = [](double value, const std::map<double, double>& table) { return table.at(value); };
-    if (m.best) {
+    if (m.best)
         return 0.5;
-    }
     switch (m.distance) {
     case DistanceKind::DchThres:
         return (m.signedOrientation ? 0 : 0.4) + among(m.tauDeg, {{11.25, 2.6}, {22.5, 2.2}, {45, 2.7}, {90, 3.2}});
@@ -44,14 +43,15 @@ BenchmarkResults papersResults() {
     for (const std::string& method : results.methods) {
         const bool smooth = method.starts_with("dch-dt3");
         const bool fast = method.starts_with("dch-thres");
-        results.rows.push_back({results.pairs[0], method, 10, papersError(method), 20, smooth ? 1 : 3, fast ? 77.0 : 110.0, {}});
+        results.rows.push_back(
+            {results.pairs[0], method, 10, papersError(method), 20, smooth ? 1 : 3, fast ? 77.0 : 110.0, {}});
     }
     return results;
 }
 
 const Finding& about(const std::vector<Finding>& all, const std::string& words) {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Finding& finding) { return finding.claim.find(words) != std::string::npos; });
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const Finding& finding) { return finding.claim.find(words) != std::string::npos; });
     EXPECT_NE(found, all.end()) << words;
     return *found;
 }
@@ -67,14 +67,10 @@ TEST(Findings, AllHoldForThePapersNumbers) {
 
 TEST(Findings, EachTurnsWithItsOwnNumbers) {
     const std::map<std::string, std::vector<std::string>> spoilers = {
-        {"(Thres)", {"dch-thres:signed=0"}},
-        {"(DT3)", {"dch-dt3:signed=0"}},
-        {"tau = 22.5", {"dch-thres:tau=45"}},
-        {"lambda saturates", {"dch-dt3:lambda=0", "dch-dt3:lambda=5"}},
-        {"more than 8 bins", {"dch-dt3:bins=8"}},
-        {"Quant2 beats Quant", {"dch-quant:bins=4"}},
-        {"better for Quant2", {"dch-quant2:bins=32"}},
-        {"smallest error", {"ch"}}};
+        {"(Thres)", {"dch-thres:signed=0"}},           {"(DT3)", {"dch-dt3:signed=0"}},
+        {"tau = 22.5", {"dch-thres:tau=45"}},          {"lambda saturates", {"dch-dt3:lambda=0", "dch-dt3:lambda=5"}},
+        {"more than 8 bins", {"dch-dt3:bins=8"}},      {"Quant2 beats Quant", {"dch-quant:bins=4"}},
+        {"better for Quant2", {"dch-quant2:bins=32"}}, {"smallest error", {"ch"}}};
     for (const auto& [claim, methods] : spoilers) {
         BenchmarkResults results = papersResults();
         for (const std::string& method : methods) {
@@ -95,14 +91,11 @@ TEST(Findings, EachTurnsWithItsOwnNumbers) {
 
 TEST(Findings, ATieIsNoVictory) {
     BenchmarkResults results = papersResults();
-    for (PairResult& row : results.rows) {
+    for (PairResult& row : results.rows)
         row = {row.pair, row.method, 10, 2, 20, 1, 80, {}};
-    }
-    for (const BenchmarkSetup setup : {BenchmarkSetup::Synthetic, BenchmarkSetup::Realistic}) {
-        for (const Finding& finding : findings(results, setup, Schedule::RigidFirst)) {
+    for (const BenchmarkSetup setup : {BenchmarkSetup::Synthetic, BenchmarkSetup::Realistic})
+        for (const Finding& finding : findings(results, setup, Schedule::RigidFirst))
             EXPECT_NE(finding.verdict, Verdict::Reproduced) << finding.claim;
-        }
-    }
 }
 
 TEST(Findings, SpeedAndSmoothnessAreComparedWithEveryOther) {
@@ -124,19 +117,20 @@ TEST(Findings, SayWhatWasNotMeasured) {
     const auto all = findings(results, BenchmarkSetup::Synthetic, Schedule::RigidFirst);
     EXPECT_EQ(about(all, "tau = 22.5").verdict, Verdict::NotMeasured);
     EXPECT_EQ(about(all, "tau = 22.5").numbers, "needs dch-thres:tau=45");
-    EXPECT_NE(about(all, "lambda").numbers.find("dt3:lambda=35 3.62"), std::string::npos) << about(all, "lambda").numbers;
-    for (const Finding& finding : findings({}, BenchmarkSetup::Synthetic, Schedule::Paper)) {
+    EXPECT_NE(about(all, "lambda").numbers.find("dt3:lambda=35 3.62"), std::string::npos)
+        << about(all, "lambda").numbers;
+    for (const Finding& finding : findings({}, BenchmarkSetup::Synthetic, Schedule::Paper))
         EXPECT_EQ(finding.verdict, Verdict::NotMeasured);
-    }
 }
 
 TEST(Findings, RealDataDecideAboutCh) {
     BenchmarkResults results = papersResults();
-    EXPECT_EQ(about(findings(results, BenchmarkSetup::Realistic, Schedule::Paper), "real").verdict, Verdict::NotReproduced);
-    for (PairResult& row : results.rows) {
+    EXPECT_EQ(about(findings(results, BenchmarkSetup::Realistic, Schedule::Paper), "real").verdict,
+              Verdict::NotReproduced);
+    for (PairResult& row : results.rows)
         row.errorMm += row.method.starts_with("ch") ? 9 : 0;
-    }
-    EXPECT_EQ(about(findings(results, BenchmarkSetup::Realistic, Schedule::Paper), "real").verdict, Verdict::Reproduced);
+    EXPECT_EQ(about(findings(results, BenchmarkSetup::Realistic, Schedule::Paper), "real").verdict,
+              Verdict::Reproduced);
 }
 
 TEST(Sweep, NamesEveryMethodOnceAndCanonically) {

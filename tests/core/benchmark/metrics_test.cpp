@@ -16,8 +16,8 @@ using test::handMadeResults;
 TEST(Metrics, AreThoseOfTheHandMadeResults) {
     const ErrorStatistics all = errorStatistics(handMadeResults(), "ch");
     EXPECT_EQ(all.pairs, 4);
-    EXPECT_DOUBLE_EQ(all.meanMm, 4);              // 1 3 5 7
-    EXPECT_DOUBLE_EQ(all.stdMm, std::sqrt(5.0));  // of the population
+    EXPECT_DOUBLE_EQ(all.meanMm, 4);             // 1 3 5 7
+    EXPECT_DOUBLE_EQ(all.stdMm, std::sqrt(5.0)); // of the population
     EXPECT_DOUBLE_EQ(all.medianMm, 4);
     EXPECT_DOUBLE_EQ(all.worstMm, 7);
     EXPECT_DOUBLE_EQ(all.meanSeconds, 0.5);

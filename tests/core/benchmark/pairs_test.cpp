@@ -13,9 +13,8 @@ namespace {
 
 PairFrames wholeSequence(const std::string& name, int frameCount) {
     PairFrames frames{name, {}};
-    for (int i = 0; i < frameCount; ++i) {
+    for (int i = 0; i < frameCount; ++i)
         frames.frames.push_back(i);
-    }
     return frames;
 }
 
@@ -30,9 +29,8 @@ TEST(Pairs, AreThePredictedNumberAndStayInTheSequence) {
         EXPECT_GE(pair.start, 0);
         EXPECT_GE(pair.test, 15);
         EXPECT_LT(pair.test, pair.sequence == "01" ? 231 : 155);
-        if (pair.sequence == "01") {
+        if (pair.sequence == "01")
             tests.insert(pair.test);
-        }
     }
     EXPECT_EQ(tests.size(), 23u);
 }
@@ -48,9 +46,8 @@ TEST(Pairs, DependOnTheSeedButNotOnTheOtherSequences) {
 
 TEST(Pairs, DrawFromTheFramesGiven) {
     const PairFrames annotated{"s", {3, 20, 40, 60, 80, 100}};
-    for (const FramePair& pair : drawPairs({annotated}, {0.5, {10}, 1})) {
+    for (const FramePair& pair : drawPairs({annotated}, {0.5, {10}, 1}))
         EXPECT_TRUE(pair.test >= 20 && pair.test <= 100 && pair.test % 20 == 0);
-    }
     EXPECT_EQ(drawPairs({annotated}, {1.0, {10}, 1}).size(), 5u); // frame 3 comes before the difference
 }
 

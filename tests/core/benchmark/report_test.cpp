@@ -13,12 +13,12 @@ namespace core {
 namespace {
 
 std::string report(const BenchmarkResults& results, bool sweep, bool drawn) {
-    ReportContent content{"/data/my hands", BenchmarkSetup::Synthetic, sweep, &results, reportFigures(results, sweep), {}};
+    ReportContent content{"/data/my hands", BenchmarkSetup::Synthetic,     sweep,
+                          &results,         reportFigures(results, sweep), {}};
     if (drawn) {
         content.pictures.emplace();
-        for (std::size_t i = 0; i < content.figures.size(); ++i) {
+        for (std::size_t i = 0; i < content.figures.size(); ++i)
             content.pictures->push_back("<svg>" + std::to_string(i) + "</svg>");
-        }
     }
     return reportHtml(content);
 }
@@ -33,9 +33,8 @@ void expectWellFormed(const std::string& html) {
     for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
         const std::size_t end = html.find_first_of(" >", at);
         const std::string tag = html.substr(at + 1, end - at - 1);
-        if (tag[0] == '!' || tag == "meta" || tag == "br") {
+        if (tag[0] == '!' || tag == "meta" || tag == "br")
             continue;
-        }
         if (tag[0] != '/') {
             open.push_back(tag);
             continue;
@@ -62,8 +61,9 @@ TEST(Report, IsOneWellFormedPageWithoutANetwork) {
 
 TEST(Report, ListsTheWorstPairsWithTheCommandThatOpensThem) {
     const std::string html = report(test::handMadeResults(), false, true);
-    const std::string row = "<td>25</td><td>30</td><td>40.00</td><td>7.00</td><td class=\"text\"><code>handlens '/data/my hands' "
-                            "--sequence 01 --frame 30</code></td>";
+    const std::string row =
+        "<td>25</td><td>30</td><td>40.00</td><td>7.00</td><td class=\"text\"><code>handlens '/data/my hands' "
+        "--sequence 01 --frame 30</code></td>";
     EXPECT_TRUE(contains(html, row)) << html;
     EXPECT_EQ(openCommand("d", {"it's", 3, 8}), "handlens d --sequence 'it'\\''s' --frame 8");
 }
@@ -91,14 +91,19 @@ TEST(Report, SplitsTheTableBySchedule) {
 
 TEST(Report, SaysWhatEachIdeaOfBestGainsAndCosts) {
     BenchmarkResults results = test::handMadeResults();
-    for (const auto& [method, errorMm, seconds] : {std::tuple{"best", 0.25, 0.5}, std::tuple{"best:palm=0", 1.5, 0.25}, std::tuple{"best:both=1", 0.5, 1.0}}) {
+    for (const auto& [method, errorMm, seconds] :
+         {std::tuple{"best", 0.25, 0.5}, std::tuple{"best:palm=0", 1.5, 0.25}, std::tuple{"best:both=1", 0.5, 1.0}}) {
         results.methods.emplace_back(method);
         results.rows.push_back({results.pairs[0], method, 10, errorMm, 10, 1, seconds, {errorMm, errorMm, errorMm}});
     }
     sortRows(results);
     const std::string html = report(results, true, true);
-    EXPECT_TRUE(contains(html, "<td class=\"text\">best:palm=0</td><td>1.500</td><td>1.50</td><td>1.250</td><td>250</td>")) << html;
-    EXPECT_TRUE(contains(html, "<td class=\"text\">best:both=1</td><td>0.500</td><td>0.50</td><td>-0.250</td><td>500</td>")) << html;
+    EXPECT_TRUE(
+        contains(html, "<td class=\"text\">best:palm=0</td><td>1.500</td><td>1.50</td><td>1.250</td><td>250</td>"))
+        << html;
+    EXPECT_TRUE(
+        contains(html, "<td class=\"text\">best:both=1</td><td>0.500</td><td>0.50</td><td>-0.250</td><td>500</td>"))
+        << html;
 }
 
 TEST(Figures, HoldTheirData) {
@@ -121,7 +126,8 @@ std::vector<std::pair<std::string, std::string>> keyOf(const Figure& figure) {
     for (std::size_t at = figure.gnuplot.find(" lc rgb '", figure.gnuplot.find("plot $")); at != std::string::npos;
          at = figure.gnuplot.find(" lc rgb '", at + 1)) {
         const std::size_t title = figure.gnuplot.find("title '", at) + 7;
-        key.emplace_back(figure.gnuplot.substr(title, figure.gnuplot.find('\'', title) - title), figure.gnuplot.substr(at + 9, 7));
+        key.emplace_back(figure.gnuplot.substr(title, figure.gnuplot.find('\'', title) - title),
+                         figure.gnuplot.substr(at + 9, 7));
     }
     return key;
 }
@@ -145,15 +151,12 @@ TEST(Figures, AMethodHasOneColourAndOnePlaceInAllOfThem) {
     ASSERT_EQ(curves.size(), 5u);
     EXPECT_EQ(curves.front().first, "initial");
     curves.erase(curves.begin());
-    for (const Figure& figure : figures) {
-        if (figure.id != "curves") {
+    for (const Figure& figure : figures)
+        if (figure.id != "curves")
             EXPECT_EQ(keyOf(figure), curves) << figure.id;
-        }
-    }
     std::set<std::string> colours;
-    for (const auto& [name, colour] : curves) {
+    for (const auto& [name, colour] : curves)
         colours.insert(colour);
-    }
     EXPECT_EQ(colours.size(), 4u) << "and no two methods share one";
 }
 

@@ -37,17 +37,16 @@ TEST(ResultTable, ThePapersRowsStandOnlyBesideThePapersHands) {
 
 TEST(ResultTable, APapersRowStandsBelowItsOwnMethodAlone) {
     BenchmarkResults results = papersHands();
-    for (PairResult& row : results.rows) {
+    for (PairResult& row : results.rows)
         row.method = row.method == "ch" ? "dch-thres:schedule=paper" : "dch-thres:tau=45";
-    }
     results.methods = {"dch-thres:tau=45", "dch-thres:schedule=paper"};
     results.external.clear();
     const ResultTable table = resultTable(results, BenchmarkSetup::Synthetic);
     std::vector<std::string> names;
-    for (const ResultTable::Row& row : table.rows) {
+    for (const ResultTable::Row& row : table.rows)
         names.push_back(row.name);
-    }
-    EXPECT_EQ(names, (std::vector<std::string>{"initial", "dch-thres:tau=45", "dch-thres:schedule=paper", "DCH-Thres (paper)"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"initial", "dch-thres:tau=45", "dch-thres:schedule=paper",
+                                               "DCH-Thres (paper)"}));
 }
 
 TEST(ResultTable, ThePapersMeanOfAllStandsOnlyBesideItsOwnDifferences) {
@@ -60,7 +59,9 @@ TEST(ResultTable, ThePapersMeanOfAllStandsOnlyBesideItsOwnDifferences) {
         results.rows.push_back(row);
     }
     const std::string text = markdownTable(resultTable(results, BenchmarkSetup::Synthetic));
-    EXPECT_NE(text.find("| CH (paper) | 1.0 ± 1.0 | 2.5 ± 2.5 | 4.3 ± 4.6 | 6.4 ± 6.1 | 3.5 ± 4.5 | 103 |"), std::string::npos) << text;
+    EXPECT_NE(text.find("| CH (paper) | 1.0 ± 1.0 | 2.5 ± 2.5 | 4.3 ± 4.6 | 6.4 ± 6.1 | 3.5 ± 4.5 | 103 |"),
+              std::string::npos)
+        << text;
 }
 
 TEST(ResultTable, HasTheOtherNumbersForTheRealisticSetup) {
@@ -71,9 +72,8 @@ TEST(ResultTable, HasTheOtherNumbersForTheRealisticSetup) {
 
 TEST(ResultTable, EscapesWhatLatexAndHtmlWouldRead) {
     BenchmarkResults results = handMadeResults();
-    for (PairResult& row : results.rows) {
+    for (PairResult& row : results.rows)
         row.method = row.method == "ch" ? "a_b&c<d>" : row.method;
-    }
     results.methods[0] = "a_b&c<d>";
     const ResultTable table = resultTable(results, BenchmarkSetup::Synthetic);
     EXPECT_NE(latexTable(table).find("a\\_b\\&c<d> & $2.00 \\pm 1.00$ & $6.00 \\pm 1.00$"), std::string::npos);

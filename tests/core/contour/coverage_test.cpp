@@ -21,9 +21,8 @@ TEST(Coverage, HoldsTheCellsWhoseCentresLieInATriangle) {
         core::Coverage coverage;
         coverage.reset(origin, origin + Eigen::Vector2f(60, 40), cell);
         std::array<Eigen::Vector2f, 3> p;
-        for (Eigen::Vector2f& corner : p) {
+        for (Eigen::Vector2f& corner : p)
             corner = origin + random.vector(2, 50).cast<float>() + Eigen::Vector2f(30, 20);
-        }
         coverage.add(p[0], p[1], p[2]);
         for (int y = 0; y < coverage.height(); ++y) {
             for (int x = 0; x < coverage.width(); ++x) {

@@ -21,11 +21,9 @@ using core::OrientedContour;
 /// A disc by the pixel-centre rule, drawn over what is there.
 void drawDisc(cv::Mat& mask, double cx, double cy, double radius, int value = 255) {
     for (int y = 0; y < mask.rows; ++y) {
-        for (int x = 0; x < mask.cols; ++x) {
-            if (std::hypot(x - cx, y - cy) < radius) {
+        for (int x = 0; x < mask.cols; ++x)
+            if (std::hypot(x - cx, y - cy) < radius)
                 mask.at<unsigned char>(y, x) = static_cast<unsigned char>(value);
-            }
-        }
     }
 }
 
@@ -44,9 +42,8 @@ CircleErrors circleErrors(const OrientedContour& contour, double cx, double cy, 
     for (std::size_t i = 0; i < contour.size(); ++i) {
         const double dx = static_cast<double>(contour.x[i]) - cx, dy = static_cast<double>(contour.y[i]) - cy;
         const double r = std::hypot(dx, dy);
-        if (std::abs(r - radius) > 3) {
+        if (std::abs(r - radius) > 3)
             continue;
-        }
         const double outward = inwards ? std::atan2(-dy, -dx) : std::atan2(dy, dx);
         errors.normalDeg.push_back(180 / M_PI *
                                    core::signedCircularDistance(static_cast<double>(contour.angleRad[i]), outward));
@@ -130,15 +127,13 @@ TEST(OrientedContour, HoldsEveryBoundaryPixelButThoseOnTheImageBorder) {
         for (int y = 1; y + 1 < mask.rows; ++y) {
             for (int x = 1; x + 1 < mask.cols; ++x) {
                 const auto at = [&](int dx, int dy) { return mask.at<unsigned char>(y + dy, x + dx) != 0; };
-                if (at(0, 0) && !(at(-1, 0) && at(1, 0) && at(0, -1) && at(0, 1))) {
+                if (at(0, 0) && !(at(-1, 0) && at(1, 0) && at(0, -1) && at(0, 1)))
                     expected.insert({x, y});
-                }
             }
         }
         const OrientedContour contour = core::orientedContour(mask, options);
-        for (std::size_t i = 0; i < contour.size(); ++i) {
+        for (std::size_t i = 0; i < contour.size(); ++i)
             found.insert({static_cast<int>(contour.x[i]), static_cast<int>(contour.y[i])});
-        }
         EXPECT_EQ(found, expected);
     }
 }
@@ -253,11 +248,10 @@ TEST(MaskBounds, AreThoseOfBruteForce) {
             top = std::min(top, y), bottom = std::max(bottom, y);
         }
         const cv::Rect bounds = core::maskBounds(mask);
-        if (right < 0) {
+        if (right < 0)
             EXPECT_TRUE(bounds.empty());
-        } else {
+        else
             EXPECT_EQ(bounds, cv::Rect(left, top, right - left + 1, bottom - top + 1));
-        }
     }
     EXPECT_TRUE(core::maskBounds(cv::Mat()).empty());
 }

@@ -37,9 +37,8 @@ TriangleMesh randomTriangles(int count, const char* seed) {
     for (int i = 0; i < count; ++i) {
         const Vector3d middle = random.point(i % 10 ? 120 : 600);
         const double half = std::pow(10, random.between(-0.5, 2));
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             mesh.vertices.push_back(middle + random.point(half));
-        }
         mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
     }
     return mesh;
@@ -85,9 +84,8 @@ Hit bruteForce(const Camera& camera, const TriangleMesh& mesh, int x, int y) {
             px[k] = p.value_or(Vector2d(0, 0));
             span = std::max(span, px[k].cwiseAbs().maxCoeff());
         }
-        if (!seen) {
+        if (!seen)
             continue;
-        }
         const double inside = margin(px, Vector2d(x, y));
         hit.close = hit.close || std::abs(inside) < (span + 100) / 2048;
         if (inside > 0) {
@@ -113,9 +111,8 @@ TEST(Rasteriser, FindsTheTriangleAndDepthOfBruteForceRays) {
     for (int y = 0; y < camera.size.height; ++y) {
         for (int x = 0; x < camera.size.width; ++x) {
             const Hit oracle = bruteForce(camera, mesh, x, y);
-            if (oracle.close) {
+            if (oracle.close)
                 continue;
-            }
             ++compared;
             const int triangle = image.triangle.at<int>(y, x);
             const double depth = static_cast<double>(image.depthMm.at<float>(y, x));

@@ -63,9 +63,8 @@ TEST(ShadedImage, KeyLightComesFromItsSide) {
     lighting.fill = lighting.rim = lighting.specular = lighting.warmth = 0;
     const cv::Mat image = renderShaded(camera, {shaded(ball, {0.8f, 0.8f, 0.8f})}, lighting);
     const int y = 60;
-    for (int x = 57; x <= 100; ++x) { // from the lit left side to the right, it only gets darker
+    for (int x = 57; x <= 100; ++x) // from the lit left side to the right, it only gets darker
         EXPECT_LE(image.at<cv::Vec3b>(y, x + 1)[1], image.at<cv::Vec3b>(y, x)[1] + 1) << x;
-    }
     EXPECT_GT(image.at<cv::Vec3b>(y, 57)[1], image.at<cv::Vec3b>(y, 100)[1] + 80);
 }
 

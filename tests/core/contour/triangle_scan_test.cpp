@@ -24,10 +24,12 @@ FixedPoint atPixel(int x, int y) {
 class Counts {
 public:
     void scan(FixedPoint a, FixedPoint b, FixedPoint c) {
-        core::scanTriangle(a, b, c, kSize, [&](int x, int y) {
-            ASSERT_TRUE(x >= 0 && y >= 0 && x < kSize.width && y < kSize.height);
-            ++m_counts[{x, y}];
-        });
+        core::scanTriangle(
+            a, b, c, kSize,
+            [&](int x, int y) {
+                ASSERT_TRUE(x >= 0 && y >= 0 && x < kSize.width && y < kSize.height);
+                ++m_counts[{x, y}];
+            });
     }
     int at(int x, int y) const {
         const auto found = m_counts.find({x, y});
@@ -47,19 +49,16 @@ std::int64_t sideOf(const FixedPoint& a, const FixedPoint& b, int x, int y) {
 /// 1 if the centre of the pixel lies inside the triangle, 0 on its outline, -1 outside.
 int inside(const FixedPoint& a, const FixedPoint& b, const FixedPoint& c, int x, int y) {
     const std::int64_t s0 = sideOf(a, b, x, y), s1 = sideOf(b, c, x, y), s2 = sideOf(c, a, x, y);
-    if ((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0)) {
+    if ((s0 > 0 && s1 > 0 && s2 > 0) || (s0 < 0 && s1 < 0 && s2 < 0))
         return 1;
-    }
     return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0) ? 0 : -1;
 }
 
 template <typename Visit>
 void forEachPixel(Visit&& visit) {
-    for (int y = 0; y < kSize.height; ++y) {
-        for (int x = 0; x < kSize.width; ++x) {
+    for (int y = 0; y < kSize.height; ++y)
+        for (int x = 0; x < kSize.width; ++x)
             visit(x, y);
-        }
-    }
 }
 
 TEST(TriangleScan, VisitsExactlyThePixelsWhoseCentresLieInside) {
@@ -80,9 +79,8 @@ TEST(TriangleScan, VisitsExactlyThePixelsWhoseCentresLieInside) {
             visited += count;
             onOutline += place == 0;
             EXPECT_LE(count, 1);
-            if (place != 0) {
+            if (place != 0)
                 EXPECT_EQ(count, place > 0 ? 1 : 0) << x << " " << y;
-            }
         });
     }
     EXPECT_GT(visited, 10000);
@@ -93,9 +91,8 @@ TEST(TriangleScan, OrientationAndFirstCornerDoNotMatter) {
     test::RandomValues random("orientation");
     for (int trial = 0; trial < 50; ++trial) {
         std::array<FixedPoint, 3> p;
-        for (FixedPoint& corner : p) {
+        for (FixedPoint& corner : p)
             corner = atPixel(random.below(30), random.below(25));
-        }
         Counts once, turned, mirrored;
         once.scan(p[0], p[1], p[2]);
         turned.scan(p[2], p[0], p[1]);
@@ -123,11 +120,10 @@ TEST(TriangleScan, TrianglesThatShareEdgesCoverEveryPixelOnce) {
         for (int i = 0; i < spokes; ++i) {
             const FixedPoint &a = rim[static_cast<std::size_t>(i)],
                              &b = rim[static_cast<std::size_t>((i + 1) % spokes)];
-            if (i % 2) {
+            if (i % 2)
                 counts.scan(core::toFixed(middle), a, b);
-            } else {
+            else
                 counts.scan(b, a, core::toFixed(middle)); // mixed orientations, as front and back faces
-            }
         }
         forEachPixel([&](int x, int y) { EXPECT_EQ(counts.at(x, y), 1) << x << " " << y << " trial " << trial; });
     }

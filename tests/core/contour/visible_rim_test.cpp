@@ -74,9 +74,8 @@ public:
 private:
     std::vector<core::RimSource> sources() const {
         std::vector<core::RimSource> sources;
-        for (std::size_t h = 0; h < m_hands.size(); ++h) {
+        for (std::size_t h = 0; h < m_hands.size(); ++h)
             sources.push_back({&m_levels[h], &m_points[h], &m_covers[h], &m_coverPoints[h]});
-        }
         return sources;
     }
 
@@ -102,9 +101,8 @@ Scene ballScene(const std::vector<Ball>& balls) {
     Scene scene(std::move(hands), std::move(poses));
     for (std::size_t b = 0; b < balls.size(); ++b) { // the exact normals of a ball
         core::PosedPoints& points = scene.points(b);
-        for (std::size_t v = 0; v < points.positions.size(); ++v) {
+        for (std::size_t v = 0; v < points.positions.size(); ++v)
             points.normals[v] = (points.positions[v] - balls[b].centre.cast<float>()).normalized();
-        }
     }
     return scene;
 }
@@ -189,15 +187,13 @@ TEST(VisibleRim, GoesAllTheWayAround) {
     const Silhouette silhouette(camera, ball);
     for (const int maxPoints : {1000000, 60}) {
         std::vector<double> angles;
-        for (const RimPoint& point : scene.rim(camera, maxPoints)) {
+        for (const RimPoint& point : scene.rim(camera, maxPoints))
             angles.push_back(silhouette.angleOf(point.point.cast<double>()));
-        }
         ASSERT_LE(angles.size(), static_cast<std::size_t>(maxPoints));
         std::sort(angles.begin(), angles.end());
         double widest = angles.front() + 2 * std::numbers::pi - angles.back();
-        for (std::size_t i = 1; i < angles.size(); ++i) {
+        for (std::size_t i = 1; i < angles.size(); ++i)
             widest = std::max(widest, angles[i] - angles[i - 1]);
-        }
         EXPECT_LT(widest, maxPoints == 60 ? 0.6 : 0.1);
     }
 }
@@ -249,9 +245,8 @@ TEST(VisibleRim, OfTwoBallsIsTheOutlineOfTheirUnion) {
 TEST(VisibleRim, HasNoCreaseInFrontOfAnotherSurface) {
     const Camera camera = makeCamera();
     const Vector3d between = 0.7 * Vector3d(0, 0, 0) + 0.3 * camera.centreInWorld();
-    for (const RimPoint& point : ballScene({{{0, 0, 0}, 80}, {between, 15}}).rim(camera)) {
+    for (const RimPoint& point : ballScene({{{0, 0, 0}, 80}, {between, 15}}).rim(camera))
         EXPECT_EQ(point.hand, 0);
-    }
 }
 
 TEST(VisibleRim, StaysWithinTheImage) {
@@ -278,9 +273,8 @@ OutlineErrors nearestDistances(const std::vector<Vector2d>& from, const std::vec
     OutlineErrors errors;
     for (const Vector2d& p : from) {
         double least = 1e9;
-        for (const Vector2d& q : to) {
+        for (const Vector2d& q : to)
             least = std::min(least, (p - q).norm());
-        }
         distances.push_back(least);
         errors.mean += least / static_cast<double>(from.size());
     }
@@ -292,9 +286,8 @@ OutlineErrors nearestDistances(const std::vector<Vector2d>& from, const std::vec
 
 std::vector<Vector2d> rimPixels(const std::vector<RimPoint>& rim) {
     std::vector<Vector2d> px;
-    for (const RimPoint& point : rim) {
+    for (const RimPoint& point : rim)
         px.push_back(point.px.cast<double>());
-    }
     return px;
 }
 
@@ -304,16 +297,14 @@ TEST(VisibleRim, OfHandsLiesOnTheOutlineOfTheirSilhouette) {
     const std::vector<core::HandModel> hands = test::twoFingerHands();
     for (int trial = 0; trial < 6; ++trial) {
         core::HandPoses poses;
-        for (const core::HandModel& hand : hands) {
+        for (const core::HandModel& hand : hands)
             poses.push_back(test::somePose(hand.skeleton, random, 25, 0.7));
-        }
         for (const int level : {0, 2000, 700}) {
             Scene scene(hands, poses, level, 700);
             const core::OrientedContour contour = core::orientedContour(scene.mask(camera));
             std::vector<Vector2d> outline;
-            for (std::size_t i = 0; i < contour.size(); ++i) {
+            for (std::size_t i = 0; i < contour.size(); ++i)
                 outline.emplace_back(contour.x[i], contour.y[i]);
-            }
             const std::vector<Vector2d> rim = rimPixels(scene.rim(camera));
             ASSERT_GT(rim.size(), 100u);
             const OutlineErrors there = nearestDistances(rim, outline), back = nearestDistances(outline, rim);
@@ -356,15 +347,13 @@ TEST(SilhouetteDifference, IsTheAreaWhereMasksDisagree) {
     const Camera camera = makeCamera({-0.12, 0.05, 0.001, -0.0008, 0});
     const std::vector<core::HandModel> hands = test::twoFingerHands();
     core::HandPoses poses;
-    for (const core::HandModel& hand : hands) {
+    for (const core::HandModel& hand : hands)
         poses.push_back(test::somePose(hand.skeleton, random));
-    }
     Scene scene(hands, poses);
     const cv::Mat own = scene.mask(camera);
     cv::Mat other = own.clone();
-    for (core::Pose& pose : poses) {
+    for (core::Pose& pose : poses)
         pose.head<3>() += Vector3d(12, -4, 0);
-    }
     const cv::Mat moved = core::renderHandsMask(camera, hands, poses);
     cv::rectangle(other, {40, 50}, {99, 79}, cv::Scalar(255), cv::FILLED); // far from the hands
     EXPECT_NEAR(scene.differencePx2(camera, other, 2), 60 * 30, 600);

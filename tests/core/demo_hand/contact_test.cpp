@@ -15,9 +15,8 @@ core::TriangleMesh ball(const Vector3d& centre, double radiusMm) {
     core::TriangleMesh mesh =
         core::polygonise([&](const Vector3d& p) { return p.norm() - radiusMm; },
                          {Vector3d::Constant(-radiusMm - 2), Vector3d::Constant(radiusMm + 2)}, 0.5, Vector3d::Zero());
-    for (Vector3d& vertex : mesh.vertices) {
+    for (Vector3d& vertex : mesh.vertices)
         vertex += centre;
-    }
     return mesh;
 }
 

@@ -33,9 +33,8 @@ Pose bent(const HandModel& hand, const std::map<std::string, double>& anglesDeg)
     Pose pose = hand.skeleton.restPose();
     for (std::size_t d = 0; d < hand.skeleton.dofs.size(); ++d) {
         const auto angle = anglesDeg.find(hand.skeleton.dofs[d].name);
-        if (angle != anglesDeg.end()) {
+        if (angle != anglesDeg.end())
             pose[core::kRigidDofs + static_cast<Eigen::Index>(d)] = angle->second * std::numbers::pi / 180;
-        }
     }
     return pose;
 }
@@ -63,14 +62,12 @@ double cutArea(const HandModel& hand, const Pose& pose, const std::string& finge
             const double da = (a - centre).dot(normal), db = (b - centre).dot(normal);
             if ((da < 0) != (db < 0)) {
                 crossings.push_back(a + da / (da - db) * (b - a));
-                if (da < 0 && crossings.size() == 2) {
+                if (da < 0 && crossings.size() == 2)
                     std::swap(crossings[0], crossings[1]); // from below to above first
-                }
             }
         }
-        if (isNear && crossings.size() == 2) {
+        if (isNear && crossings.size() == 2)
             area += 0.5 * normal.dot((crossings[0] - centre).cross(crossings[1] - centre));
-        }
     }
     return std::abs(area);
 }
@@ -85,9 +82,8 @@ TEST(DemoHand, IsClosedOrientedAndOfAHandsSize) {
         EXPECT_GT(core::signedVolume(hand.mesh), 280e3);
         EXPECT_LT(core::signedVolume(hand.mesh), 450e3);
         double reach = 0;
-        for (const Vector3d& vertex : hand.mesh.vertices) {
+        for (const Vector3d& vertex : hand.mesh.vertices)
             reach = std::max(reach, vertex.x());
-        }
         EXPECT_NEAR(reach, 190, 6);
     }
 }
@@ -97,9 +93,8 @@ TEST(DemoHand, HasStandardJointsAnd35DegreesOfFreedom) {
         EXPECT_EQ(hand.skeleton.poseSize(), 35);
         EXPECT_EQ(hand.skeleton.bones.size(), 25U);
         for (const char* name : {"wrist", "thumb_cmc", "thumb_mcp", "thumb_ip", "thumb_tip", "index_cmc", "middle_mcp",
-                                 "ring_pip", "little_dip", "little_tip"}) {
+                                 "ring_pip", "little_dip", "little_tip"})
             EXPECT_GE(hand.skeleton.boneIndex(name), 0) << name;
-        }
         for (const core::DegreeOfFreedom& dof : hand.skeleton.dofs) {
             EXPECT_LE(dof.minRad, 0) << dof.name;
             EXPECT_GE(dof.maxRad, 0) << dof.name;
@@ -114,9 +109,8 @@ TEST(DemoHand, HasTheProportionsOfHumanBones) {
         {"middle_pip", 26.3}, {"ring_cmc", 58.0},   {"ring_mcp", 41.4},  {"ring_pip", 25.7},   {"little_cmc", 53.7},
         {"little_mcp", 32.7}, {"little_pip", 18.1}, {"thumb_cmc", 46.2}, {"thumb_mcp", 31.6},  {"thumb_ip", 21.7}};
     const core::Skeleton& skeleton = rightHand().skeleton;
-    for (const auto& [name, lengthMm] : expected) {
+    for (const auto& [name, lengthMm] : expected)
         EXPECT_NEAR(skeleton.bones[skeleton.boneIndex(name)].lengthMm, lengthMm, 0.1 * lengthMm) << name;
-    }
 }
 
 TEST(DemoHand, WeightsArePositiveAndSumToOne) {
@@ -194,18 +188,15 @@ TEST(DemoHand, FingersBendWithoutCollapsing) {
 
 TEST(DemoHand, TheLeftHandMirrorsTheRightOneInEveryPose) {
     Pose pose = rightHand().skeleton.restPose();
-    for (Eigen::Index i = core::kRigidDofs; i < pose.size(); ++i) {
+    for (Eigen::Index i = core::kRigidDofs; i < pose.size(); ++i)
         pose[i] = 0.1 + 0.3 * std::sin(static_cast<double>(i));
-    }
     const std::vector<Vector3d> right = core::posedVertices(rightHand(), pose);
     const std::vector<Vector3d> left = core::posedVertices(leftHand(), pose);
-    for (std::size_t v = 0; v < right.size(); ++v) {
+    for (std::size_t v = 0; v < right.size(); ++v)
         EXPECT_LT((right[v].cwiseProduct(Vector3d(1, -1, 1)) - left[v]).norm(), 1e-9);
-    }
     EXPECT_EQ(leftHand().side, core::Side::Left);
-    for (const core::Bone& bone : leftHand().skeleton.bones) {
+    for (const core::Bone& bone : leftHand().skeleton.bones)
         EXPECT_TRUE(core::isRotation(bone.worldFromBoneAtRest.rotation, 1e-9)) << bone.name;
-    }
 }
 
 } // namespace

@@ -35,9 +35,8 @@ TEST(Polygonise, ASphereIsClosedOrientedAndOfItsVolume) {
     EXPECT_EQ(test::eulerNumber(mesh), 2);
     const double expected = 4.0 / 3 * std::numbers::pi * 1000;
     EXPECT_NEAR(core::signedVolume(mesh), expected, 0.01 * expected);
-    for (const Vector3d& vertex : mesh.vertices) {
+    for (const Vector3d& vertex : mesh.vertices)
         EXPECT_NEAR(sphere(vertex), 0, 0.1);
-    }
 }
 
 TEST(Polygonise, ARingKeepsItsHole) {

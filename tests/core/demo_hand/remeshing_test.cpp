@@ -37,9 +37,8 @@ TEST(Remeshing, MakesEvenTrianglesOfTheWantedSizeOnTheSurface) {
         sum += length;
     }
     EXPECT_NEAR(sum / static_cast<double>(edges.size()), 2.1, 0.4);
-    for (const Vector3d& vertex : mesh.vertices) {
+    for (const Vector3d& vertex : mesh.vertices)
         EXPECT_NEAR(sphere(vertex), 0, 0.01);
-    }
 }
 
 TEST(Remeshing, FollowsAChangingEdgeLength) {

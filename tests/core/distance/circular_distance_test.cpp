@@ -29,7 +29,8 @@ TEST(CircularDistance, IsTheAngleBetweenDirections) {
             const std::complex<double> v = std::polar(1.0, radians(b));
             const double angle = std::abs(std::arg(u * std::conj(v)));
             EXPECT_NEAR(circularDistance(radians(a), radians(b), true), angle, 1e-7);
-            EXPECT_NEAR(circularDistance(radians(a), radians(b), false), std::min(angle, std::numbers::pi - angle), 1e-7);
+            EXPECT_NEAR(circularDistance(radians(a), radians(b), false), std::min(angle, std::numbers::pi - angle),
+                        1e-7);
         }
     }
 }

@@ -20,9 +20,8 @@ double leastCost(const OrientedContour& contour, float x, float y, double gatePx
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < contour.size(); ++i) {
         const double d = std::hypot(x - contour.x[i], y - contour.y[i]);
-        if (d <= gatePx) {
+        if (d <= gatePx)
             least = std::min(least, d + costOf(i));
-        }
     }
     return least;
 }
@@ -31,15 +30,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class ContourIndexOf : public ::testing::TestWithParam<int> {
 protected:
-    /// A contour with holes; with points inside a parameter's orientation range removed, so that some bins are empty; scattered points.
+    /// A contour with holes; with points inside a parameter's orientation range removed, so that some bins are empty;
+    /// scattered points.
     OrientedContour contour() const {
-        if (GetParam() == 2) {
+        if (GetParam() == 2)
             return testing::randomContour(60, 200, 150, 4);
-        }
         OrientedContour contour = orientedContour(testing::crossingHandsMask(200, 150));
-        for (float& angle : contour.angleRad) {
+        for (float& angle : contour.angleRad)
             angle = GetParam() == 1 ? std::abs(angle) : angle;
-        }
         return contour;
     }
 };
@@ -65,16 +63,18 @@ TEST_P(ContourIndexOf, FindsTheSameCostsAsBruteForce) {
                     ASSERT_NEAR(std::hypot(x - contour.x[i], y - contour.y[i]) + costOf(i), least, 1e-3);
                 }
             };
-            expectCost(index.nearest(x, y, gate), [](std::size_t) { return 0.0; });
-            expectCost(index.nearestInBin(x, y, bin, gate), [&](std::size_t i) {
-                return bins.binOf(contour.angleRad[i]) == bin ? 0.0 : kInfinity;
-            });
-            expectCost(index.nearestWithin(x, y, angle, 0.4f, gate), [&](std::size_t i) {
-                return circularDistance(angle, contour.angleRad[i], isSigned) < 0.4f ? 0.0 : kInfinity;
-            });
-            expectCost(index.nearestDirectional(x, y, bin, 25, gate), [&](std::size_t i) {
-                return 25 * bins.distanceRad(bin, bins.binOf(contour.angleRad[i]));
-            });
+            expectCost(
+                index.nearest(x, y, gate), [](std::size_t) { return 0.0; });
+            expectCost(
+                index.nearestInBin(x, y, bin, gate),
+                [&](std::size_t i) { return bins.binOf(contour.angleRad[i]) == bin ? 0.0 : kInfinity; });
+            expectCost(
+                index.nearestWithin(x, y, angle, 0.4f, gate),
+                [&](std::size_t i) {
+                    return circularDistance(angle, contour.angleRad[i], isSigned) < 0.4f ? 0.0 : kInfinity;
+                });
+            expectCost(index.nearestDirectional(x, y, bin, 25, gate),
+                       [&](std::size_t i) { return 25 * bins.distanceRad(bin, bins.binOf(contour.angleRad[i])); });
         }
     }
 }

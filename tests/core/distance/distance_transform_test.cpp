@@ -33,7 +33,8 @@ void expectExact(const DistanceTransform& transform, const OrientedContour& cont
                 }
             }
             ASSERT_EQ(transform.nearest[transform.at(x, y)], index) << "at " << x << ", " << y;
-            const float expected = index < 0 ? std::numeric_limits<float>::infinity() : std::sqrt(static_cast<float>(best));
+            const float expected =
+                index < 0 ? std::numeric_limits<float>::infinity() : std::sqrt(static_cast<float>(best));
             ASSERT_EQ(transform.distancePx[transform.at(x, y)], expected) << "at " << x << ", " << y;
         }
     }
@@ -85,16 +86,16 @@ TEST(DistanceTransform, IsInfiniteWithoutPoints) {
 TEST(DistanceTransform, OfEachBinIsExactAndEmptyBinsAreInfinite) {
     const OrientedContour contour = gridContour(crossingHandsMask(90, 70));
     OrientedContour half = contour; // nothing points up: some signed bins are empty
-    for (float& angle : half.angleRad) {
+    for (float& angle : half.angleRad)
         angle = std::abs(angle);
-    }
     for (const bool isSigned : {true, false}) {
         const OrientationBins bins(16, isSigned);
         const auto transforms = computeBinTransforms(half, bins, cv::Rect(0, 0, 90, 70));
         ASSERT_EQ(transforms.size(), 16u);
         for (int bin = 0; bin < 16; ++bin) {
-            expectExact(transforms[static_cast<std::size_t>(bin)], half,
-                        [&](std::size_t i) { return bins.binOf(half.angleRad[i]) == bin; });
+            expectExact(
+                transforms[static_cast<std::size_t>(bin)], half,
+                [&](std::size_t i) { return bins.binOf(half.angleRad[i]) == bin; });
         }
     }
 }
@@ -135,9 +136,8 @@ TEST(DistanceTransform, OfABinAnswersWithinThatBinBetweenPixelsAndOutsideTheRegi
 
 TEST(DistanceTransform, OfAnEmptyBinHasNoAnswer) {
     OrientedContour contour = gridContour(crossingHandsMask(90, 70));
-    for (float& angle : contour.angleRad) {
+    for (float& angle : contour.angleRad)
         angle = 0;
-    }
     const OrientationBins bins(4, true);
     const auto transforms = computeBinTransforms(contour, bins, cv::Rect(0, 0, 90, 70));
     EXPECT_TRUE(nearestFromBinTransforms(transforms, contour, bins, 0, {40, 30}));

@@ -60,7 +60,8 @@ TEST(Dt3Tensor, IsExactOnScatteredPointsWithEmptyBins) {
             contour.x[i] = std::clamp(contour.x[i], 0.0F, 19.0F);
             contour.y[i] = std::clamp(contour.y[i], 0.0F, 15.0F);
         }
-        expectExact(contour, OrientationBins(16, seed % 2 == 0), 0.5 * static_cast<double>(seed), cv::Rect(0, 0, 20, 16));
+        expectExact(contour, OrientationBins(16, seed % 2 == 0), 0.5 * static_cast<double>(seed),
+                    cv::Rect(0, 0, 20, 16));
     }
 }
 
@@ -70,7 +71,8 @@ TEST(Dt3Tensor, WithLambdaZeroIsThePlainTransform) {
     for (int y = 0; y < 60; y += 2) {
         for (int x = 0; x < 80; x += 2) {
             const auto exact = nearestPoint(contour, Eigen::Vector2d(x, y));
-            EXPECT_NEAR(nearestFromTensor(tensor, contour, Eigen::Vector2d(x, y), 1.1)->distancePx, exact->distancePx, 1e-6);
+            EXPECT_NEAR(nearestFromTensor(tensor, contour, Eigen::Vector2d(x, y), 1.1)->distancePx, exact->distancePx,
+                        1e-6);
         }
     }
 }

@@ -30,9 +30,8 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
             const int bin = bins.binOf(observed.angleRad[i]);
             const bool binned = distance.kind == DistanceKind::DchQuant || two;
             double cost = binned && bin != bins.nearestTwo(angle)[static_cast<std::size_t>(choice)] ? kInfinity : d;
-            if (distance.kind == DistanceKind::DchDt3) {
+            if (distance.kind == DistanceKind::DchDt3)
                 cost += distance.lambdaPxPerRad * bins.distanceRad(bin, bins.binOf(angle));
-            }
             if (cost < least) {
                 least = cost;
                 positionPx = d;
@@ -42,14 +41,15 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
         const bool kept = least < kInfinity && positionPx <= distance.gatePx &&
                           (distance.kind != DistanceKind::DchThres || circ < distance.tauRad);
         const double squared = penalty.kind == PenaltyKind::Absolute ? least : least * least;
-        const double f = penalty.kind == PenaltyKind::TruncatedSquared ? std::min(squared, penalty.rejectedPx2) : squared;
+        const double f =
+            penalty.kind == PenaltyKind::TruncatedSquared ? std::min(squared, penalty.rejectedPx2) : squared;
         terms.push_back(kept ? f : penalty.rejectedPx2);
     }
     return terms;
 }
 
 const DistanceKind kKinds[] = {DistanceKind::Ch, DistanceKind::DchThres, DistanceKind::DchQuant,
-                            DistanceKind::DchQuant2, DistanceKind::DchDt3};
+                               DistanceKind::DchQuant2, DistanceKind::DchDt3};
 const PenaltyKind kPenalties[] = {PenaltyKind::Absolute, PenaltyKind::Squared, PenaltyKind::TruncatedSquared};
 
 class EveryDistance : public ::testing::TestWithParam<std::tuple<DistanceKind, bool, PenaltyKind>> {
@@ -96,13 +96,11 @@ TEST_P(EveryDistance, FieldHoldsWhatAPointWouldCostThere) {
         for (int x = -5; x < 95; x += 5) {
             const std::vector<double> terms = expectedTerms(observed, distance(), penalty(), x, y, angle);
             double mean = 0;
-            for (const double term : terms) {
+            for (const double term : terms)
                 mean += term / static_cast<double>(terms.size());
-            }
             // Points left of or above the region are unknown to the transform; none of this contour's are nearest here.
-            if (x >= 10 && y >= 15 && x < 85 && y < 65) {
+            if (x >= 10 && y >= 15 && x < 85 && y < 65)
                 EXPECT_NEAR(field.at<float>(y - 4, x + 5), mean, 1e-3 * (1 + mean)) << x << ", " << y;
-            }
         }
     }
 }

@@ -25,9 +25,8 @@ TEST_P(BinsOfEveryKind, BinIsTheOneWithTheNearestCentre) {
         EXPECT_EQ(nearest, bins.binOf(angle));
         for (int other = 0; other < count; ++other) {
             EXPECT_LE(distance(nearest), distance(other) + 1e-9);
-            if (other != nearest) {
+            if (other != nearest)
                 EXPECT_LE(distance(second), distance(other) + 1e-9);
-            }
         }
         EXPECT_LE(distance(nearest), bins.widthRad() / 2 + 1e-9);
         EXPECT_TRUE(count == 1 || nearest != second);
@@ -37,11 +36,9 @@ TEST_P(BinsOfEveryKind, BinIsTheOneWithTheNearestCentre) {
 TEST_P(BinsOfEveryKind, DistanceOfBinsIsThatOfTheirCentres) {
     const auto [count, isSigned, offset] = GetParam();
     const OrientationBins bins(count, isSigned, offset);
-    for (int a = 0; a < count; ++a) {
-        for (int b = 0; b < count; ++b) {
+    for (int a = 0; a < count; ++a)
+        for (int b = 0; b < count; ++b)
             EXPECT_NEAR(bins.distanceRad(a, b), circularDistance(bins.centreRad(a), bins.centreRad(b), isSigned), 1e-7);
-        }
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, BinsOfEveryKind,

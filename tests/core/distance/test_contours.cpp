@@ -21,7 +21,8 @@ void drawHand(cv::Mat& mask, cv::Point2d palm, double directionRad, double unit)
     cv::ellipse(mask, cv::Point(palm), cv::Size(static_cast<int>(unit), static_cast<int>(0.8 * unit)),
                 directionRad * 180 / std::numbers::pi, 0, 360, inside, cv::FILLED);
     for (int finger = -2; finger <= 2; ++finger) {
-        cv::line(mask, cv::Point(palm), along(directionRad + 0.35 * finger, 2.6), inside, static_cast<int>(0.35 * unit));
+        cv::line(mask, cv::Point(palm), along(directionRad + 0.35 * finger, 2.6), inside,
+                 static_cast<int>(0.35 * unit));
     }
     cv::line(mask, cv::Point(palm), along(directionRad + std::numbers::pi, 9), inside, static_cast<int>(0.8 * unit));
 }

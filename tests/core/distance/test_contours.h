@@ -9,7 +9,8 @@
 
 namespace core::testing {
 
-/// A mask like that of two crossing hands: palms, fingers and forearms that leave holes between them and run out of the image.
+/// A mask like that of two crossing hands: palms, fingers and forearms that leave holes between them and run out of the
+/// image.
 cv::Mat crossingHandsMask(int width, int height);
 
 /// Its outline, boundary pixels where they are (no offset), so that points lie on the pixel grid.

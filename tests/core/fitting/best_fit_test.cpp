@@ -70,9 +70,8 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
     for (const int when : {1, 5, 11}) {
         std::stop_source source;
         const FitAttempt result = fit(false, source.get_token(), [&](int done, int) {
-            if (done == when) {
+            if (done == when)
                 source.request_stop();
-            }
         });
         EXPECT_EQ(result.termination, FitTermination::Stopped);
         ASSERT_EQ(result.history.size(), static_cast<std::size_t>(when));
@@ -82,7 +81,8 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
 
 TEST_F(BestFit, EveryOptionChangesTheFit) {
     const FitAttempt all = fit(false);
-    for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "both=1", "within=1", "robust=5"}) {
+    for (const char* const idea :
+         {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "both=1", "within=1", "robust=5"}) {
         const FitAttempt without = fit(core::parseMethod(std::string("best:") + idea));
         EXPECT_GT((without.poses[0] - all.poses[0]).norm(), 1e-9) << idea << " changed nothing";
         EXPECT_LT(m_scene.errorMm(without.poses), m_scene.errorMm(m_scene.start)) << idea;

@@ -60,9 +60,8 @@ TEST_F(FitTarget, CamerasWithoutAnOutlineAreLeftOut) {
     ASSERT_EQ(targets.size(), 2u);
     EXPECT_EQ(targets[0].camera, 1);
     EXPECT_EQ(targets[1].camera, 3);
-    for (cv::Mat& mask : m_scene.masks) {
+    for (cv::Mat& mask : m_scene.masks)
         mask = cv::Mat(960, 540, CV_8U, cv::Scalar(255)); // everything is hand: no outline within the image
-    }
     EXPECT_TRUE(makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1).empty());
 }
 
@@ -81,9 +80,8 @@ TEST_F(FitTarget, BuildsTheTensorOnlyIfAskedTo) {
     FitTargetOptions options;
     options.tensorLambdaPxPerRad = 25;
     const auto targets = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
-    for (const CameraTarget& target : targets) {
+    for (const CameraTarget& target : targets)
         EXPECT_TRUE(target.tensor);
-    }
 }
 
 TEST_F(FitTarget, PointsWithoutARayAreDropped) {
@@ -97,9 +95,8 @@ TEST_F(FitTarget, PointsWithoutARayAreDropped) {
     ASSERT_EQ(targets[0].rayDirection.size(), targets[0].contour.size());
     EXPECT_LT(targets[0].contour.size(), core::orientedContour(mask).size());
     EXPECT_GT(targets[0].contour.size(), 700u);
-    for (std::size_t i = 0; i < targets[0].contour.size(); ++i) {
+    for (std::size_t i = 0; i < targets[0].contour.size(); ++i)
         EXPECT_LT(std::abs(targets[0].contour.y[i] - 480), 212);
-    }
 }
 
 TEST_F(FitTarget, DoesNotDependOnTheThreads) {

@@ -43,9 +43,8 @@ protected:
     double distanceMm(const Pose& a, const Pose& b) {
         const auto first = core::jointPositions(m_skeleton, a), second = core::jointPositions(m_skeleton, b);
         double sum = 0;
-        for (std::size_t i = 0; i < first.size(); ++i) {
+        for (std::size_t i = 0; i < first.size(); ++i)
             sum += (first[i] - second[i]).norm() / static_cast<double>(first.size());
-        }
         return sum;
     }
 
@@ -77,9 +76,8 @@ TEST_F(JointFit, FindsThePoseFromExactJointsAndTheRestPose) {
         EXPECT_LT(distanceMm(fit->pose, truth), 0.02);
         EXPECT_LT(fit->rmsMm, 0.02);
         const auto& history = fit->summary.history;
-        for (std::size_t i = 1; i < history.size(); ++i) {
+        for (std::size_t i = 1; i < history.size(); ++i)
             EXPECT_LE(history[i].cost, history[i - 1].cost);
-        }
     }
 }
 
@@ -133,7 +131,8 @@ TEST_F(JointFit, NeedsThreeJointsThatAreNotOnALine) {
     const auto all = targetsOf(m_skeleton.restPose());
     EXPECT_FALSE(core::fitPoseToJoints(m_skeleton, {all[0], all[5]}, m_skeleton.restPose()));
     const auto finger = static_cast<std::size_t>(m_skeleton.boneIndex("middle_mcp"));
-    EXPECT_FALSE(core::fitPoseToJoints(m_skeleton, {all[finger], all[finger + 1], all[finger + 2]}, m_skeleton.restPose()));
+    EXPECT_FALSE(
+        core::fitPoseToJoints(m_skeleton, {all[finger], all[finger + 1], all[finger + 2]}, m_skeleton.restPose()));
     EXPECT_TRUE(core::fitPoseToJoints(m_skeleton, {all[0], all[5], all[17]}, m_skeleton.restPose()));
 }
 

@@ -32,7 +32,8 @@ protected:
 
 TEST_F(JointProblem, GradientIsThatOfFiniteDifferences) {
     for (int trial = 0; trial < 10; ++trial) {
-        const Pose truth = test::somePose(m_skeleton, m_random, 50, 1), at = test::somePose(m_skeleton, m_random, 50, 1);
+        const Pose truth = test::somePose(m_skeleton, m_random, 50, 1),
+                   at = test::somePose(m_skeleton, m_random, 50, 1);
         const auto targets = targetsNear(truth);
         test::expectGradient(core::JointProblem(m_skeleton, targets, truth, {}), at, 1e-6);
     }
@@ -51,11 +52,13 @@ TEST_F(JointProblem, HessianIsThatOfTheStackedJacobians) {
         const auto joints = core::jointPositions(m_skeleton, pose);
         Eigen::VectorXd all(3 * static_cast<Eigen::Index>(targets.size()) + pose.size() - core::kRigidDofs);
         for (std::size_t i = 0; i < targets.size(); ++i) {
-            const Matrix3d covariance = targets[i].covariance + options.modelSigmaMm * options.modelSigmaMm * Matrix3d::Identity();
+            const Matrix3d covariance =
+                targets[i].covariance + options.modelSigmaMm * options.modelSigmaMm * Matrix3d::Identity();
             const Matrix3d lower = covariance.llt().matrixL();
             all.segment<3>(3 * static_cast<Eigen::Index>(i)) = lower.inverse() * (joints[i] - targets[i].pointInWorld);
         }
-        all.tail(pose.size() - core::kRigidDofs) = (pose - truth).tail(pose.size() - core::kRigidDofs) / options.priorSigmaRad;
+        all.tail(pose.size() - core::kRigidDofs) =
+            (pose - truth).tail(pose.size() - core::kRigidDofs) / options.priorSigmaRad;
         return all;
     };
     const Eigen::MatrixXd jacobian = test::numericJacobian(problem, truth, residuals);

@@ -57,9 +57,8 @@ double distanceOf(const core::OrientedContour& contour, std::size_t i, const Rim
 template <typename Cost>
 double leastCost(const core::OrientedContour& contour, Cost&& cost) {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < contour.size(); ++i) {
+    for (std::size_t i = 0; i < contour.size(); ++i)
         least = std::min(least, cost(i));
-    }
     return least;
 }
 
@@ -111,20 +110,25 @@ TEST(MatchRule, HoldsTheDefaultsOfTheMethod) {
 }
 
 TEST(MatchRule, ChIsTheNearestContourPoint) {
-    forRandomMatches("ch", false, [](const auto& contour, const MatchRule&, const RimPoint& rim, const auto& matches) {
-        ASSERT_EQ(matches.size(), 1u);
-        EXPECT_EQ(matches[0].weight, 1);
-        const double least = leastCost(contour, [&](std::size_t i) { return distanceOf(contour, i, rim); });
-        EXPECT_NEAR(distanceOf(contour, static_cast<std::size_t>(matches[0].index), rim), least, 1e-4);
-    });
+    forRandomMatches(
+        "ch", false,
+        [](const auto& contour, const MatchRule&, const RimPoint& rim, const auto& matches) {
+            ASSERT_EQ(matches.size(), 1u);
+            EXPECT_EQ(matches[0].weight, 1);
+            const double least = leastCost(
+                contour, [&](std::size_t i) { return distanceOf(contour, i, rim); });
+            EXPECT_NEAR(distanceOf(contour, static_cast<std::size_t>(matches[0].index), rim), least, 1e-4);
+        });
 }
 
 TEST(MatchRule, GateAndTruncationDropFarMatches) {
     int kept = 0, dropped = 0;
     for (const char* method : {"ch:gate=9", "ch:truncate=81"}) {
         forRandomMatches(
-            method, false, [&](const auto& contour, const MatchRule&, const RimPoint& rim, const auto& matches) {
-                const double least = leastCost(contour, [&](std::size_t i) { return distanceOf(contour, i, rim); });
+            method, false,
+            [&](const auto& contour, const MatchRule&, const RimPoint& rim, const auto& matches) {
+                const double least = leastCost(
+                    contour, [&](std::size_t i) { return distanceOf(contour, i, rim); });
                 if (std::abs(least - 9) > 1e-3) {
                     EXPECT_EQ(matches.size(), least < 9 ? 1u : 0u);
                     (least < 9 ? kept : dropped) += 1;
@@ -142,9 +146,8 @@ TEST(MatchRule, ThresMatchesOnPositionAndThenRejects) {
         forRandomMatches(
             method, false, [&](const auto& contour, const MatchRule& rule, const RimPoint& rim, const auto& matches) {
                 std::size_t nearest = 0;
-                for (std::size_t i = 1; i < contour.size(); ++i) {
+                for (std::size_t i = 1; i < contour.size(); ++i)
                     nearest = distanceOf(contour, i, rim) < distanceOf(contour, nearest, rim) ? i : nearest;
-                }
                 const double apart = core::circularDistance(static_cast<double>(contour.angleRad[nearest]),
                                                             angleOf(rim), rule.bins.isSigned());
                 if (std::abs(apart - tau) > 1e-4) {
@@ -188,9 +191,8 @@ TEST(MatchRule, Quant2IsTheNearestInEachOfTheTwoNearestBins) {
         forRandomMatches(
             method, false, [&](const auto& contour, const MatchRule& rule, const RimPoint& rim, const auto& matches) {
                 std::vector<int> bins(6);
-                for (int b = 0; b < 6; ++b) {
+                for (int b = 0; b < 6; ++b)
                     bins[static_cast<std::size_t>(b)] = b;
-                }
                 const auto apart = [&](int b) {
                     return core::signedCircularDistance(rule.bins.centreRad(b), angleOf(rim));
                 };
@@ -232,7 +234,8 @@ TEST(MatchRule, WeightsOfTheTwoBinsSumToOne) {
 TEST(MatchRule, Dt3IsTheLeastMixedCost) {
     for (const char* method : {"dch-dt3", "dch-dt3:lambda=60:bins=12:signed=0"}) {
         forRandomMatches(
-            method, true, [](const auto& contour, const MatchRule& rule, const RimPoint& rim, const auto& matches) {
+            method, true,
+            [](const auto& contour, const MatchRule& rule, const RimPoint& rim, const auto& matches) {
                 RimPoint atPixel = rim;
                 atPixel.px = rim.px.array().round();
                 const int bin = rule.bins.binOf(angleOf(rim));
@@ -280,11 +283,10 @@ TEST(MatchRule, Dt3FindsTheSameInTheTensor) {
                                                      rule.bins.binOf(static_cast<double>(contour.angleRad[q])));
                 };
                 const double expected = cost(direct[c]);
-                if (std::isinf(expected)) {
+                if (std::isinf(expected))
                     EXPECT_EQ(cost(tensor[c]), kInfinity) << method << ": nothing within the gate";
-                } else {
+                else
                     EXPECT_NEAR(cost(tensor[c]), expected, 1e-3) << method;
-                }
             }
         }
     }

@@ -25,9 +25,8 @@ TEST(MethodOptions, DefaultsAreThoseOfTheMethodsThatHaveThem) {
         int methods = 0;
         for (const std::string& name : core::plainMethodNames()) {
             core::Method method = core::parseMethod(name);
-            if (!option.appliesTo(method)) {
+            if (!option.appliesTo(method))
                 continue;
-            }
             ++methods;
             if (option.key == "bins" || option.key == "gate") {
                 EXPECT_EQ(option.print(method), "0") << "depends on the distance";

@@ -20,11 +20,9 @@ struct Planned {
 };
 std::vector<Planned> planned(const std::vector<Phase>& phases, int from = 0) {
     std::vector<Planned> plan;
-    for (const Phase& phase : phases) {
-        for (int i = 0; i < phase.iterations && from + static_cast<int>(plan.size()) < phase.until; ++i) {
+    for (const Phase& phase : phases)
+        for (int i = 0; i < phase.iterations && from + static_cast<int>(plan.size()) < phase.until; ++i)
             plan.push_back({phase.rigidOnly, phase.detail, phase.gatePx});
-        }
-    }
     return plan;
 }
 
@@ -40,12 +38,16 @@ TEST(Phases, ThePapersScheduleMovesAllInEveryIterationOnTheFullMesh) {
 
 TEST(Phases, RigidFirstGoesFromCoarseToFineWithinTheIterations) {
     for (const int most : {1, 3, 8, 14, 17, 19, 25, 60}) {
-        const auto plan = planned(core::schedulePhases(core::parseMethod("dch-thres:iterations=" + std::to_string(most))));
+        const auto plan =
+            planned(core::schedulePhases(core::parseMethod("dch-thres:iterations=" + std::to_string(most))));
         ASSERT_EQ(plan.size(), static_cast<std::size_t>(most));
         for (int i = 0; i < most; ++i) {
             const Planned& iteration = plan[static_cast<std::size_t>(i)];
             EXPECT_EQ(iteration.rigidOnly, i < 14);
-            EXPECT_EQ(iteration.detail, i < 14 ? Detail::Coarse : i >= most - 5 ? Detail::Full : Detail::Medium) << i << " of " << most;
+            EXPECT_EQ(iteration.detail, i < 14          ? Detail::Coarse
+                                        : i >= most - 5 ? Detail::Full
+                                                        : Detail::Medium)
+                << i << " of " << most;
             EXPECT_TRUE(std::isinf(iteration.gatePx));
         }
     }
@@ -54,12 +56,12 @@ TEST(Phases, RigidFirstGoesFromCoarseToFineWithinTheIterations) {
 TEST(Phases, TheLastTwoFifthsOfQuantHaveANarrowGate) {
     for (const int most : {1, 7, 20, 25, 60}) {
         for (const char* method : {"dch-quant", "dch-quant2"}) {
-            const auto phases = core::schedulePhases(core::parseMethod(std::string(method) + ":iterations=" + std::to_string(most)));
+            const auto phases =
+                core::schedulePhases(core::parseMethod(std::string(method) + ":iterations=" + std::to_string(most)));
             const auto plan = planned(phases);
             ASSERT_EQ(plan.size(), static_cast<std::size_t>(most));
-            for (int i = 0; i < most; ++i) {
+            for (int i = 0; i < most; ++i)
                 EXPECT_EQ(plan[static_cast<std::size_t>(i)].gatePx <= 12, i >= 0.6 * most) << i << " of " << most;
-            }
         }
     }
 }
@@ -95,15 +97,15 @@ TEST(Phases, SettingsOverrideWhatThePhaseSaysAndKeepTheRest) {
 TEST(Phases, TheOptionsOfBestChangeEveryPhase) {
     const auto all = [](const core::BestPhases& phases) {
         std::vector<Phase> list = phases.main;
-        for (const auto& more : {phases.again, phases.fromOtherFingers, phases.polish}) {
+        for (const auto& more : {phases.again, phases.fromOtherFingers, phases.polish})
             list.insert(list.end(), more.begin(), more.end());
-        }
         return list;
     };
     EXPECT_EQ(core::mostIterations(core::bestPhases({}).main) + core::mostIterations(core::bestPhases({}).polish), 29);
     EXPECT_TRUE(core::bestPhases({.polish = false}).polish.empty());
     EXPECT_TRUE(core::bestPhases({}).main.front().rigidOnly);
-    for (const Phase& phase : all(core::bestPhases({.palm = false, .coarse = false, .wide = false, .bothWays = true}))) {
+    for (const Phase& phase :
+         all(core::bestPhases({.palm = false, .coarse = false, .wide = false, .bothWays = true}))) {
         EXPECT_FALSE(phase.rigidOnly);
         EXPECT_EQ(phase.detail, Detail::Full);
         EXPECT_EQ(phase.tauDeg, 22.5);
@@ -134,16 +136,20 @@ constexpr double kAlways = 1e9; ///< every step settles
 constexpr double kNever = 0;    ///< no step does
 
 TEST_F(PhaseRun, ASettledStepEndsItsWholeStage) {
-    const core::FitAttempt settled = run({Phase{.iterations = 3, .settledMm = kAlways}, Phase{.iterations = 3, .settledMm = kNever},
-                                          Phase{.stage = 1, .iterations = 2, .settledMm = kNever}});
+    const core::FitAttempt settled =
+        run({Phase{.iterations = 3, .settledMm = kAlways}, Phase{.iterations = 3, .settledMm = kNever},
+             Phase{.stage = 1, .iterations = 2, .settledMm = kNever}});
     EXPECT_EQ(settled.history.size(), 3u); // one of the first phase, none of the second, two of the third
     EXPECT_EQ(settled.termination, core::FitTermination::MaxIterations);
 }
 
 TEST_F(PhaseRun, TheTerminationIsThatOfTheLastPhase) {
-    EXPECT_EQ(run({Phase{.iterations = 2, .settledMm = kNever}, Phase{.stage = 1, .iterations = 2, .settledMm = kAlways}}).termination,
-              core::FitTermination::Converged);
-    const core::FitAttempt used = run({Phase{.until = 1, .settledMm = kAlways}, Phase{.stage = 1, .until = 1, .settledMm = kAlways}});
+    EXPECT_EQ(
+        run({Phase{.iterations = 2, .settledMm = kNever}, Phase{.stage = 1, .iterations = 2, .settledMm = kAlways}})
+            .termination,
+        core::FitTermination::Converged);
+    const core::FitAttempt used =
+        run({Phase{.until = 1, .settledMm = kAlways}, Phase{.stage = 1, .until = 1, .settledMm = kAlways}});
     EXPECT_EQ(used.history.size(), 1u);
     EXPECT_EQ(used.termination, core::FitTermination::MaxIterations); // nothing is left for the second phase
 }

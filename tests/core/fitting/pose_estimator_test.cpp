@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "core/io/import/tzionas_import.h"
 #include "core/fitting/method_name.h"
+#include "core/io/import/tzionas_import.h"
 #include "tests/support/fitting_scene.h"
 
 namespace {
@@ -67,12 +67,10 @@ TEST_F(Estimator, IsTheSameForAnyNumberOfThreadsAndEveryTime) {
         for (const FitResult* other : {&again, &threaded}) {
             ASSERT_EQ(first.history.size(), other->history.size()) << method;
             EXPECT_EQ(first.termination, other->termination);
-            for (std::size_t i = 0; i < first.history.size(); ++i) {
+            for (std::size_t i = 0; i < first.history.size(); ++i)
                 EXPECT_EQ(first.history[i].costMm2, other->history[i].costMm2) << method << " " << i;
-            }
-            for (std::size_t h = 0; h < 2; ++h) {
+            for (std::size_t h = 0; h < 2; ++h)
                 EXPECT_EQ(first.poses[h], other->poses[h]) << method << ": bit by bit";
-            }
         }
     }
 }
@@ -123,9 +121,8 @@ TEST_F(Estimator, StopsWhenAskedTo) {
         std::stop_source source;
         const FitResult result = m_estimator.fit(m_scene.masks, m_scene.start, parseMethod(method), source.get_token(),
                                                  [&](int iteration, int) {
-                                                     if (iteration == 3) {
+                                                     if (iteration == 3)
                                                          source.request_stop();
-                                                     }
                                                  });
         EXPECT_EQ(result.termination, FitTermination::Stopped) << method;
         EXPECT_EQ(result.history.size(), 3u);
@@ -139,9 +136,8 @@ TEST_F(Estimator, StopsWhenAskedTo) {
 
 TEST_F(Estimator, WithoutASilhouetteThereAreNoMatches) {
     std::vector<cv::Mat> black;
-    for (const cv::Mat& mask : m_scene.masks) {
+    for (const cv::Mat& mask : m_scene.masks)
         black.emplace_back(mask.size(), CV_8U, cv::Scalar(0));
-    }
     for (const auto& masks : {black, std::vector<cv::Mat>(m_scene.masks.size())}) {
         for (const char* method : {"ch", "dch-quant", "best"}) {
             const FitResult result = m_estimator.fit(masks, m_scene.start, parseMethod(method));
@@ -182,9 +178,8 @@ TEST_F(Estimator, InputOfTheWrongSizeIsAnError) {
 
 TEST(EstimatorOnRecordedHands, ComesWithinOneAndAHalfMillimetresFiveFramesApart) {
     const std::filesystem::path shared = std::filesystem::path(HANDLENS_SHARED_DATA) / "tzionas-hands";
-    if (!std::filesystem::exists(shared / "01")) {
+    if (!std::filesystem::exists(shared / "01"))
         GTEST_SKIP() << "the shared data is not there: " << shared;
-    }
     core::TzionasImportOptions options;
     options.sequenceFolders = {shared / "01"};
     options.modelFiles = shared / "model";
@@ -194,9 +189,8 @@ TEST(EstimatorOnRecordedHands, ComesWithinOneAndAHalfMillimetresFiveFramesApart)
     const PoseEstimator estimator(hands, cameras);
     const HandPoses &start = motion.at(60), &truth = motion.at(65);
     std::vector<cv::Mat> masks;
-    for (const core::Camera& camera : cameras) {
+    for (const core::Camera& camera : cameras)
         masks.push_back(core::renderHandsMask(camera, hands, truth));
-    }
     const double before = core::meanJointDistanceMm(hands, start, truth);
     EXPECT_GT(before, 4);
     for (const auto& [method, boundMm] : {std::pair("dch-thres", 1.5), std::pair("best", 1.0)}) {

@@ -96,9 +96,8 @@ TEST_F(Refiner, DoesNotDependOnTheThreads) {
         const FitIteration a = single.iterate(one, settings), b = pair.iterate(two, settings);
         EXPECT_EQ(a.costMm2, b.costMm2);
         EXPECT_EQ(a.matches, b.matches);
-        for (std::size_t h = 0; h < 2; ++h) {
+        for (std::size_t h = 0; h < 2; ++h)
             EXPECT_EQ(one[h], two[h]) << "bit by bit";
-        }
     }
     EXPECT_EQ(single.silhouetteDifferencePx(one), pair.silhouetteDifferencePx(two));
 }
@@ -112,9 +111,8 @@ TEST_F(Refiner, WithoutMatchesNothingMoves) {
     EXPECT_GT(record.rejected, 400);
     EXPECT_EQ(record.costMm2, 0);
     EXPECT_EQ(record.stepMm, 0);
-    for (std::size_t h = 0; h < 2; ++h) {
+    for (std::size_t h = 0; h < 2; ++h)
         EXPECT_EQ(poses[h], m_scene.start[h]);
-    }
 }
 
 TEST_F(Refiner, EveryRimPointIsMatchedOrRejected) {
@@ -143,9 +141,8 @@ TEST_F(Refiner, AStrongPriorHoldsTheAnglesOfTheStart) {
     settings.startPrior = 1e9;
     HandPoses poses = m_scene.start;
     PoseRefiner refining = refiner();
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         refining.iterate(poses, settings);
-    }
     for (std::size_t h = 0; h < 2; ++h) {
         EXPECT_LT((poses[h].tail(6) - m_scene.start[h].tail(6)).norm(), 1e-4);
         EXPECT_GT((poses[h].head(6) - m_scene.start[h].head(6)).norm(), 0.1);
@@ -163,15 +160,13 @@ TEST_F(Refiner, AnglesStayWithinTheSlackOfTheirLimits) {
             dof.maxRad = 0.02;
         }
     }
-    for (core::Pose& pose : m_scene.truth) {
+    for (core::Pose& pose : m_scene.truth)
         pose.tail(6) << 0.5, 0.3, 0.7, -0.5, -0.3, 0.8;
-    }
     m_scene.masks = m_scene.seen(m_scene.truth);
     prepare();
     HandPoses poses = m_scene.truth;
-    for (core::Pose& pose : poses) {
+    for (core::Pose& pose : poses)
         pose.tail(6).setZero();
-    }
     PoseRefiner refining = refiner();
     double farthest = 0;
     for (int i = 0; i < 8; ++i) {
@@ -213,9 +208,8 @@ TEST_F(Refiner, SilhouetteDifferenceGrowsWithTheDisplacement) {
     double before = atTruth;
     for (const double mm : {3.0, 6.0, 12.0, 24.0}) {
         HandPoses poses = m_scene.truth;
-        for (core::Pose& pose : poses) {
+        for (core::Pose& pose : poses)
             pose.head<3>() += mm * Eigen::Vector3d(0.6, 0.64, 0.48);
-        }
         const double difference = refining.silhouetteDifferencePx(poses);
         EXPECT_GT(difference, before);
         before = difference;

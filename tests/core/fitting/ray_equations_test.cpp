@@ -170,9 +170,8 @@ TEST_F(RayEquations, DoNotDependOnHowTheyAreSplit) {
 TEST_F(RayEquations, NormalsThatLookAlongTheRayDoNoHarm) {
     auto list = randomCorrespondences(80, false);
     const NormalEquations expected = equationsOf(list);
-    for (RayCorrespondence& c : list) {
+    for (RayCorrespondence& c : list)
         c.normal = c.rayDirection;
-    }
     const NormalEquations equations = equationsOf(list);
     EXPECT_TRUE(equations.hessian.isApprox(expected.hessian, 1e-10)) << "the full distance has no preferred side";
     EXPECT_TRUE(equations.gradient.isApprox(expected.gradient, 1e-8));
@@ -203,9 +202,8 @@ public:
         const Vector v = T(1 - c.t) * vertex(c.vertexA, step) + T(c.t) * vertex(c.vertexB, step) + m_bulge.cast<T>();
         const Vector offset = v - c.rayPoint.cast<T>();
         const Vector crossed = offset.cross(Vector(c.rayDirection.cast<T>()));
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             residual[k] = std::sqrt(c.weight) * crossed[k];
-        }
         return true;
     }
 
@@ -269,9 +267,8 @@ public:
     bool Evaluate(const double* const* parameters, double* residuals, double** jacobians) const override {
         const Eigen::Map<const Eigen::Matrix<double, kPoseSize, 1>> step(parameters[0]);
         Eigen::Map<Vector3d>(residuals, 3) = m_residual + m_jacobian * step;
-        if (jacobians && jacobians[0]) {
+        if (jacobians && jacobians[0])
             Eigen::Map<Eigen::Matrix<double, 3, kPoseSize, Eigen::RowMajor>>(jacobians[0], 3, kPoseSize) = m_jacobian;
-        }
         return true;
     }
 

@@ -36,9 +36,8 @@ TEST(RecordedPose, ComesBackFromItsOwnBones) {
         const Pose truth = test::somePose(skeleton, random, 300, 3);
         const core::RecordedPoseFit fit = core::fitRecordedPose(skeleton, core::boneTransforms(skeleton, truth));
         ASSERT_EQ(fit.originErrorMm.size(), skeleton.bones.size());
-        for (const double error : fit.originErrorMm) {
+        for (const double error : fit.originErrorMm)
             EXPECT_LT(error, 1e-6);
-        }
         EXPECT_LT((fit.pose.head<3>() - truth.head<3>()).norm(), 1e-5);
         EXPECT_LT((core::rotationExp(fit.pose.segment<3>(3)) - core::rotationExp(truth.segment<3>(3))).norm(), 1e-7);
         EXPECT_LT((fit.pose.tail(6) - truth.tail(6)).cwiseAbs().maxCoeff(), 1e-6);
@@ -65,9 +64,8 @@ TEST(RecordedPose, IsTheBestOneWhereTheBonesDoNotFit) {
         const core::RecordedPoseFit fit = core::fitRecordedPose(skeleton, recorded);
         const double least = objective(skeleton, fit.pose, recorded);
         const auto joints = core::jointPositions(skeleton, fit.pose);
-        for (std::size_t b = 0; b < joints.size(); ++b) {
+        for (std::size_t b = 0; b < joints.size(); ++b)
             EXPECT_NEAR(fit.originErrorMm[b], (joints[b] - recorded[b].translation).norm(), 1e-9);
-        }
         for (Eigen::Index k = 0; k < fit.pose.size(); ++k) {
             for (const double step : {-0.01, 0.01}) {
                 const Pose other = core::retract(fit.pose, step * Pose::Unit(fit.pose.size(), k));

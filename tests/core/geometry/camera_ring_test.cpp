@@ -9,9 +9,8 @@ namespace {
 
 std::vector<Eigen::Vector3d> cornersOfABox() {
     std::vector<Eigen::Vector3d> points;
-    for (int i = 0; i < 8; ++i) {
+    for (int i = 0; i < 8; ++i)
         points.emplace_back(i & 1 ? 150 : -50, i & 2 ? 80 : -40, i & 4 ? 700 : 600);
-    }
     return points;
 }
 

@@ -12,9 +12,8 @@ using Eigen::Vector3d;
 /// The ring, whose axes meet in the origin, carried elsewhere.
 std::vector<core::Camera> ringAround(const Vector3d& centre) {
     std::vector<core::Camera> ring = test::cameraRing(4);
-    for (core::Camera& camera : ring) {
+    for (core::Camera& camera : ring)
         camera.cameraFromWorld.translation -= camera.cameraFromWorld.rotation * centre;
-    }
     return ring;
 }
 

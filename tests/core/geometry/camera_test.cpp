@@ -50,11 +50,10 @@ Vector2d openCvPixel(const Camera& camera, const Vector3d& pointInWorld) {
     const cv::Vec3d rotation(vector.x(), vector.y(), vector.z()), translation(t.x(), t.y(), t.z());
     const std::vector<cv::Point3d> points{{pointInWorld.x(), pointInWorld.y(), pointInWorld.z()}};
     std::vector<cv::Point2d> px;
-    if (camera.fisheye) {
+    if (camera.fisheye)
         cv::fisheye::projectPoints(points, px, cv::Affine3d(rotation, translation), k, camera.distortion);
-    } else {
+    else
         cv::projectPoints(points, rotation, translation, k, camera.distortion, px);
-    }
     return {px[0].x, px[0].y};
 }
 
@@ -141,11 +140,10 @@ TEST(Camera, UndistortsLikeOpenCv) {
             // The middle of the image: OpenCV's iteration does not settle near the corners of a strong lens.
             const std::vector<cv::Point2d> px{{random.between(250, 1050), random.between(150, 800)}};
             std::vector<cv::Point2d> oracle;
-            if (camera.fisheye) {
+            if (camera.fisheye)
                 cv::fisheye::undistortPoints(px, oracle, k, camera.distortion);
-            } else {
+            else
                 cv::undistortPoints(px, oracle, k, camera.distortion, cv::noArray(), cv::noArray(), exact);
-            }
             const auto normalised = core::undistort(camera, {px[0].x, px[0].y});
             ASSERT_TRUE(normalised);
             EXPECT_LT((*normalised - Vector2d(oracle[0].x, oracle[0].y)).norm(), camera.fisheye ? 1e-7 : 1e-9)

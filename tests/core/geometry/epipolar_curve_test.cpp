@@ -20,9 +20,8 @@ TEST(EpipolarCurve, PassesThroughTheProjectionOfEveryPointOfTheRay) {
         int checked = 0;
         for (double depth = 300; depth < 3000; depth += 37) {
             const auto px = core::project(cameras[other], cameras[0].centreInWorld() + depth * ray->direction);
-            if (!px || !core::isInside(cameras[other].size, *px)) {
+            if (!px || !core::isInside(cameras[other].size, *px))
                 continue;
-            }
             const auto nearest = core::nearestOnPolyline(curve, *px);
             ASSERT_TRUE(nearest);
             EXPECT_LT((*nearest - *px).norm(), 0.05) << "camera " << other << " depth " << depth;
@@ -53,9 +52,8 @@ TEST(EpipolarCurve, MayBeVertical) {
     high.cameraFromWorld.translation = Vector3d(0, 200, 0); // the second one stands 200 mm above
     const core::Polyline curve = core::epipolarCurve(low, {320, 240}, high);
     ASSERT_GT(curve.size(), 10u);
-    for (const Vector2d& p : curve) {
+    for (const Vector2d& p : curve)
         EXPECT_NEAR(p.x(), 320, 1e-9);
-    }
     EXPECT_NEAR(curve.front().y(), 479.5, 1e-6); // cut at the lower border
     EXPECT_NEAR(curve.back().y(), 240, 0.1);     // towards infinity
 }

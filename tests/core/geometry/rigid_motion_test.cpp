@@ -70,9 +70,8 @@ TEST(RigidMotion, RotationLogOfHalfATurnIsOneOfTheTwoVectors) {
     test::RandomValues random("half turn");
     std::vector<Vector3d> axes{Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d(1, 1, 0).normalized(),
                                Vector3d(0, -1, 1).normalized()};
-    for (int trial = 0; trial < 50; ++trial) {
+    for (int trial = 0; trial < 50; ++trial)
         axes.push_back(random.direction());
-    }
     for (const Vector3d& axis : axes) {
         const Matrix3d rotation = 2 * axis * axis.transpose() - Matrix3d::Identity();
         const Vector3d vector = core::rotationLog(rotation);
@@ -165,7 +164,8 @@ TEST(RigidMotion, FindsTheNearestRotationOfAMatrixOfFewDigits) {
         const auto nearest = core::nearestRotation(written, 1e-3);
         ASSERT_TRUE(nearest);
         EXPECT_TRUE(core::isRotation(*nearest, 1e-12));
-        EXPECT_LE((*nearest - written).norm(), (rotation - written).norm() + 1e-12) << "none is nearer, not even the original";
+        EXPECT_LE((*nearest - written).norm(), (rotation - written).norm() + 1e-12)
+            << "none is nearer, not even the original";
     }
     EXPECT_FALSE(core::nearestRotation(Matrix3d::Identity() * 1.1, 1e-3));
     EXPECT_FALSE(core::nearestRotation(-Matrix3d::Identity(), 1e-3));

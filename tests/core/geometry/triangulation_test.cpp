@@ -26,10 +26,12 @@ protected:
         std::normal_distribution<double> normal(0, sigmaPx);
         return {normal(m_random), normal(m_random)};
     }
-    std::vector<Observation> observe(const std::vector<core::Camera>& cameras, const Vector3d& point, double sigmaPx = 0) {
+    std::vector<Observation> observe(const std::vector<core::Camera>& cameras, const Vector3d& point,
+                                     double sigmaPx = 0) {
         std::vector<Observation> observations;
         for (int i = 0; i < static_cast<int>(cameras.size()); ++i) {
-            observations.push_back({i, *core::project(cameras[i], point) + (sigmaPx > 0 ? noise(sigmaPx) : Vector2d(0, 0))});
+            observations.push_back(
+                {i, *core::project(cameras[i], point) + (sigmaPx > 0 ? noise(sigmaPx) : Vector2d(0, 0))});
         }
         return observations;
     }
@@ -44,9 +46,8 @@ TEST_F(Triangulation, FindsExactPointsFromTwoToEightViewsThroughTheLens) {
         auto observations = observe(cameras, truth);
         std::shuffle(observations.begin(), observations.end(), m_random);
         observations.resize(2 + trial % 7);
-        if (observations.size() == 2 && (observations[0].camera - observations[1].camera) % 4 == 0) {
+        if (observations.size() == 2 && (observations[0].camera - observations[1].camera) % 4 == 0)
             continue; // opposite cameras see the middle of the ring along one line
-        }
         const auto result = core::triangulate(cameras, observations);
         ASSERT_TRUE(result.point) << result.reason;
         EXPECT_LT((result.point->pointInWorld - truth).norm(), 1e-6);
@@ -67,11 +68,9 @@ TEST_F(Triangulation, AgreesWithOpenCvOnCleanDataWithoutALens) {
             p << camera.cameraFromWorld.rotation, camera.cameraFromWorld.translation;
             p = camera.intrinsics * p;
             projections[i] = cv::Mat(3, 4, CV_64F);
-            for (int row = 0; row < 3; ++row) {
-                for (int column = 0; column < 4; ++column) {
+            for (int row = 0; row < 3; ++row)
+                for (int column = 0; column < 4; ++column)
                     projections[i].at<double>(row, column) = p(row, column);
-                }
-            }
             px[i] = (cv::Mat_<double>(2, 1) << pair[i].px.x(), pair[i].px.y());
         }
         cv::triangulatePoints(projections[0], projections[1], px[0], px[1], homogeneous);
@@ -115,9 +114,8 @@ TEST_F(Triangulation, TwoWrongClicksOfEightAreNamedAndDoNoHarm) {
         const Vector3d truth = randomPoint();
         auto observations = observe(cameras, truth, 1.0);
         const std::vector<int> wrong{trial % 8, (trial + 3) % 8};
-        for (const int camera : wrong) {
+        for (const int camera : wrong)
             observations[camera].px += Vector2d(trial % 2 ? offset(m_random) : -offset(m_random), offset(m_random));
-        }
         const auto result = core::triangulate(cameras, observations);
         ASSERT_TRUE(result.point);
         squaredError += (result.point->pointInWorld - truth).squaredNorm() / kTrials;
@@ -136,18 +134,15 @@ TEST_F(Triangulation, ReportsTheResidualThatItMinimises) {
     ASSERT_TRUE(result.point);
     const auto cost = [&](const Vector3d& point) {
         double sum = 0;
-        for (const Observation& o : observations) {
+        for (const Observation& o : observations)
             sum += (*core::project(cameras[o.camera], point) - o.px).squaredNorm();
-        }
         return sum;
     };
     const double least = cost(result.point->pointInWorld);
     EXPECT_NEAR(result.point->rmsPx, std::sqrt(least / 5), 1e-12);
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const double step : {-1e-3, 1e-3}) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double step : {-1e-3, 1e-3})
             EXPECT_GT(cost(result.point->pointInWorld + step * Vector3d::Unit(axis)), least);
-        }
-    }
 }
 
 TEST_F(Triangulation, WeighsObservationsByTheirOwnSigma) {
@@ -156,15 +151,13 @@ TEST_F(Triangulation, WeighsObservationsByTheirOwnSigma) {
     for (int trial = 0; trial < 300; ++trial) {
         const Vector3d truth = randomPoint();
         auto observations = observe(cameras, truth, 0.5);
-        for (int i = 3; i < 6; ++i) {
+        for (int i = 3; i < 6; ++i)
             observations[i].px += noise(3.0);
-        }
         core::TriangulationOptions options;
         options.sigmaPx = 3.0;
         equal += (core::triangulate(cameras, observations, options).point->pointInWorld - truth).squaredNorm();
-        for (int i = 0; i < 6; ++i) {
+        for (int i = 0; i < 6; ++i)
             observations[i].sigmaPx = i < 3 ? 0.5 : 3.04;
-        }
         weighted += (core::triangulate(cameras, observations, options).point->pointInWorld - truth).squaredNorm();
     }
     EXPECT_LT(weighted, 0.5 * equal);
@@ -222,14 +215,12 @@ TEST_F(Triangulation, DoesNotDependOnTheOrderOfTheViews) {
 TEST_F(Triangulation, IsFastEnoughForWholeSequences) {
     const auto cameras = test::cameraRing(8);
     std::vector<std::vector<Observation>> points;
-    for (int i = 0; i < 560; ++i) {
+    for (int i = 0; i < 560; ++i)
         points.push_back(observe(cameras, randomPoint(), 1.0));
-    }
     const auto start = std::chrono::steady_clock::now();
     int found = 0;
-    for (const auto& observations : points) {
+    for (const auto& observations : points)
         found += core::triangulate(cameras, observations).point.has_value();
-    }
     const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     RecordProperty("milliseconds_per_1000_points", std::to_string(ms / 0.56));
     EXPECT_EQ(found, 560);

@@ -20,9 +20,8 @@ HandModel makeHand() {
 TEST(HandModel, RestPoseLeavesTheSurfaceWhereItIs) {
     const HandModel hand = makeHand();
     const std::vector<Vector3d> posed = core::posedVertices(hand, hand.skeleton.restPose());
-    for (std::size_t v = 0; v < posed.size(); ++v) {
+    for (std::size_t v = 0; v < posed.size(); ++v)
         EXPECT_LT((posed[v] - hand.mesh.vertices[v]).norm(), 1e-9);
-    }
 }
 
 TEST(HandModel, VerticesAreBlendedProductsOfExponentials) {
@@ -33,9 +32,8 @@ TEST(HandModel, VerticesAreBlendedProductsOfExponentials) {
         const std::vector<Vector3d> oracle = test::spatiallyPosed(hand, pose);
         const std::vector<Vector3d> posed = core::posedVertices(hand, pose);
         ASSERT_EQ(posed.size(), oracle.size());
-        for (std::size_t v = 0; v < posed.size(); ++v) {
+        for (std::size_t v = 0; v < posed.size(); ++v)
             ASSERT_LT((posed[v] - oracle[v]).norm(), 1e-9) << v;
-        }
     }
 }
 
@@ -45,15 +43,13 @@ TEST(HandModel, VertexJacobianIsThatOfFiniteDifferences) {
     for (int trial = 0; trial < 4; ++trial) {
         const Pose pose = test::somePose(hand.skeleton, random, 100, 2.5);
         std::vector<int> vertices;
-        for (int i = 0; i < 25; ++i) {
+        for (int i = 0; i < 25; ++i)
             vertices.push_back(random.below(static_cast<int>(hand.mesh.vertices.size())));
-        }
         const Eigen::MatrixXd numeric = test::differencesByStep(pose, [&](const Pose& p) {
             const std::vector<Vector3d> posed = core::posedVertices(hand, p);
             Eigen::VectorXd chosen(3 * vertices.size());
-            for (std::size_t i = 0; i < vertices.size(); ++i) {
+            for (std::size_t i = 0; i < vertices.size(); ++i)
                 chosen.segment<3>(static_cast<Eigen::Index>(3 * i)) = posed[static_cast<std::size_t>(vertices[i])];
-            }
             return chosen;
         });
         for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -82,9 +78,8 @@ TEST(HandModel, CompressedWeightsLeaveShortRowsAlone) {
     const SkinWeights same = core::compressedWeights(hand.weights, 8, 0);
     ASSERT_EQ(same.firstEntry, hand.weights.firstEntry);
     double sum = 0;
-    for (const core::SkinWeight& w : same.entries) {
+    for (const core::SkinWeight& w : same.entries)
         sum += w.weight;
-    }
     EXPECT_NEAR(sum, static_cast<double>(hand.mesh.vertices.size()), 1e-8);
 }
 

@@ -20,9 +20,8 @@ WeightedSurface exploded(const core::TriangleMesh& mesh) {
             surface.mesh.vertices.push_back(mesh.vertices[v] + Eigen::Vector3d::Constant(1e-5 * (first % 3)));
             const bool isUp = mesh.vertices[v].z() > 0;
             surface.weights.entries.push_back({0, isUp ? 0.5 : 1.0});
-            if (isUp) {
+            if (isUp)
                 surface.weights.entries.push_back({1, 0.5});
-            }
             surface.weights.firstEntry.push_back(static_cast<int>(surface.weights.entries.size()));
         }
     }

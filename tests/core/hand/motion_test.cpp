@@ -8,7 +8,8 @@
 namespace {
 
 TEST(MeanDisplacement, IsTheSpeedOfAStraightMotion) {
-    const std::vector<core::HandModel> hands{test::twoFingerHand(core::Side::Left, {}), test::twoFingerHand(core::Side::Right, {})};
+    const std::vector<core::HandModel> hands{test::twoFingerHand(core::Side::Left, {}),
+                                             test::twoFingerHand(core::Side::Right, {})};
     core::Motion motion;
     for (int frame = 0; frame < 30; ++frame) {
         core::Pose pose = hands[0].skeleton.restPose();

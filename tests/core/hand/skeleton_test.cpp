@@ -19,9 +19,8 @@ Skeleton makeSkeleton() {
 
 Eigen::VectorXd stacked(const std::vector<Vector3d>& points) {
     Eigen::VectorXd all(static_cast<Eigen::Index>(3 * points.size()));
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i)
         all.segment<3>(static_cast<Eigen::Index>(3 * i)) = points[i];
-    }
     return all;
 }
 
@@ -80,9 +79,8 @@ TEST(Skeleton, JointsAreTheOriginsOfTheBones) {
     const auto joints = core::jointPositions(skeleton, pose);
     const auto bones = core::boneTransforms(skeleton, pose);
     ASSERT_EQ(joints.size(), bones.size());
-    for (std::size_t b = 0; b < joints.size(); ++b) {
+    for (std::size_t b = 0; b < joints.size(); ++b)
         EXPECT_EQ(joints[b], bones[b].translation);
-    }
     // A bone's child sits at its end, however it bends.
     EXPECT_NEAR((joints[2] - joints[1]).norm(), 42, 1e-9);
 }
@@ -140,9 +138,8 @@ TEST(Skeleton, FindsBonesAndSidesByName) {
     EXPECT_EQ(skeleton.boneIndex("wrist"), 0);
     EXPECT_EQ(skeleton.boneIndex("thumb_ip"), 4);
     EXPECT_EQ(skeleton.boneIndex("nose"), -1);
-    for (const core::Side side : {core::Side::Left, core::Side::Right}) {
+    for (const core::Side side : {core::Side::Left, core::Side::Right})
         EXPECT_EQ(core::sideFromName(core::sideName(side)), side);
-    }
     EXPECT_EQ(core::sideName(core::Side::Left), "left");
     EXPECT_FALSE(core::sideFromName("Left"));
 }

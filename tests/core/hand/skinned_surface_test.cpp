@@ -40,9 +40,8 @@ double distanceFromTriangle(const Vector3d& p, const std::array<Vector3d, 3>& co
     const auto isLeftOf = [&](const Vector3d& from, const Vector3d& to) {
         return (to - from).cross(p - from).dot(normal) >= 0;
     };
-    if (isLeftOf(a, b) && isLeftOf(b, c) && isLeftOf(c, a)) {
+    if (isLeftOf(a, b) && isLeftOf(b, c) && isLeftOf(c, a))
         return std::abs((p - a).dot(normal)) / normal.norm();
-    }
     return std::min({distanceFromSegment(p, a, b), distanceFromSegment(p, b, c), distanceFromSegment(p, c, a)});
 }
 
@@ -73,9 +72,8 @@ TEST(SkinnedSurface, NormalsTurnWithTheBones) {
     pose.head<6>() << 20, -30, 5, 0.5, 1.2, -0.4;
     const std::vector<Vector3d> oracle = core::vertexNormals(core::posedVertices(hand, pose), hand.mesh.triangles);
     const PosedPoints points = posed(surface, hand, pose);
-    for (std::size_t v = 0; v < oracle.size(); ++v) {
+    for (std::size_t v = 0; v < oracle.size(); ++v)
         ASSERT_LT((points.normals[v].cast<double>() - oracle[v]).norm(), 1e-4);
-    }
 }
 
 TEST(SkinnedSurface, NormalsOfABentHandAreThoseOfItsSkinButNearJoints) {
@@ -86,9 +84,8 @@ TEST(SkinnedSurface, NormalsOfABentHandAreThoseOfItsSkinButNearJoints) {
     const std::vector<Vector3d> oracle = core::vertexNormals(core::posedVertices(hand, pose), hand.mesh.triangles);
     const PosedPoints points = posed(surface, hand, pose);
     std::vector<double> errors;
-    for (std::size_t v = 0; v < oracle.size(); ++v) {
+    for (std::size_t v = 0; v < oracle.size(); ++v)
         errors.push_back(std::acos(std::min(1.0, points.normals[v].cast<double>().normalized().dot(oracle[v]))));
-    }
     std::sort(errors.begin(), errors.end());
     EXPECT_LT(errors[errors.size() / 2], 0.01);
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.35);
@@ -127,14 +124,12 @@ TEST(SkinnedSurface, CoarserLevelsAreWellFormed) {
             }
         }
         EXPECT_EQ(surface.edges.size(), edges.size());
-        for (const auto& [a, b] : surface.edges) {
+        for (const auto& [a, b] : surface.edges)
             EXPECT_TRUE(edges.contains(std::minmax(a, b)));
-        }
         for (std::size_t v = 0; v < surface.vertexCount(); ++v) {
             float sum = 0;
-            for (int e = surface.firstWeight[v]; e < surface.firstWeight[v + 1]; ++e) {
+            for (int e = surface.firstWeight[v]; e < surface.firstWeight[v + 1]; ++e)
                 sum += surface.weightValue[static_cast<std::size_t>(e)];
-            }
             EXPECT_NEAR(sum, 1, 1e-5);
         }
     }
@@ -149,9 +144,8 @@ TEST(SkinnedSurface, CoarserLevelsStayNearTheMesh) {
         double least = std::numeric_limits<double>::infinity();
         for (const auto& triangle : surface.triangles) {
             std::array<Vector3d, 3> corners;
-            for (std::size_t k = 0; k < 3; ++k) {
+            for (std::size_t k = 0; k < 3; ++k)
                 corners[k] = surface.restPositions[static_cast<std::size_t>(triangle[k])].cast<double>();
-            }
             least = std::min(least, distanceFromTriangle(hand.mesh.vertices[v], corners));
         }
         sum += least;

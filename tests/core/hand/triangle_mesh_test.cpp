@@ -70,16 +70,14 @@ TEST(TriangleMesh, EdgesOfAnOpenMeshHaveOneTriangle) {
 
 TEST(TriangleMesh, VolumeIsThatOfTheSolidWhereverItLies) {
     TriangleMesh box;
-    for (int corner = 0; corner < 8; ++corner) {
+    for (int corner = 0; corner < 8; ++corner)
         box.vertices.emplace_back(corner & 1 ? 7 : 2, corner & 2 ? 4 : 1, corner & 4 ? 13 : 3);
-    }
     box.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
     EXPECT_NEAR(core::signedVolume(box), 5 * 3 * 10, 1e-10);
     EXPECT_NEAR(core::signedVolume(test::moved(box, {core::rotationExp({1, 2, 0.3}), {900, -80, 400}})), 150, 1e-6);
-    for (auto& triangle : box.triangles) {
+    for (auto& triangle : box.triangles)
         std::swap(triangle[0], triangle[1]);
-    }
     EXPECT_NEAR(core::signedVolume(box), -150, 1e-10);
     const double ball = 4.0 / 3 * std::numbers::pi * 1000;
     EXPECT_NEAR(core::signedVolume(test::ball({1, 2, 3}, 10)), ball, 0.005 * ball);

@@ -27,9 +27,8 @@ struct BoxProblem {
 /// Of `size` unknowns, J^T J of `rows` random rows: the fewer rows, the worse conditioned.
 BoxProblem randomProblem(test::RandomValues& random, Eigen::Index size, Eigen::Index rows) {
     MatrixXd jacobian(rows, size);
-    for (Eigen::Index k = 0; k < size; ++k) {
+    for (Eigen::Index k = 0; k < size; ++k)
         jacobian.col(k) = random.vector(rows, 1) * std::pow(10, random.between(-1, 1));
-    }
     BoxProblem problem;
     problem.hessian = jacobian.transpose() * jacobian;
     problem.hessian.diagonal() *= 1.001;
@@ -57,9 +56,8 @@ VectorXd bruteForce(const BoxProblem& problem) {
                 possible = possible && std::isfinite(step[k]);
             }
         }
-        if (!possible) {
+        if (!possible)
             continue;
-        }
         if (!free.empty()) {
             const VectorXd right = -(problem.gradient + problem.hessian * step);
             const MatrixXd reduced = problem.hessian(free, free);
@@ -67,9 +65,8 @@ VectorXd bruteForce(const BoxProblem& problem) {
         }
         const bool inside = (step.array() >= problem.lower.array() - 1e-12).all() &&
                             (step.array() <= problem.upper.array() + 1e-12).all();
-        if (inside && (best.size() == 0 || problem.cost(step) < problem.cost(best))) {
+        if (inside && (best.size() == 0 || problem.cost(step) < problem.cost(best)))
             best = step;
-        }
     }
     return best;
 }
@@ -82,12 +79,10 @@ void expectOptimal(const BoxProblem& problem, const VectorXd& step) {
     for (Eigen::Index k = 0; k < step.size(); ++k) {
         EXPECT_GE(step[k], problem.lower[k]);
         EXPECT_LE(step[k], problem.upper[k]);
-        if (step[k] > problem.lower[k] && problem.lower[k] < problem.upper[k]) {
+        if (step[k] > problem.lower[k] && problem.lower[k] < problem.upper[k])
             EXPECT_LE(slope[k], small) << "unknown " << k << " should decrease";
-        }
-        if (step[k] < problem.upper[k] && problem.lower[k] < problem.upper[k]) {
+        if (step[k] < problem.upper[k] && problem.lower[k] < problem.upper[k])
             EXPECT_GE(slope[k], -small) << "unknown " << k << " should increase";
-        }
     }
 }
 
@@ -127,18 +122,16 @@ TEST(BoxConstrainedStep, MeetsTheOptimalityConditionsForAWholeHand) {
         const Eigen::Index size = 30 + trial % 11;
         const BoxProblem problem = randomProblem(random, size, size + 5 * (trial % 5));
         expectOptimal(problem, boxConstrainedStep(problem.hessian, problem.gradient, problem.lower, problem.upper));
-        if (HasFailure()) {
+        if (HasFailure())
             FAIL() << "trial " << trial;
-        }
     }
 }
 
 TEST(BoxConstrainedStep, HeldUnknownsStayAndTheOthersTakeThemIntoAccount) {
     test::RandomValues random("held");
     BoxProblem problem = randomProblem(random, 12, 40);
-    for (const Eigen::Index k : {2, 7}) {
+    for (const Eigen::Index k : {2, 7})
         problem.lower[k] = problem.upper[k] = 0;
-    }
     const VectorXd step = boxConstrainedStep(problem.hessian, problem.gradient, problem.lower, problem.upper);
     EXPECT_EQ(step[2], 0);
     EXPECT_EQ(step[7], 0);

@@ -53,7 +53,8 @@ struct CeresRosenbrock {
 
 Vector2d ceresMinimum(Vector2d x, const Vector2d& low, const Vector2d& high) {
     ceres::Problem problem;
-    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<CeresRosenbrock, 2, 2>(new CeresRosenbrock), nullptr, x.data());
+    problem.AddResidualBlock(new ceres::AutoDiffCostFunction<CeresRosenbrock, 2, 2>(new CeresRosenbrock), nullptr,
+                             x.data());
     for (int k = 0; k < 2; ++k) {
         problem.SetParameterLowerBound(x.data(), k, low[k]);
         problem.SetParameterUpperBound(x.data(), k, high[k]);

@@ -21,9 +21,8 @@ TEST(Median, AgreesWithSortingForAnyOrder) {
     test::RandomValues random("median");
     for (int count = 1; count < 40; ++count) {
         std::vector<double> values;
-        for (int i = 0; i < count; ++i) {
+        for (int i = 0; i < count; ++i)
             values.push_back(random.between(-10, 10));
-        }
         std::vector<double> sorted = values;
         std::sort(sorted.begin(), sorted.end());
         const auto half = static_cast<std::size_t>(count / 2);

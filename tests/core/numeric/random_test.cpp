@@ -24,9 +24,8 @@ TEST(RandomGenerator, DrawsEverySubsetAboutEquallyOften) {
         counts[{sample.begin(), sample.end()}]++;
     }
     ASSERT_EQ(counts.size(), 10u);
-    for (const auto& [subset, count] : counts) {
+    for (const auto& [subset, count] : counts)
         EXPECT_NEAR(count, 1000, 150);
-    }
 }
 
 } // namespace

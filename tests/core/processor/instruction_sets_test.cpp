@@ -21,10 +21,13 @@ TEST(InstructionSets, OfAProcessorThatHasEverythingAreNotDescribed) {
 
 TEST(InstructionSets, ThatAreMissingAreNamedInOneSentence) {
     EXPECT_EQ(missing(core::kX86V3, core::kX86V3 & ~(core::kFma | core::kAvx2)),
-              "this build needs a processor with FMA, AVX2, which this one lacks; build Handlens on this machine with ./setup.sh");
+              "this build needs a processor with FMA, AVX2, which this one lacks; build Handlens on this machine with "
+              "./setup.sh");
     EXPECT_EQ(missing(core::kX86V2, core::kSse3 | core::kSsse3 | core::kSse41 | core::kPopcnt),
-              "this build needs a processor with SSE4.2, which this one lacks; build Handlens on this machine with ./setup.sh");
-    EXPECT_NE(missing(core::kX86V3, 0).find("SSE3, SSSE3, SSE4.1, SSE4.2, POPCNT, MOVBE, AVX, F16C, FMA, AVX2, BMI1, BMI2, LZCNT, which"),
+              "this build needs a processor with SSE4.2, which this one lacks; build Handlens on this machine with "
+              "./setup.sh");
+    EXPECT_NE(missing(core::kX86V3, 0)
+                  .find("SSE3, SSSE3, SSE4.1, SSE4.2, POPCNT, MOVBE, AVX, F16C, FMA, AVX2, BMI1, BMI2, LZCNT, which"),
               std::string::npos);
 }
 
@@ -42,14 +45,19 @@ TEST(InstructionSets, HereAreThoseOfTheKernelsList) {
     if (flags.empty())
         GTEST_SKIP() << "not an x86 processor";
     const std::pair<const char*, core::InstructionSets> names[] = {
-        {"ssse3", core::kSsse3}, {"sse4_1", core::kSse41}, {"sse4_2", core::kSse42}, {"popcnt", core::kPopcnt}, {"movbe", core::kMovbe},
-        {"avx", core::kAvx},     {"f16c", core::kF16c},    {"fma", core::kFma},      {"avx2", core::kAvx2},     {"bmi1", core::kBmi1},
-        {"bmi2", core::kBmi2},   {"abm", core::kLzcnt},    {"pni", core::kSse3},     {"avx512f", core::kAvx512}};
+        {"ssse3", core::kSsse3}, {"sse4_1", core::kSse41},  {"sse4_2", core::kSse42}, {"popcnt", core::kPopcnt},
+        {"movbe", core::kMovbe}, {"avx", core::kAvx},       {"f16c", core::kF16c},    {"fma", core::kFma},
+        {"avx2", core::kAvx2},   {"bmi1", core::kBmi1},     {"bmi2", core::kBmi2},    {"abm", core::kLzcnt},
+        {"pni", core::kSse3},    {"avx512f", core::kAvx512}};
     for (const auto& [name, set] : names)
-        EXPECT_EQ((core::instructionSetsHere() & set) != 0, flags.find(std::string(" ") + name + " ") != std::string::npos) << name;
+        EXPECT_EQ((core::instructionSetsHere() & set) != 0,
+                  flags.find(std::string(" ") + name + " ") != std::string::npos)
+            << name;
 }
 
-TEST(InstructionSets, OfThisBuildAreThereWhereItsTestsRun) { EXPECT_EQ(core::kCompiledFor & ~core::instructionSetsHere(), 0u); }
+TEST(InstructionSets, OfThisBuildAreThereWhereItsTestsRun) {
+    EXPECT_EQ(core::kCompiledFor & ~core::instructionSetsHere(), 0u);
+}
 
 TEST(StartCheck, EndsAProgramForANewerProcessorBeforeItsOwnInitialisers) {
     FILE* pipe = ::popen(HANDLENS_TOO_NEW " 2>&1", "r");
@@ -58,8 +66,8 @@ TEST(StartCheck, EndsAProgramForANewerProcessorBeforeItsOwnInitialisers) {
     const std::size_t length = std::fread(text, 1, sizeof text - 1, pipe);
     const int status = ::pclose(pipe);
     EXPECT_EQ(status >> 8, 1);
-    EXPECT_EQ(std::string(text, length),
-              "handlens_too_new: this build needs a processor with AVX2, which this one lacks; build Handlens on this machine with ./setup.sh\n");
+    EXPECT_EQ(std::string(text, length), "handlens_too_new: this build needs a processor with AVX2, which this one "
+                                         "lacks; build Handlens on this machine with ./setup.sh\n");
 }
 
 } // namespace

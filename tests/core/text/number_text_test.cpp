@@ -34,9 +34,8 @@ TEST(NumberText, ParsesAWholeWordOrNothing) {
     double value = -1;
     EXPECT_TRUE(core::parseNumber("+1.5e2", value));
     EXPECT_EQ(value, 150);
-    for (const char* wrong : {"", "x", "1,5", "1 2", " 1", "1 ", "inf", "nan", "0x10", "1e999"}) {
+    for (const char* wrong : {"", "x", "1,5", "1 2", " 1", "1 ", "inf", "nan", "0x10", "1e999"})
         EXPECT_FALSE(core::parseNumber(wrong, value)) << wrong;
-    }
 }
 
 } // namespace

@@ -16,7 +16,8 @@ TEST(HtmlText, EscapesWhatHtmlMeans) {
 }
 
 TEST(GnuplotText, HoldsTheDataOfEveryLine) {
-    const std::string plot = core::gnuplotPlot({{"it's", "#112233", {{1, 2}, {3, std::nan("")}, {4, 5}}}, {"", "#445566", {{0, 1}}, "lines"}});
+    const std::string plot = core::gnuplotPlot(
+        {{"it's", "#112233", {{1, 2}, {3, std::nan("")}, {4, 5}}}, {"", "#445566", {{0, 1}}, "lines"}});
     EXPECT_NE(plot.find("$d0 << EOD\n1 2.00000\n4 5.00000\nEOD\n"), std::string::npos) << plot;
     EXPECT_NE(plot.find("title 'it''s'"), std::string::npos);
     EXPECT_NE(plot.find("with lines lw 2 lc rgb '#445566' notitle"), std::string::npos);

@@ -26,7 +26,9 @@ protected:
         document.open(AnnotationDocument::read(file()));
     }
     std::filesystem::path file() const { return folder / "a.sqlite"; }
-    core::AnnotationSet onDisk() const { return core::AnnotationStore::open(file(), core::StoreAccess::ReadOnly).annotations(); }
+    core::AnnotationSet onDisk() const {
+        return core::AnnotationStore::open(file(), core::StoreAccess::ReadOnly).annotations();
+    }
     void place(double x) { document.push(core::placeEdit(document.annotations(), kKey, {x, 1})); }
 
     test::TemporaryFolder folder;

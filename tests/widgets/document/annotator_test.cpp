@@ -33,7 +33,9 @@ protected:
         selection.setFrame(12);
         selection.setJoint(kIndex);
     }
-    Eigen::Vector2d truth(int camera) const { return *core::project(dataset->cameras[static_cast<std::size_t>(camera)], point); }
+    Eigen::Vector2d truth(int camera) const {
+        return *core::project(dataset->cameras[static_cast<std::size_t>(camera)], point);
+    }
     void click(int camera) { annotator.place("cam" + std::to_string(camera), truth(camera)); }
     std::optional<core::Mark> mark(int camera, const core::JointId& joint = kIndex) const {
         return core::markAt(document.annotations(), {12, "ann", joint, "cam" + std::to_string(camera)});
@@ -159,7 +161,9 @@ TEST_F(AnnotatorTest, NudgesOfOneMarkAreOneStep) {
 
 TEST_F(AnnotatorTest, ANudgedProposalStartsWhereItIsShown) {
     core::Edit guess;
-    guess.marks.push_back({{12, "ann", kIndex, "cam2"}, std::nullopt, core::Mark{{30, 40}, core::Placement::Proposed, core::MarkState::Visible}});
+    guess.marks.push_back({{12, "ann", kIndex, "cam2"},
+                           std::nullopt,
+                           core::Mark{{30, 40}, core::Placement::Proposed, core::MarkState::Visible}});
     document.push(guess);
     click(0);
     click(1); // from now on the clicks say better where it is
@@ -187,7 +191,8 @@ TEST_F(AnnotatorTest, StepsOfFramesStayInside) {
 
 TEST_F(AnnotatorTest, AClickOutsideThePictureIsRefusedAndSaysSo) {
     QSignalSpy said(&annotator, &Annotator::nothingDone);
-    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-3, 100), Eigen::Vector2d(100, -0.6), Eigen::Vector2d(1080, 100), Eigen::Vector2d(100, 1920.2)})
+    for (const Eigen::Vector2d& px : {Eigen::Vector2d(-3, 100), Eigen::Vector2d(100, -0.6), Eigen::Vector2d(1080, 100),
+                                      Eigen::Vector2d(100, 1920.2)})
         annotator.place("cam1", px);
     EXPECT_TRUE(document.annotations().marks.empty());
     ASSERT_EQ(said.count(), 4);
@@ -229,22 +234,31 @@ TEST_F(AnnotatorTest, CorrectionsOfAFinishedJointSelectNoOther) {
         correction();
         EXPECT_EQ(selection.joint(), kIndex) << what;
     };
-    corrects("a drag", [&] {
-        annotator.drag("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
-        annotator.drop("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
-    });
-    corrects("a nudge", [&] { annotator.nudge({0.25, 0}); });
-    corrects("a click", [&] { annotator.place("cam1", truth(1)); });
+    corrects(
+        "a drag",
+        [&] {
+            annotator.drag("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
+            annotator.drop("cam1", kIndex, truth(1) + Eigen::Vector2d(1, 0));
+        });
+    corrects(
+        "a nudge",
+        [&] {
+            annotator.nudge({0.25, 0});
+        });
+    corrects(
+        "a click", [&] { annotator.place("cam1", truth(1)); });
     corrects("occluded", [&] { annotator.toggleOccluded(); });
     corrects("deleted and clicked again", [&] {
         annotator.remove();
         click(1);
     });
-    corrects("deleted everywhere and clicked again", [&] {
-        annotator.removeInAllViews();
-        for (int camera = 0; camera < 4; ++camera)
-            click(camera);
-    });
+    corrects(
+        "deleted everywhere and clicked again",
+        [&] {
+            annotator.removeInAllViews();
+            for (int camera = 0; camera < 4; ++camera)
+                click(camera);
+        });
     corrects("cannot be placed", [&] { annotator.toggleUnplaceable(); });
     selection.setFrame(13); // another frame is another joint
     selection.setJoint(kIndex);

@@ -30,20 +30,23 @@ protected:
         std::filesystem::create_directories(dataset->folder / "masks");
         for (const core::Camera& camera : dataset->cameras)
             core::writePng(dataset->folder / "masks" / (camera.name + "-7.png"),
-                             core::renderHandsMask(camera, dataset->hands, motion->at(7)));
+                           core::renderHandsMask(camera, dataset->hands, motion->at(7)));
     }
     void open(bool withMotion) {
-        runner.setSequence(dataset, &dataset->sequences[0], withMotion ? motion : std::make_shared<const core::Motion>());
+        runner.setSequence(dataset, &dataset->sequences[0],
+                           withMotion ? motion : std::make_shared<const core::Motion>());
     }
     /// What the run failed with; empty if it did not.
     QString run(const FitRequest& request) {
         QString failure;
         bool ended = false;
         QObject scope;
-        QObject::connect(&runner, &widgets::FitRunner::failed, &scope, [&](const QString& message) {
-            failure = message;
-            ended = true;
-        });
+        QObject::connect(
+            &runner, &widgets::FitRunner::failed, &scope,
+            [&](const QString& message) {
+                failure = message;
+                ended = true;
+            });
         QObject::connect(&runner, &widgets::FitRunner::finished, &scope, [&] { ended = true; });
         runner.run(request);
         EXPECT_TRUE(test::waitUntil([&] { return ended; }));
@@ -51,12 +54,17 @@ protected:
     }
     void markFrame(int frame) {
         for (std::size_t hand = 0; hand < 2; ++hand) {
-            const auto joints = core::jointPositions(dataset->hands[hand].skeleton, motion->at(static_cast<std::size_t>(frame))[hand]);
+            const auto joints =
+                core::jointPositions(dataset->hands[hand].skeleton, motion->at(static_cast<std::size_t>(frame))[hand]);
             for (std::size_t bone = 0; bone < joints.size(); ++bone) {
                 for (const core::Camera& camera : dataset->cameras)
-                    document.push(core::placeEdit(document.annotations(),
-                                                  {frame, document.rater(), {dataset->hands[hand].side, dataset->hands[hand].skeleton.bones[bone].name}, camera.name},
-                                                  *core::project(camera, joints[bone])));
+                    document.push(
+                        core::placeEdit(document.annotations(),
+                                        {frame,
+                                         document.rater(),
+                                         {dataset->hands[hand].side, dataset->hands[hand].skeleton.bones[bone].name},
+                                         camera.name},
+                                        *core::project(camera, joints[bone])));
             }
         }
     }
@@ -92,7 +100,8 @@ TEST_F(FitRunnerTest, AgainstMasksErrorsAreOverTheMarkedJoints) {
     markFrame(7);
     EXPECT_EQ(run({4, 7, {"ch"}, FitTarget::Masks}), QString());
     EXPECT_EQ(runner.outcome()->reference.size(), 4u);
-    EXPECT_NEAR(runner.outcome()->initialErrorMm, core::meanJointDistanceMm(dataset->hands, motion->at(4), motion->at(7)), 0.01);
+    EXPECT_NEAR(runner.outcome()->initialErrorMm,
+                core::meanJointDistanceMm(dataset->hands, motion->at(4), motion->at(7)), 0.01);
 }
 
 TEST_F(FitRunnerTest, SaysWhyItCannot) {

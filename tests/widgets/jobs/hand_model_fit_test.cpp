@@ -24,7 +24,9 @@ protected:
     /// Marks the joints of the left hand, but for the tips.
     void markLeft() {
         auto joints = truth;
-        std::erase_if(joints, [](const auto& entry) { return entry.first.hand == Side::Right || entry.first.joint.ends_with("_tip"); });
+        std::erase_if(joints, [](const auto& entry) {
+            return entry.first.hand == Side::Right || entry.first.joint.ends_with("_tip");
+        });
         document.push(test::clicksEdit(*dataset, 0, document.rater(), joints));
     }
 
@@ -51,7 +53,8 @@ TEST_F(ModelOfMarksTest, ProposesTheJointsThatAreMissing) {
     ASSERT_EQ(fit->proposals.size(), 5u);
     for (const core::JointPoint& proposal : fit->proposals) {
         EXPECT_TRUE(proposal.joint.joint.ends_with("_tip"));
-        EXPECT_LT((proposal.pointInWorld - truth.at(proposal.joint)).norm(), 12) << proposal.joint.joint; // a tip's angle is a guess
+        EXPECT_LT((proposal.pointInWorld - truth.at(proposal.joint)).norm(), 12)
+            << proposal.joint.joint; // a tip's angle is a guess
     }
 }
 
@@ -75,12 +78,15 @@ TEST_F(ModelOfMarksTest, FollowsTheMarksWhileItIsOn) {
     for (auto& [joint, point] : moved)
         point.x() += 5;
     std::erase_if(moved, [](const auto& entry) { return entry.first.hand == Side::Right; });
-    document.push(core::importEdit(document.annotations(), [&] {
-        core::AnnotationSet set;
-        for (const auto& [joint, point] : moved)
-            test::clickEverywhere(set, dataset->cameras, 0, document.rater(), joint, point);
-        return set;
-    }(), "import"));
+    document.push(core::importEdit(
+        document.annotations(),
+        [&] {
+            core::AnnotationSet set;
+            for (const auto& [joint, point] : moved)
+                test::clickEverywhere(set, dataset->cameras, 0, document.rater(), joint, point);
+            return set;
+        }(),
+        "import"));
     ASSERT_TRUE(test::waitUntil([&] { return model.fit() && (model.fit()->poses[0] - before).norm() > 4; }));
     selection.setFrame(3);
     ASSERT_TRUE(test::waitUntil([&] { return !model.fit(); })) << "nothing is marked there";

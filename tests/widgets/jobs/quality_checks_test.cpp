@@ -22,14 +22,19 @@ protected:
         settle();
     }
     void mark(int frame, const std::string& rater, const std::map<JointId, Eigen::Vector3d>& joints) {
-        document.push(core::importEdit(document.annotations(), [&] {
-            core::AnnotationSet set;
-            for (const auto& [joint, point] : joints)
-                test::clickEverywhere(set, dataset->cameras, frame, rater, joint, point, 0.4, &random);
-            return set;
-        }(), "import"));
+        document.push(core::importEdit(
+            document.annotations(),
+            [&] {
+                core::AnnotationSet set;
+                for (const auto& [joint, point] : joints)
+                    test::clickEverywhere(set, dataset->cameras, frame, rater, joint, point, 0.4, &random);
+                return set;
+            }(),
+            "import"));
     }
-    void settle() { ASSERT_TRUE(test::waitUntil([this] { return checks.isUpToDate(); })); }
+    void settle() {
+        ASSERT_TRUE(test::waitUntil([this] { return checks.isUpToDate(); }));
+    }
 
     std::mt19937_64 random = test::randomFor("quality checks");
     std::shared_ptr<const core::Dataset> dataset = test::fiveFingerDataset();

@@ -7,9 +7,9 @@
 #include "core/annotation/edits.h"
 #include "tests/support/clicks.h"
 #include "tests/support/ring_dataset.h"
-#include "widgets/text/advice.h"
 #include "widgets/models/joint_table_model.h"
 #include "widgets/models/result_table_model.h"
+#include "widgets/text/advice.h"
 
 namespace {
 
@@ -31,7 +31,9 @@ protected:
     void clickAt(int camera, Eigen::Vector2d px) {
         document.push(core::placeEdit(document.annotations(), {0, "ann", kIndex, "cam" + std::to_string(camera)}, px));
     }
-    Eigen::Vector2d truth(int camera) const { return *core::project(dataset->cameras[static_cast<std::size_t>(camera)], {5, 6, 7}); }
+    Eigen::Vector2d truth(int camera) const {
+        return *core::project(dataset->cameras[static_cast<std::size_t>(camera)], {5, 6, 7});
+    }
 
     std::shared_ptr<const core::Dataset> dataset = std::make_shared<const core::Dataset>(test::ringDataset());
     Selection selection;
@@ -60,11 +62,13 @@ TEST_F(JointTableModelTest, ShowsViewsErrorAndUncertainty) {
 TEST_F(JointTableModelTest, AcceptedViewsAreToldFromClickedOnes) {
     clickAt(0, truth(0));
     clickAt(2, truth(2));
-    core::Edit accept = core::acceptEdit(document.annotations(), dataset->cameras, selection.frame(), document.rater(), kIndex, "cam1");
+    core::Edit accept =
+        core::acceptEdit(document.annotations(), dataset->cameras, selection.frame(), document.rater(), kIndex, "cam1");
     document.push(accept);
     EXPECT_EQ(at(1, JointTableModel::Views), "2+1");
     EXPECT_EQ(at(1, JointTableModel::Views, JointTableModel::ValueRole).toInt(), 3);
-    EXPECT_TRUE(summaryText(kIndex, *reconstructions.find(kIndex)).contains(QStringLiteral("2+1 of 8"))) << "the line counts as the table does";
+    EXPECT_TRUE(summaryText(kIndex, *reconstructions.find(kIndex)).contains(QStringLiteral("2+1 of 8")))
+        << "the line counts as the table does";
     EXPECT_TRUE(at(1, JointTableModel::Views, Qt::ToolTipRole).toString().contains(QStringLiteral("1 accepted")));
 }
 
@@ -78,7 +82,11 @@ TEST_F(JointTableModelTest, TwoViewsThatDisagreeAreBadNotDone) {
 }
 
 TEST_F(JointTableModelTest, AJointThatIsOnlyProposedSaysSo) {
-    document.push({"propose", {{{selection.frame(), document.rater(), kIndex, "cam1"}, std::nullopt, core::Mark{{300, 400}, core::Placement::Proposed, core::MarkState::Visible}}}, {}});
+    document.push({"propose",
+                   {{{selection.frame(), document.rater(), kIndex, "cam1"},
+                     std::nullopt,
+                     core::Mark{{300, 400}, core::Placement::Proposed, core::MarkState::Visible}}},
+                   {}});
     EXPECT_EQ(at(1, JointTableModel::State), "proposed");
     EXPECT_EQ(at(1, JointTableModel::Views), "");
 }

@@ -4,15 +4,15 @@
 #include "core/benchmark/pairs.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/dataset/frames.h"
-#include "core/io/footage/image_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/files/text_file.h"
+#include "core/io/footage/image_file.h"
 #include "tests/widgets/panels/panel_fixture.h"
-#include "widgets/workspaces/benchmark_page.h"
 #include "widgets/panels/fitting_panel.h"
 #include "widgets/session/mask_attacher.h"
+#include "widgets/workspaces/benchmark_page.h"
 #include "widgets/workspaces/inspect_page.h"
 
 namespace {
@@ -42,7 +42,8 @@ protected:
     }
     QLineEdit& differences() {
         const auto fields = benchmark.findChildren<QLineEdit*>();
-        return **std::find_if(fields.begin(), fields.end(), [](const QLineEdit* field) { return field->text().startsWith(QStringLiteral("1, 5")); });
+        return **std::find_if(fields.begin(), fields.end(),
+                              [](const QLineEdit* field) { return field->text().startsWith(QStringLiteral("1, 5")); });
     }
 
     widgets::FittingPanel fitting{bench.selection, bench.fits};
@@ -105,25 +106,30 @@ TEST_F(FitPanelsTest, TheBenchmarkRunsWhatItsFieldsSay) {
     settle();
     ASSERT_TRUE(bench.benchmarks.results());
     auto tables = benchmark.findChildren<QTableView*>();
-    std::sort(tables.begin(), tables.end(), [](const QTableView* a, const QTableView* b) { return a->model()->rowCount() < b->model()->rowCount(); });
+    std::sort(tables.begin(), tables.end(),
+              [](const QTableView* a, const QTableView* b) { return a->model()->rowCount() < b->model()->rowCount(); });
     EXPECT_EQ(tables[0]->model()->rowCount(), 2); // start, dch-thres
     EXPECT_EQ(tables[1]->model()->rowCount(), static_cast<int>(bench.benchmarks.results()->rows.size()));
     const std::set<int> tests = benchmark.testFrames();
     std::set<int> ran;
-    for (const core::FramePair& pair : bench.benchmarks.results()->pairs) {
+    for (const core::FramePair& pair : bench.benchmarks.results()->pairs)
         if (pair.sequence == "a")
             ran.insert(pair.test);
-    }
     EXPECT_EQ(tests, ran);
     std::optional<widgets::FitRequest> opened;
-    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened, [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
+    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened,
+                     [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
     QTest::qWait(20); // laid out
-    QTest::mouseClick(tables[1]->viewport(), Qt::LeftButton, {}, tables[1]->visualRect(tables[1]->model()->index(0, 0)).center());
-    QTest::mouseDClick(tables[1]->viewport(), Qt::LeftButton, {}, tables[1]->visualRect(tables[1]->model()->index(0, 0)).center());
+    QTest::mouseClick(tables[1]->viewport(), Qt::LeftButton, {},
+                      tables[1]->visualRect(tables[1]->model()->index(0, 0)).center());
+    QTest::mouseDClick(tables[1]->viewport(), Qt::LeftButton, {},
+                       tables[1]->visualRect(tables[1]->model()->index(0, 0)).center());
     ASSERT_TRUE(opened);
     EXPECT_EQ(opened->methods, request.methods);
     const auto& pairs = bench.benchmarks.results()->pairs;
-    EXPECT_TRUE(std::any_of(pairs.begin(), pairs.end(), [&](const core::FramePair& pair) { return pair.start == opened->start && pair.test == opened->test; }));
+    EXPECT_TRUE(std::any_of(pairs.begin(), pairs.end(), [&](const core::FramePair& pair) {
+        return pair.start == opened->start && pair.test == opened->test;
+    }));
 }
 
 TEST_F(FitPanelsTest, HalfTypedDifferencesAreRefusedInWords) {
@@ -132,7 +138,8 @@ TEST_F(FitPanelsTest, HalfTypedDifferencesAreRefusedInWords) {
     EXPECT_THROW(benchmark.request(), core::Error);
     EXPECT_TRUE(benchmark.testFrames().empty());
     const auto buttons = benchmark.findChildren<QPushButton*>();
-    const auto run = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) { return button->text() == QStringLiteral("Run"); });
+    const auto run = std::find_if(buttons.begin(), buttons.end(),
+                                  [](const QPushButton* button) { return button->text() == QStringLiteral("Run"); });
     ASSERT_NE(run, buttons.end());
     QTest::mouseClick(*run, Qt::LeftButton);
     EXPECT_TRUE(child<widgets::MessageBar>(benchmark)->message().contains(QStringLiteral("\u201cx\u201d")));
@@ -157,11 +164,12 @@ TEST_F(FitPanelsTest, InspectShowsThePicturesOfItsOwnPair) {
         view.setCamera(like.camera());
         view.resize(like.size());
         view.show();
-        view.setImage(QImage(image.data, image.cols, image.rows, static_cast<int>(image.step), QImage::Format_BGR888).convertToFormat(QImage::Format_RGB32));
+        view.setImage(QImage(image.data, image.cols, image.rows, static_cast<int>(image.step), QImage::Format_BGR888)
+                          .convertToFormat(QImage::Format_RGB32));
         view.lookAt(like.viewportToImage(QRectF(like.viewport()->rect()).center()), like.scale());
         return view.grabPicture();
     };
-    bench.selection.setFrame(13);                // the key D
+    bench.selection.setFrame(13);      // the key D
     bench.selection.setCamera("cam1"); // the key E
     settle();
     for (int index = 0; index < inspect.grid()->count(); ++index) {
@@ -205,7 +213,8 @@ TEST_F(FitPanelsTest, InspectDrawsMeshesAsItIsAskedTo) {
     EXPECT_NE(view.grabPicture(), result) << "the iteration";
     const auto layers = inspect.posedLayers();
     ASSERT_EQ(layers.size(), 3u);
-    EXPECT_EQ(layers[2].surfaces[0]->verticesInWorld, layers[0].surfaces[0]->verticesInWorld) << "before the first iteration: the start";
+    EXPECT_EQ(layers[2].surfaces[0]->verticesInWorld, layers[0].surfaces[0]->verticesInWorld)
+        << "before the first iteration: the start";
 }
 
 TEST_F(FitPanelsTest, AnEmptyInspectHasAButton) {
@@ -251,7 +260,8 @@ TEST_F(FitPanelsTest, SavedResultsAreTheCommandsAndOpenAgain) {
     bench.benchmarks.save(out);
     settle();
     ASSERT_EQ(saved.count(), 1);
-    for (const char* file : {"run.json", "pairs.json", "finished.jsonl", "results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "report.html"})
+    for (const char* file : {"run.json", "pairs.json", "finished.jsonl", "results.csv", "joints.csv", "curves.csv",
+                             "table.md", "table.tex", "report.html"})
         EXPECT_TRUE(std::filesystem::exists(folder / "results" / file)) << file;
     core::BenchmarkFolder again = core::readBenchmarkFolder(folder / "results");
     EXPECT_EQ(again.results.rows, found.rows);
@@ -289,7 +299,8 @@ TEST_F(FitPanelsTest, SavingReplacesNoOtherResults) {
 TEST_F(FitPanelsTest, APairOpensWithAllOfItsMethods) {
     runBenchmark();
     std::optional<widgets::FitRequest> opened;
-    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened, [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
+    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened,
+                     [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
     QTest::qWait(20); // laid out
     QTableView& pairs = *child<QTableView>(benchmark, 1);
     const QPoint first = pairs.visualRect(pairs.model()->index(0, 0)).center();
@@ -309,9 +320,12 @@ TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
     core::rewriteDatasetFile(bare);
     reopen();
     bench.fits.run(fitting.request());
-    EXPECT_TRUE(child<widgets::MessageBar>(fitting)->message().contains(QStringLiteral("needs silhouettes: attach a folder of masks, or make them")));
+    EXPECT_TRUE(child<widgets::MessageBar>(fitting)->message().contains(
+        QStringLiteral("needs silhouettes: attach a folder of masks, or make them")));
     const auto buttons = fitting.findChildren<QPushButton*>();
-    const auto attach = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) { return button->text() == QStringLiteral("Attach masks..."); });
+    const auto attach = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+        return button->text() == QStringLiteral("Attach masks...");
+    });
     ASSERT_NE(attach, buttons.end());
     EXPECT_TRUE((*attach)->isVisible());
     QSignalSpy asked(&fitting, &widgets::FittingPanel::masksRequested);
@@ -320,7 +334,8 @@ TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
 
     for (const core::Camera& camera : bare.cameras) {
         std::filesystem::create_directories(folder / "masks" / camera.name);
-        core::writePng(folder / "masks" / camera.name / "000012.png", core::renderHandsMask(camera, bare.hands, test::tinyMotion(13).back()));
+        core::writePng(folder / "masks" / camera.name / "000012.png",
+                       core::renderHandsMask(camera, bare.hands, test::tinyMotion(13).back()));
     }
     widgets::MaskAttacher attacher(bench.session, bench.selection, bench.pool);
     QSignalSpy failed(&attacher, &widgets::MaskAttacher::failed);

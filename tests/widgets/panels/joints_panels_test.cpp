@@ -43,7 +43,9 @@ TEST_F(JointsPanelTest, TheDotSaysHowFarAJointIs) {
     for (int camera = 0; camera < 8; ++camera)
         click(index, camera);
     const QColor after = colourAt();
-    EXPECT_GT(std::abs(after.red() - before.red()) + std::abs(after.green() - before.green()) + std::abs(after.blue() - before.blue()), 60);
+    EXPECT_GT(std::abs(after.red() - before.red()) + std::abs(after.green() - before.green()) +
+                  std::abs(after.blue() - before.blue()),
+              60);
 }
 
 TEST_F(JointsPanelTest, NotesBelongToTheirFrameAndAreNeverLost) {
@@ -72,7 +74,9 @@ TEST_F(JointsPanelTest, NamesCanBeReadInANarrowWindow) {
         panel.show();
         QApplication::processEvents();
         const QTableView& table = *panel.table();
-        EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint), static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint)) << width;
+        EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint),
+                  static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint))
+            << width;
         EXPECT_FALSE(table.isColumnHidden(widgets::JointTableModel::ErrorPx));
         EXPECT_EQ(table.isColumnHidden(widgets::JointTableModel::State), width <= 240) << width;
     }
@@ -84,7 +88,8 @@ TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
     line.show();
     const auto says = [&](const char* words) {
         const auto labels = line.findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) { return label->text().contains(QString::fromUtf8(words)); });
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text().contains(QString::fromUtf8(words)); });
     };
     EXPECT_TRUE(says("Click index_mcp in any view"));
     click(index, 0);

@@ -26,7 +26,8 @@ TEST_F(QualityPanelTest, ListsTheClickThatDisagreesAndJumpsThere) {
     EXPECT_EQ(cell(table(), 0, widgets::FindingModel::Joint), QStringLiteral("L index_mcp"));
     bench.selection.setCamera("cam0");
     bench.selection.setJoint({core::Side::Right, "index_mcp"});
-    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(table().model()->index(0, 0)).center());
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
+                      table().visualRect(table().model()->index(0, 0)).center());
     EXPECT_EQ(bench.selection.camera(), "cam3");
     EXPECT_EQ(bench.selection.joint(), index);
 }
@@ -41,7 +42,8 @@ TEST_F(QualityPanelTest, TheWholeSequenceCanBeListed) {
     ASSERT_EQ(table().model()->rowCount(), 1);
     EXPECT_FALSE(table().isColumnHidden(widgets::FindingModel::Frame));
     EXPECT_EQ(cell(table(), 0, widgets::FindingModel::Frame), QStringLiteral("12"));
-    QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, table().visualRect(table().model()->index(0, 0)).center());
+    QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
+                      table().visualRect(table().model()->index(0, 0)).center());
     EXPECT_EQ(bench.selection.frame(), 12);
 }
 
@@ -78,21 +80,31 @@ TEST_F(RatersPanelTest, ShowsHowFarTwoRatersAgree) {
     EXPECT_EQ(cell(table, 1, widgets::AgreementModel::Joint), QStringLiteral("L index_mcp"));
     EXPECT_EQ(cell(table, 1, widgets::AgreementModel::Count), QStringLiteral("1"));
     EXPECT_NE(cell(table, 1, widgets::AgreementModel::MeanMm), QStringLiteral("0.00"));
-    EXPECT_TRUE(table.model()->index(0, widgets::AgreementModel::BiasX).data(Qt::ToolTipRole).toString().contains(QStringLiteral("95 %")));
+    EXPECT_TRUE(table.model()
+                    ->index(0, widgets::AgreementModel::BiasX)
+                    .data(Qt::ToolTipRole)
+                    .toString()
+                    .contains(QStringLiteral("95 %")));
     EXPECT_EQ(child<QComboBox>(panel)->currentText(), QStringLiteral("ann \u2013 bob"));
     const auto labels = panel.findChildren<QLabel*>();
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("All raters together")); }));
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("1.00 px")); }));
+    EXPECT_TRUE(std::any_of(
+        labels.begin(), labels.end(),
+        [](const QLabel* label) { return label->text().contains(QStringLiteral("All raters together")); }));
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel* label) { return label->text().contains(QStringLiteral("1.00 px")); }));
 }
 
 TEST_F(RatersPanelTest, TellsHowTheSecondRoundGoes) {
     bench.raters.beginRepeating(1, 3);
     ASSERT_TRUE(test::waitUntil([&] { return bench.raters.isRepeating(); }));
     const auto labels = panel.findChildren<QLabel*>();
-    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) { return label->text().contains(QStringLiteral("1 of 1")); }));
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
+                            [](const QLabel* label) { return label->text().contains(QStringLiteral("1 of 1")); }));
     QSignalSpy asked(&panel, &widgets::RatersPanel::roundRequested);
     const auto buttons = panel.findChildren<QPushButton*>();
-    const auto end = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) { return button->text() == QStringLiteral("End the round"); });
+    const auto end = std::find_if(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+        return button->text() == QStringLiteral("End the round");
+    });
     ASSERT_NE(end, buttons.end());
     QTest::mouseClick(*end, Qt::LeftButton);
     EXPECT_EQ(asked.count(), 1);

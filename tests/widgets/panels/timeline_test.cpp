@@ -77,7 +77,8 @@ TEST_F(TimelineTest, TheLegendExplainsTheColoursThatArePainted) {
     frames[40][core::Side::Left].bad = frames[40][core::Side::Left].partial = 1;
     frames[50][core::Side::Left].occluded = frames[50][core::Side::Left].done = 14;
     timeline.setCoverage(frames, 14, 14);
-    for (const QColor& painted : {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour})
+    for (const QColor& painted :
+         {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour})
         EXPECT_TRUE(explained.count(painted.rgb()));
     const QString tip = timeline.toolTipOf(20);
     EXPECT_TRUE(tip.contains(QStringLiteral("Frame 20")));

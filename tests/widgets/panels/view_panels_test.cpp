@@ -49,10 +49,9 @@ TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
 
 TEST_F(ViewPanelsTest, TheModelOfTheMarksIsALayer) {
     bench.model.setOn(true);
-    for (const core::Bone& bone : bench.session.dataset()->hands[0].skeleton.bones) {
+    for (const core::Bone& bone : bench.session.dataset()->hands[0].skeleton.bones)
         for (const int camera : {0, 3, 5})
             click({core::Side::Left, bone.name}, camera);
-    }
     settle();
     EXPECT_FALSE(bench.model.fit()) << "two joints of a hand are not enough";
     spaces.layers()->setAnnotatedPose(core::HandPoses{test::tinyMotion(13).back()[0], core::Pose()}, 12);
@@ -73,14 +72,16 @@ TEST_F(ViewPanelsTest, TheSelectedJointIsNamedInTheCurrentViewOnly) {
         bench.selection.setCamera(name);
         for (const widgets::CameraView* view : spaces.grid()->views()) {
             const auto& marks = view->marks();
-            const bool isNamed = std::any_of(marks.begin(), marks.end(), [](const widgets::ViewMark& mark) { return mark.named; });
+            const bool isNamed =
+                std::any_of(marks.begin(), marks.end(), [](const widgets::ViewMark& mark) { return mark.named; });
             EXPECT_EQ(isNamed, view->camera().name == name) << view->camera().name;
         }
     }
 }
 
 TEST_F(ViewPanelsTest, EveryPartHasItsName) {
-    for (const char* name : {"scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views", "inspect", "benchmark", "cam7"})
+    for (const char* name : {"scene", "joints", "diagram", "fit", "quality", "raters", "view", "curves", "views",
+                             "inspect", "benchmark", "cam7"})
         EXPECT_TRUE(spaces.part(QString::fromLatin1(name))) << name;
     EXPECT_FALSE(spaces.part(QStringLiteral("cam8")));
 }

@@ -2,8 +2,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "tests/widgets/panels/panel_fixture.h"
-#include "widgets/text/advice.h"
 #include "widgets/presenters/camera_colours.h"
+#include "widgets/text/advice.h"
 #include "widgets/workspaces/workspaces.h"
 
 namespace {
@@ -23,11 +23,13 @@ protected:
     }
     widgets::CameraView& view(int camera) { return *spaces.grid()->view(camera); }
     QPointF pixel(const core::JointId& joint, int camera) const {
-        const Eigen::Vector2d px = *core::project(bench.session.dataset()->cameras[static_cast<std::size_t>(camera)], truth(joint, 12));
+        const Eigen::Vector2d px =
+            *core::project(bench.session.dataset()->cameras[static_cast<std::size_t>(camera)], truth(joint, 12));
         return {px.x(), px.y()};
     }
     static double wholeScale(const widgets::CameraView& view) {
-        return std::min(view.viewport()->width() / double(view.camera().size.width), view.viewport()->height() / double(view.camera().size.height));
+        return std::min(view.viewport()->width() / double(view.camera().size.width),
+                        view.viewport()->height() / double(view.camera().size.height));
     }
     /// The tiny dataset without a recorded motion, as footage is.
     void writeFootage(const char* name, const std::string& masks) {
@@ -48,7 +50,9 @@ TEST_F(HandFramingTest, ASequenceOpensWithTheHandsFillingEveryView) {
     for (int camera = 0; camera < 8; ++camera) {
         EXPECT_GT(view(camera).scale(), 1.15 * wholeScale(view(camera))) << camera;
         for (const core::JointId& joint : {index, right})
-            EXPECT_TRUE(QRectF(view(camera).viewport()->rect()).contains(view(camera).imageToViewport(pixel(joint, camera)))) << camera;
+            EXPECT_TRUE(
+                QRectF(view(camera).viewport()->rect()).contains(view(camera).imageToViewport(pixel(joint, camera))))
+                << camera;
     }
 }
 
@@ -86,8 +90,12 @@ TEST_F(HandFramingTest, EveryHandIsNamedBeforeTheFirstClick) {
         EXPECT_EQ(labels[0].side, Side::Left);
         EXPECT_EQ(labels[0].text, QStringLiteral("L"));
         EXPECT_EQ(labels[1].text, QStringLiteral("R"));
-        const auto distance = [&](const widgets::HandLabel& label, const core::JointId& joint) { return QLineF(label.px, pixel(joint, camera)).length(); };
-        EXPECT_LT(distance(labels[0], index) + distance(labels[1], right), distance(labels[0], right) + distance(labels[1], index)) << camera;
+        const auto distance = [&](const widgets::HandLabel& label, const core::JointId& joint) {
+            return QLineF(label.px, pixel(joint, camera)).length();
+        };
+        EXPECT_LT(distance(labels[0], index) + distance(labels[1], right),
+                  distance(labels[0], right) + distance(labels[1], index))
+            << camera;
     }
     spaces.framing()->setHandShown(Side::Left, false);
     ASSERT_EQ(view(0).handLabels().size(), 1u);
@@ -105,12 +113,15 @@ TEST_F(HandFramingTest, FootageIsFramedByMarksOnceThereAreSome) {
     core::Mark made;
     for (const int camera : {0, 3}) {
         made.px = {pixel(index, camera).x(), pixel(index, camera).y()};
-        bench.document.push(core::placeEdit(bench.document.annotations(), {12, "ann", index, "cam" + std::to_string(camera)}, made.px));
+        bench.document.push(
+            core::placeEdit(bench.document.annotations(), {12, "ann", index, "cam" + std::to_string(camera)}, made.px));
     }
     EXPECT_TRUE(spaces.framing()->frameHands());
     for (const int camera : {0, 3, 5}) {
         EXPECT_GT(view(camera).scale(), 1.05 * wholeScale(view(camera))) << camera;
-        EXPECT_TRUE(QRectF(view(camera).viewport()->rect()).contains(view(camera).imageToViewport(pixel(index, camera)))) << camera;
+        EXPECT_TRUE(
+            QRectF(view(camera).viewport()->rect()).contains(view(camera).imageToViewport(pixel(index, camera))))
+            << camera;
     }
     EXPECT_EQ(view(0).handLabels().size(), 1u);
 }
@@ -123,7 +134,9 @@ TEST_F(HandFramingTest, FootageIsFramedByItsMasks) {
     cv::imwrite((folder / "masked" / "masks" / "cam4_12.png").string(), mask);
     reopen("masked");
     EXPECT_GT(view(4).scale(), 2 * wholeScale(view(4)));
-    EXPECT_LT(QLineF(view(4).viewportToImage(QRectF(view(4).viewport()->rect()).center()), QPointF(129.5, 239.5)).length(), 1);
+    EXPECT_LT(
+        QLineF(view(4).viewportToImage(QRectF(view(4).viewport()->rect()).center()), QPointF(129.5, 239.5)).length(),
+        1);
     EXPECT_NEAR(view(0).scale(), wholeScale(view(0)), 1e-9) << "it has no mask";
 }
 
@@ -135,7 +148,8 @@ TEST_F(HandFramingTest, AHiddenHandLeavesThePicture) {
     bench.selection.setJoint({Side::Right, "forearm"});
     const auto marksOf = [&](Side hand) {
         const auto& marks = view(0).marks();
-        return std::count_if(marks.begin(), marks.end(), [&](const widgets::ViewMark& mark) { return mark.joint.hand == hand; });
+        return std::count_if(marks.begin(), marks.end(),
+                             [&](const widgets::ViewMark& mark) { return mark.joint.hand == hand; });
     };
     EXPECT_EQ(marksOf(Side::Left), 1);
     spaces.marks()->setHandShown(Side::Left, false);
@@ -150,10 +164,9 @@ TEST_F(HandFramingTest, AHiddenHandLeavesThePicture) {
 TEST_F(HandFramingTest, TheTitleOfTheViewToClickNextSaysSo) {
     const auto asking = [&] {
         QStringList names;
-        for (const widgets::CameraView* view : spaces.grid()->views()) {
+        for (const widgets::CameraView* view : spaces.grid()->views())
             if (!view->title().next.isEmpty())
                 names << view->title().name;
-        }
         return names;
     };
     EXPECT_TRUE(asking().isEmpty());

@@ -61,9 +61,8 @@ TEST_F(CurvePlotTest, ARisingCurveRises) {
     const auto heightAt = [&](int x) {
         for (int y = image.height() - 1; y >= 0; --y) {
             const QColor c = image.pixelColor(x, y);
-            if (c.red() > 200 && c.green() < 90) {
+            if (c.red() > 200 && c.green() < 90)
                 return image.height() - y;
-            }
         }
         return 0;
     };
@@ -128,14 +127,12 @@ TEST_F(CurvePlotTest, AClickOnAnAxisOfIterationsIsAWholeOne) {
     plot.setSettings(settings);
     plot.setCurves({line(Qt::red, 0, 5)}); // from 0 to 10
     QSignalSpy clicked(&plot, &CurvePlot::xClicked);
-    for (int x = 60; x < 400; x += 17) {
+    for (int x = 60; x < 400; x += 17)
         test::click(&plot, {double(x), 100});
-    }
     ASSERT_GT(clicked.count(), 15);
     std::set<double> found;
-    for (const auto& click : clicked) {
+    for (const auto& click : clicked)
         found.insert(click[0].toDouble());
-    }
     for (const double x : found) {
         EXPECT_EQ(x, std::round(x));
         EXPECT_GE(x, 0);
@@ -153,7 +150,9 @@ TEST_F(CurvePlotTest, SmallErrorsAreToldApartOnALogarithmicAxis) {
             int sum = 0, count = 0;
             for (int y = 0; y < image.height(); ++y) {
                 const QColor c = image.pixelColor(240, y);
-                if (std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) + std::abs(c.blue() - colour.blue()) < 120) {
+                if (std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                        std::abs(c.blue() - colour.blue()) <
+                    120) {
                     sum += y;
                     ++count;
                 }

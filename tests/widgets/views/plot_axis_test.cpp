@@ -11,9 +11,8 @@ using namespace widgets;
 
 TEST(PlotAxis, PositionsAndValuesAreInverse) {
     for (const PlotAxis& axis : {PlotAxis{-3, 12, false}, PlotAxis{0.01, 100, true}}) {
-        for (double p = 0; p <= 1; p += 0.1) {
+        for (double p = 0; p <= 1; p += 0.1)
             EXPECT_NEAR(axis.position(axis.value(p)), p, 1e-12);
-        }
         EXPECT_DOUBLE_EQ(axis.position(axis.min), 0);
         EXPECT_DOUBLE_EQ(axis.position(axis.max), 1);
     }

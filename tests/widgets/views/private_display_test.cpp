@@ -27,9 +27,8 @@ bool isRunning(int process) {
 }
 
 bool endsWithinSeconds(int process, int seconds) {
-    for (int i = 0; i < 20 * seconds && isRunning(process); ++i) {
+    for (int i = 0; i < 20 * seconds && isRunning(process); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    }
     return !isRunning(process);
 }
 
@@ -65,9 +64,8 @@ TEST_F(PrivateDisplayTest, NoServerOutlivesAKilledProgram) {
     if (program == 0) {
         const PrivateDisplay display(640, 480);
         const int server = display.processId();
-        if (write(ends[1], &server, sizeof server) != sizeof server) {
+        if (write(ends[1], &server, sizeof server) != sizeof server)
             _exit(1);
-        }
         raise(SIGKILL);
     }
     int server = 0;

@@ -14,10 +14,10 @@
 #include "tests/support/pointer.h"
 #include "widgets/views/camera/camera_view.h"
 #include "widgets/views/camera/loupe.h"
-#include "widgets/views/message_bar.h"
-#include "widgets/views/picture_export.h"
 #include "widgets/views/camera/view_cursor.h"
 #include "widgets/views/camera/view_title_bar.h"
+#include "widgets/views/message_bar.h"
+#include "widgets/views/picture_export.h"
 
 namespace {
 
@@ -50,7 +50,8 @@ TEST(ViewTitleBar, HasAChipOfItsCamerasColourAndSaysWhereToClickNext) {
     EXPECT_TRUE(bar.toolTip().contains(title.next));
     title.warning = true;
     bar.setTitle(title);
-    EXPECT_NE(bar.grab().toImage().pixelColor(100, 1), bar.palette().color(QPalette::Highlight)) << "a warning comes first";
+    EXPECT_NE(bar.grab().toImage().pixelColor(100, 1), bar.palette().color(QPalette::Highlight))
+        << "a warning comes first";
 }
 
 TEST(ViewTitleBar, LongTextsAreElidedNotOverlaid) {

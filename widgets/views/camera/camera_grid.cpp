@@ -52,9 +52,8 @@ void CameraGrid::setCameras(const std::vector<core::Camera>& cameras) {
         }
         m_views[i]->setCamera(cameras[i]);
         m_views[i]->setTitle({QString::fromStdString(cameras[i].name), {}, {}, false});
-        if (isNew) {
+        if (isNew)
             emit viewAdded(static_cast<int>(i), m_views[i]);
-        }
     }
     m_order.resize(m_views.size());
     std::iota(m_order.begin(), m_order.end(), 0);
@@ -83,22 +82,19 @@ void CameraGrid::setFixedColumns(int columns) {
 
 void CameraGrid::setMaximised(int index) {
     const int wanted = index >= 0 && index < count() && index != m_maximised ? index : -1;
-    if (wanted == m_maximised) {
+    if (wanted == m_maximised)
         return;
-    }
     m_maximised = wanted;
     layOut();
     emit maximisedChanged(m_maximised);
 }
 
 void CameraGrid::setCurrent(int index) {
-    if (index == m_current || index >= count()) {
+    if (index == m_current || index >= count())
         return;
-    }
     m_current = std::max(-1, index);
-    for (int i = 0; i < count(); ++i) {
+    for (int i = 0; i < count(); ++i)
         view(i)->setCurrent(i == m_current);
-    }
     update();
     emit currentChanged(m_current);
 }
@@ -109,38 +105,32 @@ void CameraGrid::setEmptyText(const QString& text) {
 }
 
 void CameraGrid::finishDrawing() {
-    for (CameraView* view : m_views) {
+    for (CameraView* view : m_views)
         view->finishDrawing();
-    }
 }
 
 std::vector<CameraView*> CameraGrid::shownViews() const {
-    if (m_maximised >= 0) {
+    if (m_maximised >= 0)
         return {view(m_maximised)};
-    }
     std::vector<CameraView*> shown;
-    for (const int index : m_order) {
+    for (const int index : m_order)
         shown.push_back(view(index));
-    }
     return shown;
 }
 
 void CameraGrid::layOut() {
     const std::vector<CameraView*> shown = shownViews();
-    for (CameraView* view : m_views) {
-        if (std::find(shown.begin(), shown.end(), view) == shown.end()) {
+    for (CameraView* view : m_views)
+        if (std::find(shown.begin(), shown.end(), view) == shown.end())
             view->hide();
-        }
-    }
     if (shown.empty()) {
         update();
         return;
     }
     const int number = static_cast<int>(shown.size());
     GridShape shape = packGrid(number, medianAspect(shown), size(), fontMetrics().height() + 2 + kGap);
-    if (m_fixedColumns > 0 && m_maximised < 0) {
+    if (m_fixedColumns > 0 && m_maximised < 0)
         shape = {(number + m_fixedColumns - 1) / m_fixedColumns, m_fixedColumns};
-    }
     const auto edge = [](int index, int cells, int length) { return kGap + index * (length - kGap) / cells; };
     for (int i = 0; i < number; ++i) {
         const int row = i / shape.columns, column = i % shape.columns;
@@ -191,9 +181,8 @@ bool CameraGrid::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::MouseButtonPress) {
         const auto found = std::find_if(m_views.begin(), m_views.end(),
                                         [&](const CameraView* v) { return watched == v || watched == v->viewport(); });
-        if (found != m_views.end()) {
+        if (found != m_views.end())
             setCurrent(static_cast<int>(found - m_views.begin()));
-        }
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -12,9 +12,9 @@
 #include "widgets/views/camera/camera_view_items.h"
 #include "widgets/views/camera/camera_view_mouse.h"
 #include "widgets/views/camera/loupe.h"
+#include "widgets/views/camera/view_cursor.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/views/picture_export.h"
-#include "widgets/views/camera/view_cursor.h"
 
 namespace widgets {
 
@@ -67,11 +67,10 @@ QSizeF CameraView::imageSize() const {
 void CameraView::setCamera(const core::Camera& camera) {
     const bool sameSize = camera.size == m_camera.size;
     m_camera = camera;
-    if (sameSize) {
+    if (sameSize)
         requestMeshPicture();
-    } else {
+    else
         fitImage();
-    }
 }
 
 void CameraView::setImage(const QImage& image) {
@@ -82,9 +81,8 @@ void CameraView::setImage(const ImagePyramid& pyramid) {
     const QSizeF before = imageSize();
     m_pyramid = pyramid;
     m_adjustedLevels.clear();
-    if (imageSize() != before) {
+    if (imageSize() != before)
         fitImage();
-    }
     viewport()->update();
 }
 
@@ -167,11 +165,10 @@ void CameraView::setOverlaysHidden(bool hidden) {
 
 void CameraView::setLoupeShown(bool shown) {
     m_loupeShown = shown;
-    if (shown && viewport()->underMouse()) {
+    if (shown && viewport()->underMouse())
         moveLoupe(viewport()->mapFromGlobal(QCursor::pos()));
-    } else if (!shown) {
+    else if (!shown)
         m_loupe->hide();
-    }
 }
 
 void CameraView::setPlacingEnabled(bool enabled) {
@@ -189,20 +186,17 @@ double CameraView::scale() const {
 }
 
 double CameraView::fittingScale(const QSizeF& size) const {
-    if (size.isEmpty()) {
+    if (size.isEmpty())
         return 1;
-    }
     return std::min(viewport()->width() / size.width(), viewport()->height() / size.height());
 }
 
 void CameraView::setHome(const QRectF& homePx) {
-    if (homePx == m_home) {
+    if (homePx == m_home)
         return;
-    }
     m_home = homePx;
-    if (m_fitted) {
+    if (m_fitted)
         fitImage();
-    }
 }
 
 void CameraView::fitImage() {
@@ -285,9 +279,8 @@ std::optional<core::JointId> CameraView::markAt(QPointF viewportPoint) const {
     for (const ViewMark& mark : m_items->marks()) {
         const QPointF away = imageToViewport(mark.px) - viewportPoint;
         const double distance = std::hypot(away.x(), away.y());
-        if (distance <= kHitScreenPx && mark.selected) {
+        if (distance <= kHitScreenPx && mark.selected)
             return mark.joint;
-        }
         if (distance <= nearestDistance) {
             nearest = &mark;
             nearestDistance = distance;
@@ -305,11 +298,10 @@ void CameraView::resizeEvent(QResizeEvent* event) {
     const QPointF centrePx = viewportToImage(oldMiddle);
     QGraphicsView::resizeEvent(event);
     layOut();
-    if (m_fitted || !event->oldSize().isValid()) {
+    if (m_fitted || !event->oldSize().isValid())
         fitImage();
-    } else {
+    else
         lookAt(centrePx);
-    }
     requestMeshPicture();
 }
 
@@ -325,9 +317,8 @@ void CameraView::mousePressEvent(QMouseEvent* event) {
 
 void CameraView::mouseMoveEvent(QMouseEvent* event) {
     m_mouse->move(*event);
-    if (m_loupeShown) {
+    if (m_loupeShown)
         moveLoupe(event->localPos());
-    }
 }
 
 void CameraView::mouseReleaseEvent(QMouseEvent* event) {
@@ -340,9 +331,8 @@ void CameraView::mouseDoubleClickEvent(QMouseEvent* event) {
 void CameraView::wheelEvent(QWheelEvent* event) {
     constexpr double kAnglePerStep = 120;
     zoomAt(event->position(), std::pow(kZoomPerStep, event->angleDelta().y() / kAnglePerStep));
-    if (m_loupeShown) {
+    if (m_loupeShown)
         moveLoupe(event->position());
-    }
     event->accept();
 }
 
@@ -358,9 +348,8 @@ void CameraView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void CameraView::keyPressEvent(QKeyEvent* event) {
-    if (event->key() != Qt::Key_Escape || !m_mouse->cancel()) {
+    if (event->key() != Qt::Key_Escape || !m_mouse->cancel())
         event->ignore(); // keys are the window's
-    }
 }
 
 void CameraView::keyReleaseEvent(QKeyEvent* event) {
@@ -383,9 +372,8 @@ void CameraView::focusOutEvent(QFocusEvent* event) {
 
 void CameraView::changeEvent(QEvent* event) {
     QGraphicsView::changeEvent(event);
-    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
         layOut();
-    }
 }
 
 bool CameraView::viewportEvent(QEvent* event) {

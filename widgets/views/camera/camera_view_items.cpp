@@ -31,9 +31,8 @@ CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     , m_reprojections(new ReprojectionItem(m_root)) {
     double level = -10;
     for (QGraphicsItem* item :
-         std::initializer_list<QGraphicsItem*>{m_skeleton, m_guides, m_ellipse, m_otherMarks, m_reprojections}) {
+         std::initializer_list<QGraphicsItem*>{m_skeleton, m_guides, m_ellipse, m_otherMarks, m_reprojections})
         item->setZValue(level++);
-    }
     scene.addItem(m_root);
 }
 
@@ -65,18 +64,16 @@ void CameraViewItems::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_skeleton->setLines(lines);
 }
 void CameraViewItems::setHandLabels(const std::vector<HandLabel>& labels) {
-    if (labels == m_handLabels) {
+    if (labels == m_handLabels)
         return;
-    }
     m_handLabels = labels;
     while (m_labelItems.size() > labels.size()) {
         delete m_labelItems.back();
         m_labelItems.pop_back();
     }
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        if (i == m_labelItems.size()) {
+        if (i == m_labelItems.size())
             m_labelItems.push_back(new HandLabelItem(m_root));
-        }
         m_labelItems[i]->setLabel(labels[i]);
     }
 }
@@ -99,9 +96,8 @@ void CameraViewItems::setVisible(bool visible) {
 
 void CameraViewItems::setLabelsShown(bool shown) {
     m_labelsShown = shown;
-    for (MarkItem* item : m_markItems) {
+    for (MarkItem* item : m_markItems)
         item->setLabelShown(shown);
-    }
 }
 
 } // namespace widgets

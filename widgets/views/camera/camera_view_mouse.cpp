@@ -18,16 +18,14 @@ double distance(QPointF a, QPointF b) {
 } // namespace
 
 void CameraViewMouse::press(const QMouseEvent& event) {
-    if (m_state != State::Idle) {
+    if (m_state != State::Idle)
         return; // a second button while the first one is down
-    }
     m_button = event.button();
     m_pressedAt = m_lastAt = event.localPos();
     m_lastClickPlaced = false;
     if (m_button == Qt::LeftButton && (event.modifiers() & Qt::AltModifier)) {
-        if (const auto joint = m_view.markAt(m_pressedAt)) {
+        if (const auto joint = m_view.markAt(m_pressedAt))
             emit m_view.markSelected(*joint);
-        }
         m_state = State::Ignoring;
     } else if (m_button == Qt::LeftButton) {
         m_state = State::Pressed;
@@ -41,9 +39,8 @@ void CameraViewMouse::press(const QMouseEvent& event) {
 
 void CameraViewMouse::move(const QMouseEvent& event) {
     const QPointF position = event.localPos();
-    if (m_state == State::Pressed && distance(position, m_pressedAt) > kClickScreenPx) {
+    if (m_state == State::Pressed && distance(position, m_pressedAt) > kClickScreenPx)
         begin(event);
-    }
     continueDrag(position);
     emit m_view.pointerMoved(m_view.viewportToImage(position));
 }
@@ -64,18 +61,16 @@ void CameraViewMouse::begin(const QMouseEvent&) {
 }
 
 void CameraViewMouse::continueDrag(QPointF position) {
-    if (m_state == State::DraggingMark) {
+    if (m_state == State::DraggingMark)
         emit m_view.markDragged(m_dragged, m_view.viewportToImage(position) + m_grabOffsetPx);
-    } else if (m_state == State::Panning) {
+    else if (m_state == State::Panning)
         m_view.panBy(position - m_lastAt);
-    }
     m_lastAt = position;
 }
 
 void CameraViewMouse::release(const QMouseEvent& event) {
-    if (event.button() != m_button) {
+    if (event.button() != m_button)
         return;
-    }
     const State state = std::exchange(m_state, State::Idle);
     m_view.updateCursor();
     if (state == State::Pressed && m_placingEnabled) {
@@ -97,22 +92,19 @@ void CameraViewMouse::doubleClick(const QMouseEvent& event) {
     }
     m_button = Qt::LeftButton;
     m_state = State::Ignoring;
-    if (std::exchange(m_lastClickPlaced, false)) {
+    if (std::exchange(m_lastClickPlaced, false))
         emit m_view.pointWithdrawn();
-    }
     emit m_view.maximiseRequested();
 }
 
 bool CameraViewMouse::cancel() {
     const State state = m_state;
-    if (state == State::Idle) {
+    if (state == State::Idle)
         return false;
-    }
     m_state = State::Ignoring;
     m_view.updateCursor();
-    if (state == State::DraggingMark) {
+    if (state == State::DraggingMark)
         emit m_view.markDragCancelled(m_dragged);
-    }
     return state == State::DraggingMark;
 }
 

@@ -12,9 +12,9 @@
 #include "widgets/views/camera/camera_view_items.h"
 #include "widgets/views/camera/camera_view_mouse.h"
 #include "widgets/views/camera/loupe.h"
+#include "widgets/views/camera/view_cursor.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/views/picture_export.h"
-#include "widgets/views/camera/view_cursor.h"
 
 namespace widgets {
 
@@ -34,9 +34,8 @@ MeshLayerPainter::Request CameraView::meshRequest(double pictureScale) const {
 
 void CameraView::requestMeshPicture() {
     const bool wanted = !m_meshLayers.empty() || !m_meshPainter->picture().picture.isNull();
-    if (isVisible() && wanted && m_camera.size.width > 0) {
+    if (isVisible() && wanted && m_camera.size.width > 0)
         m_meshPainter->request(meshRequest(devicePixelRatioF()));
-    }
 }
 
 void CameraView::finishDrawing() {
@@ -44,14 +43,12 @@ void CameraView::finishDrawing() {
 }
 
 const QImage& CameraView::level(int index) const {
-    if (m_adjustment == ImageAdjustment{}) {
+    if (m_adjustment == ImageAdjustment{})
         return m_pyramid.level(index);
-    }
     m_adjustedLevels.resize(static_cast<std::size_t>(m_pyramid.levelCount()));
     QImage& level = m_adjustedLevels[static_cast<std::size_t>(index)];
-    if (level.isNull()) {
+    if (level.isNull())
         level = adjusted(m_pyramid.level(index), m_adjustment);
-    }
     return level;
 }
 
@@ -75,9 +72,8 @@ void CameraView::paintImage(QPainter& painter, double pixelsPerImagePixel) const
 }
 
 void CameraView::paintMeshes(QPainter& painter, const MeshPicture& meshes) const {
-    if (meshes.picture.isNull()) {
+    if (meshes.picture.isNull())
         return;
-    }
     const QRectF place(meshes.topLeftPx, QSizeF(meshes.picture.size()) / meshes.scale);
     const QRectF onScreen = painter.worldTransform().mapRect(place);
     const QRectF snapped(onScreen.topLeft().toPoint(), onScreen.size().toSize());
@@ -99,13 +95,11 @@ void CameraView::paintMeshes(QPainter& painter, const MeshPicture& meshes) const
 
 void CameraView::drawBackground(QPainter* painter, const QRectF& rect) {
     painter->fillRect(rect, kBackdrop);
-    if (imageSize().isEmpty()) {
+    if (imageSize().isEmpty())
         return;
-    }
     paintImage(*painter, scale() * devicePixelRatioF());
-    if (m_overlaysHidden) {
+    if (m_overlaysHidden)
         return;
-    }
     if (!m_field.isNull()) {
         painter->setOpacity(m_fieldOpacity);
         painter->drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
@@ -153,9 +147,8 @@ bool CameraView::saveSvg(const QString& path) const {
     svg.setViewBox(viewport()->rect());
     svg.setTitle(m_titleBar->title().name);
     QPainter painter;
-    if (!painter.begin(&svg)) {
+    if (!painter.begin(&svg))
         return false;
-    }
     constexpr double kEmbeddedScale = 2;
     paintAll(painter, kEmbeddedScale);
     return painter.end();

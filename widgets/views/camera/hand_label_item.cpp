@@ -40,11 +40,10 @@ void HandLabelItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(QPen(QColor(255, 255, 255, 210), 1.2));
     painter->setBrush(QColor(0, 0, 0, 170));
-    if (m_label.side == core::Side::Left) {
+    if (m_label.side == core::Side::Left)
         painter->drawEllipse(box());
-    } else {
+    else
         painter->drawRect(box());
-    }
     QFont font = QApplication::font();
     font.setPixelSize(12);
     font.setBold(true);

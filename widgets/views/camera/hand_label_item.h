@@ -7,8 +7,8 @@
 
 namespace widgets {
 
-/// The letter beside a hand that says which one it is: in a circle for the left hand, in a square for the right one, as the marks
-/// are. The same size on the screen at every zoom.
+/// The letter beside a hand that says which one it is: in a circle for the left hand, in a square for the right one, as
+/// the marks are. The same size on the screen at every zoom.
 class HandLabelItem : public QGraphicsItem {
 public:
     explicit HandLabelItem(QGraphicsItem* parent);

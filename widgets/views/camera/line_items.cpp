@@ -61,11 +61,9 @@ void SkeletonItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
 void GuidesItem::setGuides(const std::vector<EpipolarGuide>& guides) {
     m_guides = guides;
     QRectF bounds;
-    for (const EpipolarGuide& guide : guides) {
-        for (const QPointF& px : guide.pointsPx) {
+    for (const EpipolarGuide& guide : guides)
+        for (const QPointF& px : guide.pointsPx)
             include(bounds, px);
-        }
-    }
     setBounds(bounds);
 }
 
@@ -104,9 +102,8 @@ void EllipseItem::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
 }
 
 void EllipseItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    if (!m_ellipse) {
+    if (!m_ellipse)
         return;
-    }
     painter->setRenderHint(QPainter::Antialiasing);
     painter->translate(m_ellipse->centrePx + kHalf);
     painter->rotate(m_ellipse->angleRad * 180 / M_PI);
@@ -121,12 +118,10 @@ void EllipseItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
 void ReprojectionItem::setMarks(const std::vector<ViewMark>& marks) {
     m_lines.clear();
     for (const ViewMark& mark : marks) {
-        if (mark.reprojectionPx && mark.origin != MarkOrigin::Proposed) {
+        if (mark.reprojectionPx && mark.origin != MarkOrigin::Proposed)
             m_lines.push_back({mark.px, *mark.reprojectionPx, fingerColour(mark.joint.joint), false});
-        }
-        if (mark.curvePx) {
+        if (mark.curvePx)
             m_lines.push_back({mark.px, *mark.curvePx, kGapRed, true});
-        }
     }
     updateBounds();
 }

@@ -60,8 +60,8 @@ private:
     std::optional<UncertaintyEllipse> m_ellipse;
 };
 
-/// Thin lines from clicks to the reprojections of their 3D joints, drawn `factor` times as long as they are; where clicks give no
-/// joint, red lines to the curves that they contradict.
+/// Thin lines from clicks to the reprojections of their 3D joints, drawn `factor` times as long as they are; where
+/// clicks give no joint, red lines to the curves that they contradict.
 class ReprojectionItem : public LineItem {
 public:
     using LineItem::LineItem;
@@ -75,7 +75,9 @@ private:
         QColor colour;
         bool isGap = false; ///< to a curve: never lengthened
     };
-    QPointF end(const Line& line) const { return line.fromPx + (line.toPx - line.fromPx) * (line.isGap ? 1 : m_factor); }
+    QPointF end(const Line& line) const {
+        return line.fromPx + (line.toPx - line.fromPx) * (line.isGap ? 1 : m_factor);
+    }
     void updateBounds();
 
     std::vector<Line> m_lines;

@@ -32,12 +32,10 @@ void Loupe::show(const ImagePyramid& image, const ImageAdjustment& adjustment, Q
     m_scale = std::max(kLeastScale, 3 * viewScale);
     QPoint place = (pointer + QPointF(kDistance, -kDistance - kSide)).toPoint();
     const QRect room = parentWidget()->rect();
-    if (place.x() + kSide > room.right()) {
+    if (place.x() + kSide > room.right())
         place.setX(static_cast<int>(pointer.x()) - kDistance - kSide);
-    }
-    if (place.y() < room.top()) {
+    if (place.y() < room.top())
         place.setY(static_cast<int>(pointer.y()) + kDistance);
-    }
     place.setX(std::clamp(place.x(), 0, std::max(0, room.width() - kSide)));
     place.setY(std::clamp(place.y(), 0, std::max(0, room.height() - kSide)));
     move(place);
@@ -63,9 +61,8 @@ void Loupe::paintEvent(QPaintEvent*) {
     for (const auto& [colour, width] :
          {std::pair(QColor(0, 0, 0, 150), 3.0), std::pair(QColor(255, 255, 255, 230), 1.0)}) {
         painter.setPen(QPen(colour, width));
-        for (const QPointF direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        for (const QPointF direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
             painter.drawLine(middle + direction * kGap, middle + direction * (kSide / 2.0));
-        }
     }
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setPen(palette().color(QPalette::Highlight));

@@ -30,11 +30,10 @@ const QColor kOutlierRed(0xFF, 0x3B, 0x30);
 
 void drawRing(QPainter& painter, core::Side hand, double radius) {
     const QRectF box(-radius, -radius, 2 * radius, 2 * radius);
-    if (hand == core::Side::Left) {
+    if (hand == core::Side::Left)
         painter.drawEllipse(box);
-    } else {
+    else
         painter.drawRect(box);
-    }
 }
 
 /// Draws with the dark outline first, then in `colour`.
@@ -51,13 +50,13 @@ void drawOutlined(QPainter& painter, QPen pen, Draw&& draw) {
 }
 
 QPen ringPen(const ViewMark& mark) {
-    QPen pen(fingerColour(mark.joint.joint), mark.origin == MarkOrigin::Auto && !mark.occluded ? kAcceptedWidth : kLineWidth);
+    QPen pen(fingerColour(mark.joint.joint),
+             mark.origin == MarkOrigin::Auto && !mark.occluded ? kAcceptedWidth : kLineWidth);
     pen.setCapStyle(Qt::FlatCap);
-    if (mark.occluded) {
+    if (mark.occluded)
         pen.setDashPattern({0.7, 0.85}); // dotted, in units of the width
-    } else if (mark.origin == MarkOrigin::Proposed) {
+    else if (mark.origin == MarkOrigin::Proposed)
         pen.setDashPattern({1.9, 1.35});
-    }
     return pen;
 }
 
@@ -77,9 +76,8 @@ void drawSelection(QPainter& painter, core::Side hand) {
     QPen line(Qt::white, 1);
     line.setCapStyle(Qt::FlatCap);
     drawOutlined(painter, line, [&] {
-        for (const QPointF d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+        for (const QPointF d : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
             painter.drawLine(d * (kHaloRadius + 1), d * kCrossReach);
-        }
     });
 }
 
@@ -88,9 +86,8 @@ void drawOutlierCross(QPainter& painter) {
     QPen pen(kOutlierRed, 2);
     pen.setCapStyle(Qt::FlatCap);
     drawOutlined(painter, pen, [&] {
-        for (const QPointF d : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)}) {
+        for (const QPointF d : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)})
             painter.drawLine(d * kInner * M_SQRT1_2, d * kOuter);
-        }
     });
 }
 
@@ -119,7 +116,9 @@ void MarkItem::setLabelShown(bool shown) {
 QRectF MarkItem::labelRect(bool leftwards, bool upwards) const {
     const QFontMetricsF metrics(QApplication::font());
     const QSizeF size(metrics.horizontalAdvance(m_mark.label) + 8, metrics.height() + 2);
-    return {QPointF(leftwards ? -kLabelOffset - size.width() : kLabelOffset, upwards ? -kLabelOffset - size.height() : kLabelOffset), size};
+    return {QPointF(leftwards ? -kLabelOffset - size.width() : kLabelOffset,
+                    upwards ? -kLabelOffset - size.height() : kLabelOffset),
+            size};
 }
 
 QRectF MarkItem::labelRectIn(const QPainter& painter, const QWidget* widget) const {
@@ -139,21 +138,18 @@ QRectF MarkItem::boundingRect() const {
 void MarkItem::drawGlyph(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setBrush(Qt::NoBrush);
-    if (m_mark.selected) {
+    if (m_mark.selected)
         drawSelection(painter, m_mark.joint.hand);
-    }
     drawOutlined(painter, ringPen(m_mark), [&] { drawRing(painter, m_mark.joint.hand, kRadius); });
-    if (m_mark.origin == MarkOrigin::Auto) {
+    if (m_mark.origin == MarkOrigin::Auto)
         drawBadge(painter, fingerColour(m_mark.joint.joint));
-    }
     if (m_mark.occluded) {
         QPen bar(fingerColour(m_mark.joint.joint), kLineWidth);
         bar.setCapStyle(Qt::FlatCap);
         drawOutlined(painter, bar, [&] { painter.drawLine(QPointF(-5.5, 8.5), QPointF(5.5, 8.5)); });
     }
-    if (m_mark.outlier) {
+    if (m_mark.outlier)
         drawOutlierCross(painter);
-    }
 }
 
 /// The glyph as a picture: of the few dozen kinds of marks, each is drawn once and then only copied.
@@ -182,11 +178,10 @@ QPixmap MarkItem::glyph(double pixelRatio) const {
 
 void MarkItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) {
     // Pictures lie on whole pixels; the selected mark and saved pictures are exact.
-    if (widget && !m_mark.selected) {
+    if (widget && !m_mark.selected)
         painter->drawPixmap(QPointF(-kGlyphReach, -kGlyphReach), glyph(widget->devicePixelRatioF()));
-    } else {
+    else
         drawGlyph(*painter);
-    }
     if (hasLabel()) {
         const QRectF box = labelRectIn(*painter, widget);
         painter->setRenderHint(QPainter::Antialiasing);

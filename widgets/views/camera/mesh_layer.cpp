@@ -20,9 +20,8 @@ QImage drawLayer(const core::Camera& crop, const MeshLayer& layer) {
     std::vector<core::ShadedSurface> surfaces;
     const Eigen::Vector3f colour(static_cast<float>(layer.colour.redF()), static_cast<float>(layer.colour.greenF()),
                                  static_cast<float>(layer.colour.blueF()));
-    for (const ViewSurfacePtr& s : layer.surfaces) {
+    for (const ViewSurfacePtr& s : layer.surfaces)
         surfaces.push_back({{&s->verticesInWorld, &s->triangles}, &s->normalsInWorld, colour});
-    }
     core::OverlayOptions options;
     options.style = layer.style == MeshStyle::Wireframe ? core::OverlayStyle::Wireframe : core::OverlayStyle::Shaded;
     options.opacity = static_cast<float>(layer.opacity);
@@ -47,15 +46,13 @@ MeshPicture drawMeshLayers(const core::Camera& camera, const std::vector<MeshLay
         core::cropped(camera, {topLeftPx.x(), topLeftPx.y()}, {size.width(), size.height()}, scale);
     MeshPicture result{{}, topLeftPx, scale};
     for (const MeshLayer& layer : layers) {
-        if (layer.style == MeshStyle::Off || layer.surfaces.empty() || size.isEmpty()) {
+        if (layer.style == MeshStyle::Off || layer.surfaces.empty() || size.isEmpty())
             continue;
-        }
         const QImage picture = drawLayer(crop, layer);
-        if (result.picture.isNull()) {
+        if (result.picture.isNull())
             result.picture = picture;
-        } else {
+        else
             QPainter(&result.picture).drawImage(0, 0, picture);
-        }
     }
     return result;
 }

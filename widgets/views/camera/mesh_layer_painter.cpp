@@ -31,17 +31,15 @@ MeshLayerPainter::MeshLayerPainter(QObject* parent)
     : QObject(parent) {}
 
 MeshLayerPainter::~MeshLayerPainter() {
-    if (m_running) {
+    if (m_running)
         m_running->ended.acquire(); // the drawing thread still refers to this object: a few milliseconds
-    }
 }
 
 void MeshLayerPainter::request(const Request& request) {
-    if (m_running) {
+    if (m_running)
         m_next = request;
-    } else {
+    else
         start(request);
-    }
 }
 
 void MeshLayerPainter::start(const Request& request) {
@@ -56,21 +54,18 @@ void MeshLayerPainter::start(const Request& request) {
 }
 
 void MeshLayerPainter::take(const std::shared_ptr<Drawing>& drawing) {
-    if (drawing != m_running) {
+    if (drawing != m_running)
         return; // finish() was faster
-    }
     m_picture = std::move(drawing->picture);
     m_running.reset();
-    if (m_next) {
+    if (m_next)
         start(*std::exchange(m_next, std::nullopt));
-    }
     emit pictureChanged();
 }
 
 void MeshLayerPainter::finish() {
-    if (!m_running) {
+    if (!m_running)
         return;
-    }
     m_running->ended.acquire();
     m_picture = m_next ? draw(*m_next) : std::move(m_running->picture);
     m_next.reset();

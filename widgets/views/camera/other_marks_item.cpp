@@ -12,7 +12,7 @@ namespace widgets {
 
 namespace {
 
-const QPointF kHalf(0.5, 0.5); // from image pixels to the scene
+const QPointF kHalf(0.5, 0.5);  // from image pixels to the scene
 constexpr double kRadius = 3.5; // screen px
 constexpr double kNameOffset = 6;
 constexpr double kOpacity = 0.75;
@@ -54,7 +54,8 @@ void OtherMarksItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
         painter->save();
         painter->translate(mark.px + kHalf);
         painter->scale(1 / scale, 1 / scale);
-        for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 170), 2.8), std::pair(muted(fingerColour(mark.joint.joint)), 1.2)}) {
+        for (const auto& [colour, width] :
+             {std::pair(QColor(0, 0, 0, 170), 2.8), std::pair(muted(fingerColour(mark.joint.joint)), 1.2)}) {
             painter->setPen(QPen(colour, width));
             drawRing(*painter, mark.joint.hand);
         }

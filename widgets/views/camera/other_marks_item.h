@@ -7,8 +7,8 @@
 
 namespace widgets {
 
-/// Marks of other people: small thin rings (left hand) and squares (right hand) in muted colours, the same size on the screen at
-/// every zoom. The selected joint's says whose it is.
+/// Marks of other people: small thin rings (left hand) and squares (right hand) in muted colours, the same size on the
+/// screen at every zoom. The selected joint's says whose it is.
 class OtherMarksItem : public LineItem {
 public:
     using LineItem::LineItem;

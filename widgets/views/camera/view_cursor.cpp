@@ -16,9 +16,8 @@ QCursor placingCursor() {
         for (const QRect& arm : {QRect(0, kMiddle - half, kMiddle - kGap, width),
                                  QRect(kMiddle + kGap + 1, kMiddle - half, kSide - kMiddle - kGap - 1, width),
                                  QRect(kMiddle - half, 0, width, kMiddle - kGap),
-                                 QRect(kMiddle - half, kMiddle + kGap + 1, width, kSide - kMiddle - kGap - 1)}) {
+                                 QRect(kMiddle - half, kMiddle + kGap + 1, width, kSide - kMiddle - kGap - 1)})
             painter.fillRect(arm, colour);
-        }
     };
     drawArms(QColor(0, 0, 0, 170), 3);
     drawArms(Qt::white, 1);

@@ -29,8 +29,9 @@ struct ViewMark {
     bool outlier = false;
     bool selected = false;
     std::optional<QPointF> reprojectionPx; ///< of the 3D joint: the thin line goes there
-    std::optional<QPointF> curvePx;        ///< the nearest place on the curve that the click contradicts: a red line goes there
-    QString label;                         ///< beside the mark if it is named, or if labels are shown
+    std::optional<QPointF>
+        curvePx;   ///< the nearest place on the curve that the click contradicts: a red line goes there
+    QString label; ///< beside the mark if it is named, or if labels are shown
     bool named = false;
     bool operator==(const ViewMark&) const = default;
 };
@@ -53,9 +54,9 @@ struct UncertaintyEllipse {
 /// Which hand this is, written beside it.
 struct HandLabel {
     core::Side side = core::Side::Left;
-    QPointF px;          ///< on the hand, where the arm begins
+    QPointF px;           ///< on the hand, where the arm begins
     QPointF awayScreenPx; ///< from there to the label's middle: away from the fingers
-    QString text;        ///< a letter
+    QString text;         ///< a letter
     bool operator==(const HandLabel&) const = default;
 };
 

@@ -21,9 +21,8 @@ ViewTitleBar::ViewTitleBar(QWidget* parent)
 }
 
 void ViewTitleBar::setTitle(const ViewTitle& title) {
-    if (title == m_title) {
+    if (title == m_title)
         return;
-    }
     m_title = title;
     setToolTip(QStringList{title.name, title.detail, title.error, title.next}.join(QLatin1Char(' ')).simplified());
     update();
@@ -42,8 +41,10 @@ void ViewTitleBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QPalette& colours = palette();
     const bool isNext = !m_title.next.isEmpty() && !m_title.warning;
-    painter.fillRect(rect(), m_title.warning ? kWarning : colours.color(isNext ? QPalette::Highlight : QPalette::Window));
-    const QColor text = m_title.warning ? QColor(Qt::black) : colours.color(isNext ? QPalette::HighlightedText : QPalette::WindowText);
+    painter.fillRect(rect(),
+                     m_title.warning ? kWarning : colours.color(isNext ? QPalette::Highlight : QPalette::Window));
+    const QColor text =
+        m_title.warning ? QColor(Qt::black) : colours.color(isNext ? QPalette::HighlightedText : QPalette::WindowText);
     QColor faint = text;
     faint.setAlphaF(0.62);
     QRect space = rect().adjusted(kPadding, 0, -kPadding, 0);
@@ -74,15 +75,13 @@ void ViewTitleBar::paintEvent(QPaintEvent*) {
 }
 
 void ViewTitleBar::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) {
+    if (event->button() == Qt::LeftButton)
         emit clicked();
-    }
 }
 
 void ViewTitleBar::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) {
+    if (event->button() == Qt::LeftButton)
         emit doubleClicked();
-    }
 }
 
 } // namespace widgets

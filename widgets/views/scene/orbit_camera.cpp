@@ -52,9 +52,8 @@ void OrbitCamera::frame(const Eigen::Vector3d& centre, double radiusMm, QSize wi
 
 void OrbitCamera::standAt(const Eigen::Vector3d& eyeInWorld) {
     const Eigen::Vector3d offset = eyeInWorld - focus;
-    if (offset.norm() < kNearestMm || offset.cross(up).norm() < 0.03 * offset.norm()) {
+    if (offset.norm() < kNearestMm || offset.cross(up).norm() < 0.03 * offset.norm())
         return;
-    }
     distanceMm = offset.norm();
     away = offset.normalized();
 }

@@ -42,9 +42,8 @@ struct Lines {
     Lines() { points->SetDataTypeToFloat(); }
     void add(const std::vector<Eigen::Vector3d>& polyline) {
         cells->InsertNextCell(static_cast<int>(polyline.size()));
-        for (const Eigen::Vector3d& p : polyline) {
+        for (const Eigen::Vector3d& p : polyline)
             cells->InsertCellPoint(points->InsertNextPoint(p.data()));
-        }
     }
     vtkSmartPointer<vtkPolyData> data() const {
         auto result = vtkSmartPointer<vtkPolyData>::New();
@@ -70,9 +69,8 @@ ActorPtr makeBall(const Eigen::Matrix3d& shape, const Eigen::Vector3d& centre) {
     ActorPtr actor = actorOf(source->GetOutput());
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column) {
+        for (int column = 0; column < 3; ++column)
             matrix->SetElement(row, column, shape(row, column));
-        }
         matrix->SetElement(row, 3, centre[row]);
     }
     actor->SetUserMatrix(matrix);
@@ -109,9 +107,8 @@ ActorPtr makeMeshActor(const ViewSurface& surface, const MeshLayer& layer) {
     look.SetDiffuse(0.62);
     look.SetSpecular(0.04);
     look.SetSpecularPower(25);
-    if (layer.style == MeshStyle::Wireframe) {
+    if (layer.style == MeshStyle::Wireframe)
         look.SetRepresentationToWireframe();
-    }
     return actor;
 }
 
@@ -125,9 +122,8 @@ ActorPtr makeFrustumActor(const core::Camera& camera, double depthMm, const QCol
         const Eigen::Vector2d& to = corners[(side + 1) % 4];
         lines.add({camera.centreInWorld(), pointOnRay(camera, from, depthMm)});
         std::vector<Eigen::Vector3d> border;
-        for (int i = 0; i <= kSteps; ++i) {
+        for (int i = 0; i <= kSteps; ++i)
             border.push_back(pointOnRay(camera, from + (to - from) * i / kSteps, depthMm));
-        }
         lines.add(border);
     }
     // A tick says which way is up in the image.
@@ -169,9 +165,8 @@ ActorPtr makeImageActor(const core::Camera& camera, const QImage& image, double 
     pixels->SetDimensions(rgb.width(), rgb.height(), 1);
     pixels->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     auto* target = static_cast<unsigned char*>(pixels->GetScalarPointer());
-    for (int y = 0; y < rgb.height(); ++y) {
+    for (int y = 0; y < rgb.height(); ++y)
         std::copy_n(rgb.constScanLine(y), 3 * rgb.width(), target + 3 * static_cast<std::ptrdiff_t>(rgb.width()) * y);
-    }
     auto texture = vtkSmartPointer<vtkTexture>::New();
     texture->SetInputData(pixels);
     texture->InterpolateOn();

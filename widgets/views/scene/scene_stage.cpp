@@ -25,34 +25,28 @@ constexpr double kGridSpacingMm = 50;
 constexpr int kGridCells = 16;
 
 void replace(vtkRenderer& renderer, std::vector<ActorPtr>& actors, std::vector<ActorPtr> by) {
-    for (const ActorPtr& actor : actors) {
+    for (const ActorPtr& actor : actors)
         renderer.RemoveActor(actor);
-    }
     actors = std::move(by);
-    for (const ActorPtr& actor : actors) {
+    for (const ActorPtr& actor : actors)
         renderer.AddActor(actor);
-    }
 }
 
 void replace(vtkRenderer& renderer, ActorPtr& actor, const ActorPtr& by) {
-    if (actor) {
+    if (actor)
         renderer.RemoveActor(actor);
-    }
     actor = by;
-    if (actor) {
+    if (actor)
         renderer.AddActor(actor);
-    }
 }
 
 /// The world's vertical as the cameras see it, snapped to an axis that is near.
 Eigen::Vector3d verticalOf(const std::vector<core::Camera>& cameras) {
     Eigen::Vector3d up = Eigen::Vector3d::Zero();
-    for (const core::Camera& camera : cameras) {
+    for (const core::Camera& camera : cameras)
         up -= camera.cameraFromWorld.rotation.row(1);
-    }
-    if (up.norm() < 0.2 * static_cast<double>(cameras.size()) || cameras.empty()) {
+    if (up.norm() < 0.2 * static_cast<double>(cameras.size()) || cameras.empty())
         return -Eigen::Vector3d::UnitY();
-    }
     up.normalize();
     Eigen::Index axis = 0;
     up.cwiseAbs().maxCoeff(&axis);
@@ -133,18 +127,15 @@ void SceneStage::setMeshLayers(const std::vector<MeshLayer>& layers) {
     m_layers = layers;
     std::vector<ActorPtr> actors;
     for (const MeshLayer& layer : layers) {
-        if (layer.style == MeshStyle::Off) {
+        if (layer.style == MeshStyle::Off)
             continue;
-        }
-        for (const ViewSurfacePtr& surface : layer.surfaces) {
+        for (const ViewSurfacePtr& surface : layer.surfaces)
             actors.push_back(makeMeshActor(*surface, layer));
-        }
     }
     const bool hadNone = m_meshActors.empty();
     replace(*m_world, m_meshActors, std::move(actors));
-    if (hadNone) {
+    if (hadNone)
         rebuildGrid();
-    }
 }
 
 void SceneStage::setJoints(const std::vector<SceneJoint>& joints) {
@@ -153,12 +144,10 @@ void SceneStage::setJoints(const std::vector<SceneJoint>& joints) {
     for (const SceneJoint& joint : joints) {
         const double radius = joint.selected ? 1.5 * kJointRadiusMm : kJointRadiusMm;
         actors.push_back(makeJointActor(joint, radius));
-        if (joint.selected) {
+        if (joint.selected)
             actors.push_back(makeHaloActor(joint.pointInWorld, 1.45 * radius));
-        }
-        if (joint.covariance) {
+        if (joint.covariance)
             actors.push_back(makeEllipsoidActor(joint));
-        }
     }
     replace(*m_front, m_jointActors, std::move(actors));
 }
@@ -203,27 +192,22 @@ void SceneStage::setLookedThrough(int camera) {
 SceneStage::Ball SceneStage::handsBall() const {
     Eigen::AlignedBox3d box;
     for (const MeshLayer& layer : m_layers) {
-        for (const ViewSurfacePtr& surface : layer.surfaces) {
-            for (const Eigen::Vector3d& v : surface->verticesInWorld) {
+        for (const ViewSurfacePtr& surface : layer.surfaces)
+            for (const Eigen::Vector3d& v : surface->verticesInWorld)
                 box.extend(v);
-            }
-        }
     }
-    for (const SceneJoint& joint : m_joints) {
+    for (const SceneJoint& joint : m_joints)
         box.extend(joint.pointInWorld);
-    }
     return box.isEmpty() ? Ball{} : Ball{box.center(), std::max(30.0, box.diagonal().norm() / 2)};
 }
 
 /// The point that the optical axes come nearest to, and how far the cameras are from it.
 SceneStage::Ball SceneStage::camerasBall() const {
-    if (m_cameras.empty()) {
+    if (m_cameras.empty())
         return {};
-    }
     Ball ball{core::commonTargetNearOrigin(m_cameras), 0};
-    for (const core::Camera& camera : m_cameras) {
+    for (const core::Camera& camera : m_cameras)
         ball.radiusMm = std::max(ball.radiusMm, (camera.centreInWorld() - ball.centre).norm());
-    }
     return ball;
 }
 
@@ -234,9 +218,8 @@ double SceneStage::frustumDepthMm() const {
 
 void SceneStage::rebuildCameras() {
     std::vector<ActorPtr> frusta;
-    for (const vtkSmartPointer<vtkProp>& name : m_cameraNames) {
+    for (const vtkSmartPointer<vtkProp>& name : m_cameraNames)
         m_world->RemoveViewProp(name);
-    }
     m_cameraNames.clear();
     for (int i = 0; i < static_cast<int>(m_cameras.size()); ++i) {
         const core::Camera& camera = m_cameras[static_cast<std::size_t>(i)];
@@ -252,12 +235,10 @@ void SceneStage::rebuildCameras() {
 
 void SceneStage::showCameras() {
     const bool shown = m_camerasShown && m_lookedThrough < 0;
-    for (const ActorPtr& actor : m_frustumActors) {
+    for (const ActorPtr& actor : m_frustumActors)
         actor->SetVisibility(shown);
-    }
-    for (const vtkSmartPointer<vtkProp>& name : m_cameraNames) {
+    for (const vtkSmartPointer<vtkProp>& name : m_cameraNames)
         name->SetVisibility(shown);
-    }
 }
 
 /// The image stands at the end of the current camera's frustum, or behind everything when that camera is looked
@@ -306,9 +287,8 @@ DepthRange SceneStage::depthRange(const Eigen::Vector3d& eye, const Eigen::Vecto
     for (vtkRenderer* renderer : {m_world.Get(), m_front.Get()}) {
         double b[6];
         renderer->ComputeVisiblePropBounds(b);
-        if (b[0] > b[1]) {
+        if (b[0] > b[1])
             continue;
-        }
         for (int corner = 0; corner < 8; ++corner) {
             const Eigen::Vector3d p(b[corner & 1], b[2 + (corner >> 1 & 1)], b[4 + (corner >> 2)]);
             nearest = std::min(nearest, (p - eye).dot(forward));
@@ -346,17 +326,15 @@ std::optional<QPointF> SceneStage::placeOf(const Eigen::Vector3d& pointInWorld) 
     const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> clipFromWorld(
         camera.GetCompositeProjectionTransformMatrix(aspect, -1, 1)->GetData());
     const Eigen::Vector4d clip = clipFromWorld * pointInWorld.homogeneous();
-    if (clip.w() <= 0) {
+    if (clip.w() <= 0)
         return std::nullopt;
-    }
     return QPointF((clip.x() / clip.w() + 1) / 2 * m_window.width() - 0.5,
                    (1 - clip.y() / clip.w()) / 2 * m_window.height() - 0.5);
 }
 
 std::optional<core::JointId> SceneStage::jointAt(QPointF place, double reachPx) const {
-    if (!m_jointsShown) {
+    if (!m_jointsShown)
         return std::nullopt;
-    }
     const SceneJoint* nearest = nullptr;
     double nearestDistance = reachPx;
     for (const SceneJoint& joint : m_joints) {
@@ -371,9 +349,8 @@ std::optional<core::JointId> SceneStage::jointAt(QPointF place, double reachPx) 
 }
 
 int SceneStage::cameraAt(QPointF place, double reachPx) const {
-    if (!m_camerasShown || m_lookedThrough >= 0) {
+    if (!m_camerasShown || m_lookedThrough >= 0)
         return -1;
-    }
     int nearest = -1;
     double nearestDistance = reachPx;
     for (std::size_t i = 0; i < m_cameras.size(); ++i) {

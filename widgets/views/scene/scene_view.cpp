@@ -42,7 +42,7 @@ struct SceneView::Impl {
     SceneStage stage;
     QVTKOpenGLNativeWidget* gl = nullptr; ///< nullptr without OpenGL
     QTimer renderTimer;
-    QElapsedTimer waiting;   ///< since the first change that is not drawn yet
+    QElapsedTimer waiting; ///< since the first change that is not drawn yet
     double lastRenderMs = 0;
     bool viewChosen = false; ///< by the user, or by the first content
     Qt::MouseButton button = Qt::NoButton;
@@ -94,24 +94,21 @@ SceneView::SceneView(QWidget* parent)
 
 SceneView::~SceneView() = default;
 
-/// Many changes in a row, such as a drag, are one picture: where drawing is slow, it waits until they pause, but not for ever.
+/// Many changes in a row, such as a drag, are one picture: where drawing is slow, it waits until they pause, but not
+/// for ever.
 void SceneView::contentChanged() {
-    if (!m_impl->viewChosen && !m_impl->stage.isEmpty()) {
+    if (!m_impl->viewChosen && !m_impl->stage.isEmpty())
         m_impl->stage.resetOrbit(m_impl->deviceSize());
-    }
-    if (!m_impl->gl || !isVisible()) {
+    if (!m_impl->gl || !isVisible())
         return;
-    }
     if (m_impl->lastRenderMs < kFastMs) {
         requestRender();
         return;
     }
-    if (!m_impl->renderTimer.isActive()) {
+    if (!m_impl->renderTimer.isActive())
         m_impl->waiting.start();
-    }
-    if (!m_impl->renderTimer.isActive() || m_impl->waiting.elapsed() < kLongestWaitMs) {
+    if (!m_impl->renderTimer.isActive() || m_impl->waiting.elapsed() < kLongestWaitMs)
         m_impl->renderTimer.start(kPauseMs);
-    }
 }
 
 void SceneView::setCameras(const std::vector<core::Camera>& cameras) {
@@ -148,9 +145,8 @@ void SceneView::lookThrough(int camera) {
     const int before = lookedThrough();
     m_impl->stage.setLookedThrough(camera);
     requestRender();
-    if (lookedThrough() != before) {
+    if (lookedThrough() != before)
         emit lookedThroughChanged(lookedThrough());
-    }
 }
 
 int SceneView::lookedThrough() const {
@@ -180,9 +176,8 @@ void SceneView::resetView() {
 }
 
 void SceneView::requestRender() {
-    if (m_impl->gl && isVisible()) {
+    if (m_impl->gl && isVisible())
         m_impl->renderTimer.start(0); // several changes at once are one picture
-    }
 }
 
 void SceneView::finishDrawing() {
@@ -203,9 +198,8 @@ void SceneView::renderNow() const {
 }
 
 QImage SceneView::grabPicture() const {
-    if (!m_impl->gl || !m_impl->gl->isValid()) {
+    if (!m_impl->gl || !m_impl->gl->isValid())
         return const_cast<SceneView*>(this)->grab().toImage();
-    }
     renderNow();
     return m_impl->gl->grabFramebuffer().convertToFormat(QImage::Format_RGB32);
 }
@@ -234,13 +228,11 @@ void SceneView::changeEvent(QEvent* event) {
 }
 
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != m_impl->gl) {
+    if (watched != m_impl->gl)
         return QWidget::eventFilter(watched, event);
-    }
     if (event->type() == QEvent::Resize || event->type() == QEvent::Show) {
-        if (!m_impl->viewChosen && !m_impl->stage.isEmpty()) {
+        if (!m_impl->viewChosen && !m_impl->stage.isEmpty())
             m_impl->stage.resetOrbit(m_impl->deviceSize());
-        }
         requestRender();
         return false;
     }
@@ -266,11 +258,10 @@ bool SceneView::handlePointer(QEvent* event) {
                 s.stage.orbit().standAt(s.stage.cameras()[static_cast<std::size_t>(lookedThrough())].centreInWorld());
                 lookThrough(-1);
             }
-            if (s.button == Qt::LeftButton && !pans) {
+            if (s.button == Qt::LeftButton && !pans)
                 s.stage.orbit().orbit(place - s.lastAt, height);
-            } else if (pans) {
+            else if (pans)
                 s.stage.orbit().pan(place - s.lastAt, height);
-            }
             s.viewChosen = true;
             requestRender();
         }
@@ -306,11 +297,10 @@ bool SceneView::handlePointer(QEvent* event) {
 void SceneView::click(QPointF place) {
     const double ratio = m_impl->gl->devicePixelRatioF();
     m_impl->stage.prepare(m_impl->deviceSize());
-    if (const auto joint = m_impl->stage.jointAt(place * ratio, kReachScreenPx * ratio)) {
+    if (const auto joint = m_impl->stage.jointAt(place * ratio, kReachScreenPx * ratio))
         emit jointClicked(*joint);
-    } else if (const int camera = m_impl->stage.cameraAt(place * ratio, 1.5 * kReachScreenPx * ratio); camera >= 0) {
+    else if (const int camera = m_impl->stage.cameraAt(place * ratio, 1.5 * kReachScreenPx * ratio); camera >= 0)
         emit cameraClicked(camera);
-    }
 }
 
 } // namespace widgets

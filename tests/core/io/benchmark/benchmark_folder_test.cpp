@@ -21,8 +21,15 @@ BenchmarkFolder runInto(const fs::path& out, const Shard& shard, int most = 1000
     options.methods = {"ch", "dch-thres:tau=45"};
     options.shard = shard;
     BenchmarkFolder folder;
-    folder.info = {"tiny", sceneFingerprint(scene), options.setup, options.methods, {}, shard, false,
-                   benchmarkJoints(scene, options.setup), test::tinyPairs(scene)};
+    folder.info = {"tiny",
+                   sceneFingerprint(scene),
+                   options.setup,
+                   options.methods,
+                   {},
+                   shard,
+                   false,
+                   benchmarkJoints(scene, options.setup),
+                   test::tinyPairs(scene)};
     BenchmarkJournal journal(out, folder.info);
     std::stop_source stop;
     int fits = 0;
@@ -31,9 +38,8 @@ BenchmarkFolder runInto(const fs::path& out, const Shard& shard, int most = 1000
             journal.append(*state.latest);
             fits += 1;
         }
-        if (fits >= most) {
+        if (fits >= most)
             stop.request_stop();
-        }
     };
     folder.results = runBenchmark(scene, folder.info.pairs, options, test::pretendToFit, progress, stop.get_token(),
                                   journal.finished());
@@ -44,17 +50,15 @@ BenchmarkFolder runInto(const fs::path& out, const Shard& shard, int most = 1000
 const char* const kFiles[] = {"results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "pairs.json"};
 
 void expectSameFiles(const fs::path& a, const fs::path& b) {
-    for (const char* const name : kFiles) {
+    for (const char* const name : kFiles)
         EXPECT_EQ(readTextFile(a / name), readTextFile(b / name)) << name;
-    }
 }
 
 TEST(BenchmarkFolder, MergedShardsAreByteForByteTheSingleRun) {
     const test::TemporaryFolder folder;
     runInto(folder / "whole", {});
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         runInto(folder / std::to_string(i), {i, 3});
-    }
     const BenchmarkFolder merged = mergedBenchmarkFolders({folder / "2", folder / "0", folder / "1"});
     writeBenchmarkFolder(folder / "merged", merged);
     expectSameFiles(folder / "merged", folder / "whole");

@@ -7,9 +7,9 @@
 #include "core/annotation/edits.h"
 #include "core/contour/rasteriser.h"
 #include "core/error.h"
-#include "core/io/store/annotation_store.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/footage/image_file.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/core/benchmark/tiny_benchmark.h"
 #include "tests/support/temporary_folder.h"
 
@@ -60,12 +60,12 @@ TEST(BenchmarkScene, RealisticReadsMasksAndTriangulatesAnnotations) {
     EXPECT_NE(problem(dataset, {"two"}, BenchmarkSetup::Realistic).find("no masks"), std::string::npos);
     EXPECT_NE(problem(dataset, {"one"}, BenchmarkSetup::Realistic).find("annotated 3D joints"), std::string::npos);
     const JointId joint{Side::Left, "index_mcp"};
-    const Eigen::Vector3d truth = namedJointPositions(dataset.hands, readMotion(dataset, dataset.sequences[0])[20]).at(joint);
+    const Eigen::Vector3d truth =
+        namedJointPositions(dataset.hands, readMotion(dataset, dataset.sequences[0])[20]).at(joint);
     {
         AnnotationStore store = AnnotationStore::open(dataset.folder / "one.sqlite");
-        for (const Camera& camera : dataset.cameras) {
+        for (const Camera& camera : dataset.cameras)
             store.commit(placeEdit(store.annotations(), {20, "me", joint, camera.name}, *project(camera, truth)), "me");
-        }
         const Camera& first = dataset.cameras[0];
         store.commit(placeEdit(store.annotations(), {25, "me", joint, first.name}, *project(first, truth)), "me");
     }

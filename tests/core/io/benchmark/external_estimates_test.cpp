@@ -30,7 +30,8 @@ TEST(ExternalEstimates, CsvAndJsonSayTheSame) {
 TEST(ExternalEstimates, SemicolonsAndDecimalCommasAreRead) {
     const test::TemporaryFolder folder;
     std::ofstream(folder / "a.csv") << "sequence;start;test;hand;name;x;y;z\r\none;10;15;left;forearm;1,25;2,5;-30\r\n";
-    EXPECT_EQ(readExternalEstimates("theirs", folder / "a.csv", {}).joints.at(kPair).at({Side::Left, "forearm"}), Eigen::Vector3d(1.25, 2.5, -30));
+    EXPECT_EQ(readExternalEstimates("theirs", folder / "a.csv", {}).joints.at(kPair).at({Side::Left, "forearm"}),
+              Eigen::Vector3d(1.25, 2.5, -30));
 }
 
 TEST(ExternalEstimates, PosesBecomeJoints) {
@@ -42,15 +43,17 @@ TEST(ExternalEstimates, PosesBecomeJoints) {
     left << 1, 2, 3, 0.1, 0.2, 0.3, 0.4;
     Pose right = Pose::Zero(7);
     right[6] = 0.5;
-    EXPECT_EQ(readExternalEstimates("x", folder / "p.json", hands).joints.at(kPair), namedJointPositions(hands, {left, right}));
+    EXPECT_EQ(readExternalEstimates("x", folder / "p.json", hands).joints.at(kPair),
+              namedJointPositions(hands, {left, right}));
 }
 
 TEST(ExternalEstimates, RefuseWhatMakesNoSense) {
     const test::TemporaryFolder folder;
     const std::string header = "sequence,start,test,hand,name,x,y,z\n";
     for (const std::string& text :
-         {std::string(), std::string("x,y,z\n"), header + "one,10,15,left,forearm,1,2\n", header + "one,10,15,both,forearm,1,2,3\n",
-          header + "one,-1,15,left,forearm,1,2,3\n", header + "one,10,15,left,forearm,1,nan,3\n",
+         {std::string(), std::string("x,y,z\n"), header + "one,10,15,left,forearm,1,2\n",
+          header + "one,10,15,both,forearm,1,2,3\n", header + "one,-1,15,left,forearm,1,2,3\n",
+          header + "one,10,15,left,forearm,1,nan,3\n",
           header + "one,10,15,left,forearm,1,2,3\none,10,15,left,forearm,1,2,3\n"}) {
         std::ofstream(folder / "a.csv", std::ios::trunc) << text;
         EXPECT_THROW(readExternalEstimates("x", folder / "a.csv", {}), Error) << text;

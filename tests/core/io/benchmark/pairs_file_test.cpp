@@ -27,7 +27,8 @@ TEST(PairsFile, ReadsPairsWrittenByHand) {
 TEST(PairsFile, RefusesWhatMakesNoSense) {
     const test::TemporaryFolder folder;
     for (const char* const text :
-         {"", "[]", "{}", R"({"pairs": 3})", R"({"pairs": [{}]})", R"({"pairs": [{"sequence": 1, "start": 0, "test": 1}]})",
+         {"", "[]", "{}", R"({"pairs": 3})", R"({"pairs": [{}]})",
+          R"({"pairs": [{"sequence": 1, "start": 0, "test": 1}]})",
           R"({"pairs": [{"sequence": "x", "start": -1, "test": 1}]})",
           R"({"pairs": [{"sequence": "x", "start": 0.5, "test": 1}]})",
           R"({"pairs": [{"sequence": "x", "start": 0, "test": 5, "difference": 4}]})",

@@ -19,14 +19,17 @@ using enum core::ErrorCode;
 using test::replaced;
 
 /// Expects two sets of cameras to project alike, by name.
-void expectSame(const std::vector<core::Camera>& read, const std::vector<core::Camera>& wanted, double tolerancePx = 1e-7) {
+void expectSame(const std::vector<core::Camera>& read, const std::vector<core::Camera>& wanted,
+                double tolerancePx = 1e-7) {
     ASSERT_EQ(read.size(), wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         EXPECT_EQ(read[i].name, wanted[i].name);
         EXPECT_EQ(read[i].size, wanted[i].size);
         EXPECT_EQ(read[i].fisheye, wanted[i].fisheye);
-        for (const Eigen::Vector3d& point : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(90, -40, 60), Eigen::Vector3d(-70, 80, 20)}) {
-            EXPECT_LT((*core::project(read[i], point) - *core::project(wanted[i], point)).norm(), tolerancePx) << wanted[i].name;
+        for (const Eigen::Vector3d& point :
+             {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(90, -40, 60), Eigen::Vector3d(-70, 80, 20)}) {
+            EXPECT_LT((*core::project(read[i], point) - *core::project(wanted[i], point)).norm(), tolerancePx)
+                << wanted[i].name;
         }
     }
 }
@@ -37,7 +40,9 @@ protected:
         test::writeText(m_folder / name, text);
         return m_folder / name;
     }
-    std::vector<core::Camera> read(const fs::path& path, core::CalibrationOptions options = {}) { return core::readCalibration(path, options); }
+    std::vector<core::Camera> read(const fs::path& path, core::CalibrationOptions options = {}) {
+        return core::readCalibration(path, options);
+    }
     void expectRefused(const fs::path& path, const std::string& word, core::ErrorCode code = BadInput) {
         test::expectError([&] { core::readCalibration(path); }, code, path.string(), word);
     }
@@ -52,8 +57,10 @@ TEST_F(Calibration, RoundTripsThroughEveryKindThatCanBeWritten) {
     cameras[4].distortion = {-0.1, 0.02, 0.001, -0.002, 0.01, 0.05, -0.03, 0.002};
     cameras[5].distortion = {};
     cameras[6].name = "caf\xC3\xA9 \"6\"";
-    std::sort(cameras.begin(), cameras.end(), [](const auto& a, const auto& b) { return core::naturalLess(a.name, b.name); });
-    const std::pair<const char*, const char*> kinds[] = {{"handlens", "a.json"}, {"anipose", "a.toml"}, {"opencv", "a.yml"}, {"opencv", "a.xml"}, {"opencv", "b.json"}};
+    std::sort(cameras.begin(), cameras.end(),
+              [](const auto& a, const auto& b) { return core::naturalLess(a.name, b.name); });
+    const std::pair<const char*, const char*> kinds[] = {
+        {"handlens", "a.json"}, {"anipose", "a.toml"}, {"opencv", "a.yml"}, {"opencv", "a.xml"}, {"opencv", "b.json"}};
     for (const auto& [kind, name] : kinds) {
         SCOPED_TRACE(name);
         core::writeCalibration(m_folder / name, kind, cameras);
@@ -86,7 +93,8 @@ TEST_F(Calibration, AniposeRotatesTheWorldIntoTheCamera) {
 TEST_F(Calibration, AniposeSectionsAreOrderedByNameNotAsText) {
     std::string text;
     for (const char* name : {"10", "2", "1"}) {
-        text += replaced(replaced(kAnipose, "cam_0", std::string("cam_") + name), "\"A\"", std::string("\"cam") + name + "\"");
+        text += replaced(replaced(kAnipose, "cam_0", std::string("cam_") + name), "\"A\"",
+                         std::string("\"cam") + name + "\"");
         text = text.substr(0, text.find("[metadata]"));
     }
     const std::vector<core::Camera> cameras = read(write("calibration.toml", text));
@@ -112,9 +120,11 @@ TEST_F(Calibration, AniposeIsRefusedWithItsField) {
     expectRefused(write("calibration.toml", std::string("\xff\xfe\0\x01", 4)), "not TOML");
 }
 
-constexpr const char* kRos = "image_width: 640\nimage_height: 480\ncamera_name: narrow\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
-                             "  data: [500, 0, 320, 0, 510, 240, 0, 0, 1]\ndistortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [0.1, 0, 0, 0, 0]\n"
-                             "rvec: [0, 0, 1.5707963267948966]\ntvec: [1, 2, 500]\n";
+constexpr const char* kRos =
+    "image_width: 640\nimage_height: 480\ncamera_name: narrow\ncamera_matrix:\n  rows: 3\n  cols: 3\n"
+    "  data: [500, 0, 320, 0, 510, 240, 0, 0, 1]\ndistortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [0.1, 0, 0, "
+    "0, 0]\n"
+    "rvec: [0, 0, 1.5707963267948966]\ntvec: [1, 2, 500]\n";
 
 TEST_F(Calibration, OpenCvTakesPlainListsOneFilePerCameraAndFolders) {
     const std::string text = std::string("%YAML:1.0\n---\n") + kRos;
@@ -142,10 +152,12 @@ TEST_F(Calibration, OpenCvIsRefusedWithItsField) {
 }
 
 TEST_F(Calibration, JarvisMatricesAreStoredTransposed) {
-    const std::string text = "%YAML:1.0\n---\nT: !!opencv-matrix\n   rows: 3\n   cols: 1\n   dt: d\n   data: [ 1., 2., 500. ]\n"
-                             "R: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 0., 1., 0., -1., 0., 0., 0., 0., 1. ]\n"
-                             "intrinsicMatrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 500., 0., 0., 0., 510., 0., 320., 240., 1. ]\n"
-                             "distortionCoefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ 0.1, 0., 0., 0., 0. ]\n";
+    const std::string text =
+        "%YAML:1.0\n---\nT: !!opencv-matrix\n   rows: 3\n   cols: 1\n   dt: d\n   data: [ 1., 2., 500. ]\n"
+        "R: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 0., 1., 0., -1., 0., 0., 0., 0., 1. ]\n"
+        "intrinsicMatrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 500., 0., 0., 0., 510., 0., "
+        "320., 240., 1. ]\n"
+        "distortionCoefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   data: [ 0.1, 0., 0., 0., 0. ]\n";
     const fs::path file = write("Camera_T.yaml", text);
     EXPECT_EQ(core::sniffCalibration(file), "jarvis");
     expectRefused(file, "Camera_T.size");
@@ -163,9 +175,12 @@ TEST_F(Calibration, EasyMocapIsInMetresAndNamesLookLikeNumbers) {
     std::string intri = head, extri = head;
     for (const char* name : {"10", "2"}) {
         const std::string n(name);
-        intri += "K_" + n + ": !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n  data: [500.0, 0.0, 320.0, 0.0, 510.0, 240.0, 0.0, 0.0, 1.0]\n";
+        intri += "K_" + n +
+                 ": !!opencv-matrix\n  rows: 3\n  cols: 3\n  dt: d\n  data: [500.0, 0.0, 320.0, 0.0, 510.0, 240.0, "
+                 "0.0, 0.0, 1.0]\n";
         intri += "dist_" + n + ": !!opencv-matrix\n  rows: 1\n  cols: 5\n  dt: d\n  data: [0.1, 0.0, 0.0, 0.0, 0.0]\n";
-        extri += "R_" + n + ": !!opencv-matrix\n  rows: 3\n  cols: 1\n  dt: d\n  data: [0.0, 0.0, 1.5707963267948966]\n";
+        extri +=
+            "R_" + n + ": !!opencv-matrix\n  rows: 3\n  cols: 1\n  dt: d\n  data: [0.0, 0.0, 1.5707963267948966]\n";
         extri += "T_" + n + ": !!opencv-matrix\n  rows: 3\n  cols: 1\n  dt: d\n  data: [0.001, 0.002, 0.5]\n";
     }
     write("intri.yml", intri);
@@ -216,7 +231,8 @@ TEST_F(Calibration, DannceMatricesAreTransposedAndPixelsStartAtOne) {
     expectRefused(write("empty_params.mat", ""), "no MATLAB file");
 }
 
-constexpr const char* kInterHand = R"({"0": {"campos": {"400": [100, 0, 0], "50": [1, 2, 3]}, "camrot": {"400": [[0,-1,0],[1,0,0],[0,0,1]], "50": [[1,0,0],[0,1,0],[0,0,1]]},
+constexpr const char* kInterHand =
+    R"({"0": {"campos": {"400": [100, 0, 0], "50": [1, 2, 3]}, "camrot": {"400": [[0,-1,0],[1,0,0],[0,0,1]], "50": [[1,0,0],[0,1,0],[0,0,1]]},
   "focal": {"400": [500, 510], "50": [500, 510]}, "princpt": {"400": [320, 240], "50": [320, 240]}}})";
 
 TEST_F(Calibration, InterHandStoresTheCamerasPlace) {
@@ -233,11 +249,14 @@ TEST_F(Calibration, InterHandStoresTheCamerasPlace) {
     test::expectError([&] { read(write("two.json", two), options); }, BadInput, "two.json", "several captures");
     options.section = "0";
     EXPECT_EQ(read(m_folder / "two.json", options).size(), 2u);
-    test::expectError([&] { read(write("bad.json", replaced(kInterHand, "\"focal\": {\"400\"", "\"focal\": {\"401\"")), options); }, BadInput, "bad.json", "focal.400");
+    test::expectError(
+        [&] { read(write("bad.json", replaced(kInterHand, "\"focal\": {\"400\"", "\"focal\": {\"401\"")), options); },
+        BadInput, "bad.json", "focal.400");
 }
 
 TEST_F(Calibration, HanCoIsInMetres) {
-    const std::string text = R"({"K": [[[500,0,320],[0,510,240],[0,0,1]]], "M": [[[0,-1,0,0.001],[1,0,0,0.002],[0,0,1,0.5],[0,0,0,1]]]})";
+    const std::string text =
+        R"({"K": [[[500,0,320],[0,510,240],[0,0,1]]], "M": [[[0,-1,0,0.001],[1,0,0,0.002],[0,0,1,0.5],[0,0,0,1]]]})";
     core::CalibrationOptions options;
     options.size = core::ImageSize{640, 480};
     const std::vector<core::Camera> cameras = read(write("00000000.json", text), options);
@@ -248,10 +267,12 @@ TEST_F(Calibration, HanCoIsInMetres) {
 }
 
 TEST_F(Calibration, ReflectionsAreRefusedWhateverTheKind) {
-    const std::string text = R"({"K": [[[500,0,320],[0,510,240],[0,0,1]]], "M": [[[0,1,0,0],[1,0,0,0],[0,0,1,0.5],[0,0,0,1]]]})";
+    const std::string text =
+        R"({"K": [[[500,0,320],[0,510,240],[0,0,1]]], "M": [[[0,1,0,0],[1,0,0,0],[0,0,1,0.5],[0,0,0,1]]]})";
     core::CalibrationOptions options;
     options.size = core::ImageSize{640, 480};
-    test::expectError([&] { read(write("mirror.json", text), options); }, BadInput, "mirror.json: cameras[0].R", "reflection");
+    test::expectError([&] { read(write("mirror.json", text), options); }, BadInput, "mirror.json: cameras[0].R",
+                      "reflection");
 }
 
 TEST_F(Calibration, UnknownAndMissingFilesAreNamed) {

@@ -17,7 +17,8 @@ protected:
 
     void expectRefused(const std::string& text, const std::string& field, const std::string& word) {
         test::writeText(m_file, text);
-        test::expectError([&] { core::readCameras(m_file); }, core::ErrorCode::BadInput, m_file.string() + ": " + field, word);
+        test::expectError([&] { core::readCameras(m_file); }, core::ErrorCode::BadInput, m_file.string() + ": " + field,
+                          word);
     }
 
     test::TemporaryFolder m_folder;
@@ -62,7 +63,8 @@ TEST_F(CamerasFile, RefusesWhatIsNoCamera) {
 TEST_F(CamerasFile, RefusesReflectionsAndSkewedAxes) {
     std::vector<core::Camera> cameras = test::cameraRing(2);
     const auto refuse = [&](const std::string& word) {
-        test::expectError([&] { core::checkCameras(cameras, "f.json"); }, core::ErrorCode::BadInput, "f.json: cameras[1].R", word);
+        test::expectError([&] { core::checkCameras(cameras, "f.json"); }, core::ErrorCode::BadInput,
+                          "f.json: cameras[1].R", word);
     };
     cameras[1].cameraFromWorld.rotation *= -1;
     refuse("reflection");

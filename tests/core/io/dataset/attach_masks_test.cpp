@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/io/dataset/frames.h"
-#include "core/io/footage/image_file.h"
 #include "core/io/dataset/mask_folder.h"
+#include "core/io/footage/image_file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -22,9 +22,8 @@ protected:
     AttachMasks() {
         m_dataset.folder = m_folder / "set";
         fs::create_directories(m_dataset.folder);
-        for (core::Camera& camera : m_dataset.cameras) {
+        for (core::Camera& camera : m_dataset.cameras)
             camera.size = {16, 12};
-        }
     }
 
     /// A mask with `pixels` white ones.
@@ -37,7 +36,8 @@ protected:
     std::vector<std::string> attach(const std::string& from) { return core::attachMasks(m_dataset, "first", from); }
     /// White pixels of a mask as a fit would read it; -1 if there is none.
     int pixels(std::size_t camera, int frame) {
-        const cv::Mat read = core::readFrameMasks(m_dataset.folder, m_dataset.sequences[0], m_dataset.cameras, frame)[camera];
+        const cv::Mat read =
+            core::readFrameMasks(m_dataset.folder, m_dataset.sequences[0], m_dataset.cameras, frame)[camera];
         return read.empty() ? -1 : cv::countNonZero(read);
     }
     const std::string& pattern() const { return m_dataset.sequences[0].masks; }
@@ -53,7 +53,8 @@ TEST_F(AttachMasks, FindsAFolderPerCamera) {
     }
     const std::vector<std::string> notes = attach((m_folder / "m").string());
     EXPECT_EQ(pattern(), "../m/{camera}/{frame:06}.png");
-    EXPECT_EQ(notes, (std::vector<std::string>{"cam0: 5 of 5 frames have a mask", "cam1: 5 of 5 frames have a mask", "cam2: 0 of 5 frames have a mask"}));
+    EXPECT_EQ(notes, (std::vector<std::string>{"cam0: 5 of 5 frames have a mask", "cam1: 5 of 5 frames have a mask",
+                                               "cam2: 0 of 5 frames have a mask"}));
     EXPECT_EQ(pixels(0, 4), 5);
     EXPECT_EQ(pixels(1, 0), 6);
     EXPECT_EQ(pixels(2, 0), -1);
@@ -105,9 +106,8 @@ TEST_F(AttachMasks, TakesPatternsAndCamerasByName) {
 }
 
 TEST_F(AttachMasks, SaysWhenNumbersDoNotFitTheFrames) {
-    for (int f = 1; f <= 5; ++f) {
+    for (int f = 1; f <= 5; ++f)
         mask("m/cam0/" + std::to_string(f) + ".png", f);
-    }
     const std::vector<std::string> notes = attach((m_folder / "m").string());
     ASSERT_EQ(notes.size(), 4u);
     EXPECT_EQ(notes[0], "cam0: 4 of 5 frames have a mask");
@@ -120,9 +120,11 @@ TEST_F(AttachMasks, SaysWhenNumbersDoNotFitTheFrames) {
 TEST_F(AttachMasks, RefusesWhatIsNotThereOrDoesNotFit) {
     const std::string before = pattern();
     mask("small/cam1/0.png", 1, {8, 6});
-    test::expectError([&] { attach((m_folder / "small").string()); }, BadInput, "small/cam1/0.png", "8 x 6, but cam1 is calibrated for 16 x 12");
+    test::expectError([&] { attach((m_folder / "small").string()); }, BadInput, "small/cam1/0.png",
+                      "8 x 6, but cam1 is calibrated for 16 x 12");
     test::expectError([&] { attach((m_folder / "none").string()); }, NotFound, "none", "no such folder");
-    test::expectError([&] { attach((m_folder / "none/{camera}_{frame}.png").string()); }, NotFound, "none/", "cam0_0.png");
+    test::expectError([&] { attach((m_folder / "none/{camera}_{frame}.png").string()); }, NotFound, "none/",
+                      "cam0_0.png");
     test::expectError([&] { attach((m_folder / "none/{frame}.png").string()); }, Usage, "{camera}", "is missing");
     mask("late/cam0/99.png", 1);
     test::expectError([&] { attach((m_folder / "late").string()); }, NotFound, "late", "no mask of any frame");

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/io/store/annotation_store.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_check.h"
 #include "core/io/dataset/new_sequence.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -57,16 +57,20 @@ TEST_F(WrittenPaths, DoNotLeaveThroughLinks) {
     const core::Dataset dataset = core::readDataset(m_set);
     fs::remove_all(m_set / "annotations");
     fs::create_directory_symlink(m_outside, m_set / "annotations");
-    test::expectError([&] { core::readDataset(m_set); }, BadInput, "dataset.json: sequences[0].annotations", "symbolic link");
-    test::expectError([&] { core::annotationFile(dataset, dataset.sequences[0]); }, BadInput, "dataset.json", "annotations");
-    test::expectError([&] { core::annotationFile(dataset, dataset.sequences[1]); }, BadInput, "dataset.json", "annotations");
+    test::expectError([&] { core::readDataset(m_set); }, BadInput, "dataset.json: sequences[0].annotations",
+                      "symbolic link");
+    test::expectError([&] { core::annotationFile(dataset, dataset.sequences[0]); }, BadInput, "dataset.json",
+                      "annotations");
+    test::expectError([&] { core::annotationFile(dataset, dataset.sequences[1]); }, BadInput, "dataset.json",
+                      "annotations");
     fs::remove(m_set / "annotations");
     fs::create_directory(m_set / "annotations");
     for (const char* name : {"first.sqlite", "first.sqlite-wal", ".first.sqlite.lock", "first.backups"}) {
         SCOPED_TRACE(name);
         fs::create_symlink(m_outside / "not-there-yet", m_set / "annotations" / name);
         test::expectError([&] { core::readDataset(m_set); }, BadInput, "dataset.json", "symbolic link");
-        test::expectError([&] { core::annotationFile(dataset, dataset.sequences[0]); }, BadInput, "dataset.json", "symbolic link");
+        test::expectError([&] { core::annotationFile(dataset, dataset.sequences[0]); }, BadInput, "dataset.json",
+                          "symbolic link");
         fs::remove(m_set / "annotations" / name);
     }
     core::AnnotationStore::open(core::annotationFile(core::readDataset(m_set), dataset.sequences[0]));
@@ -89,10 +93,12 @@ TEST_F(WrittenPaths, OfTheCacheAndTheDatasetFileStayInside) {
 TEST_F(WrittenPaths, AreCheckedBeforeADatasetIsWritten) {
     test::SmallDataset small = test::smallDataset();
     small.dataset.handFiles[0] = "../outside/left.json";
-    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_folder / "new"); }, BadInput, "dataset.json", "hands[0].file");
+    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_folder / "new"); }, BadInput,
+                      "dataset.json", "hands[0].file");
     small = test::smallDataset();
     small.dataset.sequences[0].motion = (m_outside / "m.json").string();
-    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_folder / "new"); }, BadInput, "dataset.json", "sequences[0].motion");
+    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_folder / "new"); }, BadInput,
+                      "dataset.json", "sequences[0].motion");
     EXPECT_FALSE(fs::exists(m_folder / "new"));
 }
 

@@ -19,7 +19,8 @@ protected:
     DatasetFolder() { test::writeSmallDataset(m_path); }
 
     /// Puts a changed dataset.json in place and expects it to be refused.
-    void expectRefused(const std::string& what, const std::string& by, const std::string& field, const std::string& word) {
+    void expectRefused(const std::string& what, const std::string& by, const std::string& field,
+                       const std::string& word) {
         const std::string good = test::readText(m_path / "dataset.json");
         test::writeText(m_path / "dataset.json", replaced(good, what, by));
         test::expectError([&] { core::readDataset(m_path); }, BadInput, "dataset.json: " + field, word);
@@ -96,7 +97,8 @@ TEST_F(DatasetFolder, RefusesAMotionOfOtherHandsOrLength) {
     const std::string good = test::readText(file);
     const auto expectBad = [&](const std::string& what, const std::string& by, const std::string& field) {
         test::writeText(file, replaced(good, what, by));
-        test::expectError([&] { core::readMotion(dataset, dataset.sequences[0]); }, BadInput, "first.json: " + field, "");
+        test::expectError([&] { core::readMotion(dataset, dataset.sequences[0]); }, BadInput, "first.json: " + field,
+                          "");
     };
     expectBad("\"frameCount\": 5", "\"frameCount\": 6", "frameCount");
     expectBad("\"poseSize\": 9", "\"poseSize\": 8", "hands[0].poseSize");
@@ -107,7 +109,8 @@ TEST_F(DatasetFolder, RefusesAMotionOfOtherHandsOrLength) {
 
 TEST_F(DatasetFolder, IsNeverWrittenOverAnother) {
     const test::SmallDataset small = test::smallDataset();
-    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_path); }, Io, m_path.string(), "not empty");
+    test::expectError([&] { core::writeDataset(small.dataset, small.motions, m_path); }, Io, m_path.string(),
+                      "not empty");
     EXPECT_NO_THROW(core::readDataset(m_path));
 }
 
@@ -120,9 +123,8 @@ TEST_F(DatasetFolder, IsNotThereAtAllIfItCannotBeWritten) {
 }
 
 TEST_F(DatasetFolder, ChecksFindNoProblemInAGoodOne) {
-    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path))
         EXPECT_TRUE(finding.isNote) << finding.text;
-    }
 }
 
 TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
@@ -133,7 +135,9 @@ TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
     bool isNoted = false;
     for (const core::CheckFinding& finding : core::checkPath(m_path)) {
         EXPECT_TRUE(finding.isNote) << finding.text;
-        isNoted = isNoted || finding.text == "motion/first.json: right index_pip.flexion: up to 5.0 degrees outside its limits in 1 frames";
+        isNoted = isNoted ||
+                  finding.text ==
+                      "motion/first.json: right index_pip.flexion: up to 5.0 degrees outside its limits in 1 frames";
     }
     EXPECT_TRUE(isNoted);
 }
@@ -141,7 +145,9 @@ TEST_F(DatasetFolder, ChecksNoteAnglesOutsideTheLimits) {
 TEST_F(DatasetFolder, ChecksListProblemsInsteadOfThrowing) {
     test::writeText(m_path / "motion/first.json", "{");
     const std::vector<core::CheckFinding> findings = core::checkPath(m_path);
-    EXPECT_TRUE(std::any_of(findings.begin(), findings.end(), [](const core::CheckFinding& f) { return !f.isNote && f.text.find("first.json") != std::string::npos; }));
+    EXPECT_TRUE(std::any_of(
+        findings.begin(), findings.end(),
+        [](const core::CheckFinding& f) { return !f.isNote && f.text.find("first.json") != std::string::npos; }));
     test::expectError([&] { core::checkPath(m_folder / "none"); }, NotFound, "none", "no such file");
 }
 
@@ -150,12 +156,10 @@ TEST_F(DatasetFolder, ChecksNameEveryBrokenFile) {
     test::writeText(m_path / "hands/right.json", "[");
     test::writeText(m_path / "cameras.json", "");
     std::string all;
-    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path))
         all += finding.text + "\n";
-    }
-    for (const char* name : {"left.json", "right.json", "cameras.json"}) {
+    for (const char* name : {"left.json", "right.json", "cameras.json"})
         EXPECT_NE(all.find(name), std::string::npos) << all;
-    }
 }
 
 TEST_F(DatasetFolder, ChecksFindMissingAndShortFootage) {
@@ -164,9 +168,8 @@ TEST_F(DatasetFolder, ChecksFindMissingAndShortFootage) {
     dataset.sequences[1].views[1] = {"cam1", core::ViewKind::Images, "shots/{frame}.png", 0};
     core::rewriteDatasetFile(dataset);
     std::string all;
-    for (const core::CheckFinding& finding : core::checkPath(m_path)) {
+    for (const core::CheckFinding& finding : core::checkPath(m_path))
         all += finding.isNote ? "" : finding.text + "\n";
-    }
     EXPECT_NE(all.find("none.mp4: no such video"), std::string::npos) << all;
     EXPECT_NE(all.find("shots/0.png: no such file"), std::string::npos) << all;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "core/io/footage/file_pattern.h"
 #include "core/io/dataset/frames.h"
+#include "core/io/footage/file_pattern.h"
 
 #include <thread>
 
@@ -34,9 +34,8 @@ cv::Mat numbered(int number, cv::Size size) {
 
 int numberIn(const cv::Mat& image) {
     int number = 0;
-    for (int bit = 0; bit < 4; ++bit) {
+    for (int bit = 0; bit < 4; ++bit)
         number |= (image.at<cv::Vec3b>(image.rows / 2, (2 * bit + 1) * image.cols / 8)[1] > 127 ? 1 : 0) << bit;
-    }
     return number;
 }
 
@@ -44,9 +43,8 @@ class Frames : public testing::Test {
 protected:
     Frames() {
         m_small.dataset.folder = m_folder.path();
-        for (core::Camera& camera : m_small.dataset.cameras) {
+        for (core::Camera& camera : m_small.dataset.cameras)
             camera.size = {64, 48};
-        }
     }
 
     core::ViewSource& view(std::size_t camera) { return m_small.dataset.sequences[0].views[camera]; }
@@ -54,10 +52,10 @@ protected:
 
     /// A video of `count` numbered frames; false if this machine's OpenCV cannot write it.
     bool writeVideo(const std::string& name, int count, const char* codec) {
-        cv::VideoWriter writer((m_folder / name).string(), cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), 25, {64, 48});
-        for (int i = 0; i < count; ++i) {
+        cv::VideoWriter writer((m_folder / name).string(),
+                               cv::VideoWriter::fourcc(codec[0], codec[1], codec[2], codec[3]), 25, {64, 48});
+        for (int i = 0; i < count; ++i)
             writer.write(numbered(i, {64, 48}));
-        }
         return writer.isOpened();
     }
 
@@ -68,34 +66,29 @@ protected:
 TEST_F(Frames, ReadImagesByPatternAndOffset) {
     view(0) = {"cam0", core::ViewKind::Images, "pictures/{camera}_{frame:04}.png", 2};
     fs::create_directory(m_folder / "pictures");
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 7; ++i)
         core::writePng(m_folder / ("pictures/cam0_000" + std::to_string(i) + ".png"), numbered(i, {64, 48}));
-    }
     const core::FrameSource frames = source();
     EXPECT_EQ(frames.kind(0), core::ViewKind::Images);
-    for (int f = 0; f < 5; ++f) {
+    for (int f = 0; f < 5; ++f)
         EXPECT_EQ(numberIn(frames.read(0, f)), f + 2);
-    }
 }
 
 TEST_F(Frames, ReadVideosExactlyWhateverTheOrder) {
     for (const auto& [name, codec] : {std::pair("a.avi", "MJPG"), std::pair("a.mp4", "mp4v")}) {
-        if (!writeVideo(name, 16, codec)) {
+        if (!writeVideo(name, 16, codec))
             GTEST_SKIP() << "OpenCV cannot write " << codec << " here";
-        }
         m_small.dataset.sequences[0].frameCount = 14;
         view(1) = {"cam1", core::ViewKind::Video, name, 1};
         const core::FrameSource frames = source();
-        for (const int f : {0, 13, 5, 4, 12, 3, 3, 11}) {
+        for (const int f : {0, 13, 5, 4, 12, 3, 3, 11})
             EXPECT_EQ(numberIn(frames.read(1, f)), f + 1) << name;
-        }
     }
 }
 
 TEST_F(Frames, KeepTheIndexOfAVideoAndSurviveABrokenOne) {
-    if (!writeVideo("a.avi", 8, "MJPG")) {
+    if (!writeVideo("a.avi", 8, "MJPG"))
         GTEST_SKIP() << "OpenCV cannot write MJPG here";
-    }
     view(0) = {"cam0", core::ViewKind::Video, "a.avi", 0};
     EXPECT_EQ(numberIn(source().read(0, 3)), 3);
     const fs::path index = m_folder / ".cache/first-cam0.videoindex";
@@ -111,12 +104,12 @@ TEST_F(Frames, KeepTheIndexOfAVideoAndSurviveABrokenOne) {
 }
 
 TEST_F(Frames, RenderTheRecordedMotion) {
-    for (core::Camera& camera : m_small.dataset.cameras) {
+    for (core::Camera& camera : m_small.dataset.cameras)
         camera.size = {1080, 1920};
-    }
     const core::FrameSource frames = source();
     const cv::Mat image = frames.read(2, 3);
-    const cv::Mat wanted = core::renderHandsShaded(m_small.dataset.cameras[2], m_small.dataset.hands, m_small.motions[0][3]);
+    const cv::Mat wanted =
+        core::renderHandsShaded(m_small.dataset.cameras[2], m_small.dataset.hands, m_small.motions[0][3]);
     EXPECT_EQ(cv::norm(image, wanted, cv::NORM_INF), 0);
     EXPECT_GT(cv::norm(image, frames.read(2, 0), cv::NORM_INF), 30);
 }
@@ -129,9 +122,8 @@ TEST_F(Frames, ShowABackdropWhereThereIsNoPicture) {
 }
 
 TEST_F(Frames, AreTheSameFromSeveralThreads) {
-    if (!writeVideo("a.avi", 16, "MJPG")) {
+    if (!writeVideo("a.avi", 16, "MJPG"))
         GTEST_SKIP() << "OpenCV cannot write MJPG here";
-    }
     m_small.dataset.sequences[0].frameCount = 16;
     view(0) = {"cam0", core::ViewKind::Video, "a.avi", 0};
     view(1) = {"cam1", core::ViewKind::Video, "a.avi", 0};
@@ -146,9 +138,8 @@ TEST_F(Frames, AreTheSameFromSeveralThreads) {
             }
         });
     }
-    for (std::thread& thread : threads) {
+    for (std::thread& thread : threads)
         thread.join();
-    }
     EXPECT_EQ(wrong, 0);
 }
 
@@ -169,9 +160,8 @@ TEST_F(Frames, SayWhatIsMissingOrWrong) {
 }
 
 TEST_F(Frames, EndWhereTheVideoEnds) {
-    if (!writeVideo("short.avi", 4, "MJPG")) {
+    if (!writeVideo("short.avi", 4, "MJPG"))
         GTEST_SKIP() << "OpenCV cannot write MJPG here";
-    }
     view(0) = {"cam0", core::ViewKind::Video, "short.avi", 0};
     test::expectError([&] { source().read(0, 4); }, NotFound, "short.avi: frame 4", "frames 0 to 3");
     const core::VideoInfo info = core::readVideoInfo(m_folder / "short.avi");
@@ -183,22 +173,23 @@ TEST_F(Frames, EndWhereTheVideoEnds) {
 
 TEST(Video, OfRealFootageIsReadFrameExactly) {
     const fs::path file = fs::path(HANDLENS_SHARED_DATA) / "handpose3d/cam0_test.mp4";
-    if (!fs::exists(file)) {
+    if (!fs::exists(file))
         GTEST_SKIP() << "the footage is not at " << file;
-    }
     core::VideoFile video(file, {});
     EXPECT_EQ(video.info().frames, 378);
     EXPECT_EQ(video.info().size, (core::ImageSize{720, 720}));
     // Decoding from the start is the oracle of jumping about.
     cv::VideoCapture capture(file.string());
     std::vector<cv::Mat> straight;
-    for (cv::Mat frame; straight.size() < 60 && capture.read(frame);) {
+    for (cv::Mat frame; straight.size() < 60 && capture.read(frame);)
         straight.push_back(frame.clone());
-    }
     ASSERT_EQ(straight.size(), 60u);
     for (const int f : {50, 0, 37, 36, 59, 1}) {
         const cv::Mat frame = video.read(f);
-        const auto difference = [&](int other) { return cv::norm(frame, straight[static_cast<std::size_t>(other)], cv::NORM_L1) / static_cast<double>(frame.total()); };
+        const auto difference = [&](int other) {
+            return cv::norm(frame, straight[static_cast<std::size_t>(other)], cv::NORM_L1) /
+                   static_cast<double>(frame.total());
+        };
         EXPECT_LT(difference(f), 6) << f; // two conversions from YUV differ a little
         EXPECT_LT(difference(f), difference(f < 59 ? f + 1 : f - 1)) << f;
     }

@@ -9,9 +9,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/io/dataset/frames.h"
+#include "core/io/dataset/new_sequence.h"
 #include "core/io/footage/grey_levels.h"
 #include "core/io/footage/image_file.h"
-#include "core/io/dataset/new_sequence.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/temporary_folder.h"
@@ -29,9 +29,12 @@ core::Camera cameraOf(core::ImageSize size) {
 
 /// An EXIF block that holds the orientation only.
 std::string exif(int orientation, bool isLittle) {
-    const auto two = [&](int value) { return isLittle ? std::string{char(value), char(value >> 8)} : std::string{char(value >> 8), char(value)}; };
+    const auto two = [&](int value) {
+        return isLittle ? std::string{char(value), char(value >> 8)} : std::string{char(value >> 8), char(value)};
+    };
     const auto four = [&](int value) { return isLittle ? two(value) + two(0) : two(0) + two(value); };
-    return (isLittle ? "II" : "MM") + two(42) + four(8) + two(1) + two(0x0112) + two(3) + four(1) + two(orientation) + two(0) + four(0);
+    return (isLittle ? "II" : "MM") + two(42) + four(8) + two(1) + two(0x0112) + two(3) + four(1) + two(orientation) +
+           two(0) + four(0);
 }
 
 /// A JPEG of that picture with an orientation tag after the first marker.
@@ -49,7 +52,8 @@ TEST(Orientation, IsReadFromJpegTiffPngAndWebp) {
         for (const bool isLittle : {false, true}) {
             EXPECT_EQ(core::orientationOf(jpegWithTag(picture, tag, isLittle)).rotateDegrees, degrees);
             EXPECT_EQ(core::orientationOf(exif(tag, isLittle)).rotateDegrees, degrees) << "TIFF";
-            const std::string block = exif(tag, isLittle), size{0, 0, 0, char(block.size())}, reversed(size.rbegin(), size.rend());
+            const std::string block = exif(tag, isLittle), size{0, 0, 0, char(block.size())},
+                              reversed(size.rbegin(), size.rend());
             EXPECT_EQ(core::orientationOf("\x89PNG\r\n\x1A\n" + size + "eXIf" + block + "sum!").rotateDegrees, degrees);
             EXPECT_EQ(core::orientationOf("RIFF????WEBPEXIF" + reversed + block).rotateDegrees, degrees);
         }
@@ -71,9 +75,8 @@ TEST(Orientation, IsReadFromJpegTiffPngAndWebp) {
 
 TEST(Orientation, OfDamagedFilesIsNoTurn) {
     const std::string jpeg = jpegWithTag(cv::Mat(8, 8, CV_8UC3, cv::Scalar::all(9)), 6);
-    for (std::size_t length = 0; length < 60; ++length) {
+    for (std::size_t length = 0; length < 60; ++length)
         core::orientationOf(std::string_view(jpeg).substr(0, length)); // must not read beyond the end
-    }
     EXPECT_EQ(core::orientationOf("").rotateDegrees, 0);
     EXPECT_EQ(core::orientationOf(exif(99, true)).rotateDegrees, 0);
     std::string far = exif(6, true);
@@ -99,10 +102,15 @@ TEST(PictureSetup, FollowsTheTagIfTheResultFits) {
     EXPECT_EQ(turn({640, 480}, 0, 270).rotateDegrees, 270);
     EXPECT_TRUE(turn({480, 640}, 0).notes.empty());
     test::expectError([&] { turn({640, 480}, 0); }, BadInput, "a.mp4", "--rotate cam0=90 (or 270)");
-    test::expectError([&] { turn({640, 480}, 90, 180); }, BadInput, "a.mp4", "640 x 480, but cam0 is calibrated for 480 x 640");
+    test::expectError(
+        [&] {
+            turn({640, 480}, 90, 180);
+        },
+        BadInput, "a.mp4", "640 x 480, but cam0 is calibrated for 480 x 640");
 }
 
-/// The pixel that a point has in a picture scaled by `scale` of the window at `leftTop`: pixel areas, not centres, are scaled.
+/// The pixel that a point has in a picture scaled by `scale` of the window at `leftTop`: pixel areas, not centres, are
+/// scaled.
 Eigen::Vector2d moved(const Eigen::Vector2d& px, const Eigen::Vector2d& leftTop, double scale) {
     return ((px - leftTop).array() + 0.5) * scale - 0.5;
 }
@@ -146,20 +154,21 @@ TEST(PictureSetup, RefusalNamesTheOptionThatWouldMakeItFit) {
     EXPECT_NE(refused({640, 480}, {1280, 960}).find("use --scale cam0=2"), std::string::npos);
     EXPECT_NE(refused({1920, 1080}, {1280, 720}).find("use --scale cam0=0.6666666667"), std::string::npos);
     EXPECT_NE(refused({1080, 1920}, {800, 600}).find("use --crop cam0=x,y"), std::string::npos);
-    EXPECT_NE(refused({1080, 1920}, {960, 540}).find("--rotate cam0=90 (or 270) with --scale cam0=0.5"), std::string::npos);
+    EXPECT_NE(refused({1080, 1920}, {960, 540}).find("--rotate cam0=90 (or 270) with --scale cam0=0.5"),
+              std::string::npos);
     EXPECT_EQ(refused({640, 480}, {700, 300}), "700 x 300, but cam0 is calibrated for 640 x 480");
     // The value that is named works.
     core::PictureOptions options;
     options.scale = 0.6666666667;
-    EXPECT_EQ(core::setUpPictures(cameraOf({1920, 1080}), "a", {1280, 720}, {}, options).camera.size, (core::ImageSize{1280, 720}));
+    EXPECT_EQ(core::setUpPictures(cameraOf({1920, 1080}), "a", {1280, 720}, {}, options).camera.size,
+              (core::ImageSize{1280, 720}));
 }
 
 /// Every level of a 12-bit camera once, in a picture of 16 bits.
 cv::Mat ramp12() {
     cv::Mat picture(64, 64, CV_16U);
-    for (int i = 0; i < 4096; ++i) {
+    for (int i = 0; i < 4096; ++i)
         picture.at<std::uint16_t>(i / 64, i % 64) = static_cast<std::uint16_t>(i);
-    }
     return picture;
 }
 
@@ -197,7 +206,8 @@ TEST(GreyLevels, OfTwelveBitsInSixteenUseAllOfTheScreen) {
 }
 
 /// A camera's folder of pictures becomes a sequence.
-core::NewSequence madeOf(const core::Camera& camera, const fs::path& images, const fs::path& dataset, const core::PictureOptions& options = {}) {
+core::NewSequence madeOf(const core::Camera& camera, const fs::path& images, const fs::path& dataset,
+                         const core::PictureOptions& options = {}) {
     return core::makeSequence("s", {camera}, {{camera.name, images, 0, options}}, dataset);
 }
 
@@ -268,8 +278,8 @@ TEST(TurnedPictures, AreReadAsTheDatasetSays) {
         const cv::Mat shown = core::FrameSource(dataset, dataset.sequences[0], {}).read(0, 0);
         EXPECT_EQ(shown.size(), cv::Size(16, 32));
         const auto isBright = [&](int x, int y) { return shown.at<cv::Vec3b>(y, x)[0] > 128; };
-        return std::string(isBright(3, 3) ? "top left" : "") + (isBright(12, 3) ? "top right" : "") + (isBright(3, 28) ? "bottom left" : "") +
-               (isBright(12, 28) ? "bottom right" : "");
+        return std::string(isBright(3, 3) ? "top left" : "") + (isBright(12, 3) ? "top right" : "") +
+               (isBright(3, 28) ? "bottom left" : "") + (isBright(12, 28) ? "bottom right" : "");
     };
     EXPECT_EQ(cornerOf({}), "top right");
     EXPECT_EQ(dataset.sequences[0].views[0].rotateDegrees, 90);

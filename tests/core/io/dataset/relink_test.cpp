@@ -15,22 +15,22 @@ namespace {
 namespace fs = std::filesystem;
 using enum core::ErrorCode;
 
-/// A dataset in set/, with one sequence "first" of five frames and cameras of 16 x 12; footage is elsewhere below the same folder.
+/// A dataset in set/, with one sequence "first" of five frames and cameras of 16 x 12; footage is elsewhere below the
+/// same folder.
 class Relink : public testing::Test {
 protected:
     Relink() {
         fs::create_directories(m_dataset.folder);
-        for (core::Camera& camera : m_dataset.cameras) {
+        for (core::Camera& camera : m_dataset.cameras)
             camera.size = {16, 12};
-        }
-        for (core::Sequence& sequence : m_dataset.sequences) {
-            for (core::ViewSource& view : sequence.views) {
+        for (core::Sequence& sequence : m_dataset.sequences)
+            for (core::ViewSource& view : sequence.views)
                 view.kind = core::ViewKind::None;
-            }
-        }
     }
 
-    core::ViewSource& view(std::size_t sequence, std::size_t camera) { return m_dataset.sequences[sequence].views[camera]; }
+    core::ViewSource& view(std::size_t sequence, std::size_t camera) {
+        return m_dataset.sequences[sequence].views[camera];
+    }
     void useImages(std::size_t sequence, std::size_t camera, const std::string& pattern) {
         view(sequence, camera).kind = core::ViewKind::Images;
         view(sequence, camera).path = pattern;
@@ -79,15 +79,15 @@ TEST_F(Relink, FindsPicturesByNameAndByAsMuchOfTheirFoldersAsIsNeeded) {
 TEST_F(Relink, NeverTakesAnotherRecordingOfTheSameName) {
     useImages(0, 0, "../old/monday/{frame}.png");
     useImages(1, 0, "../old/tuesday/{frame}.png");
-    for (int f = 0; f < 7; ++f) {
+    for (int f = 0; f < 7; ++f)
         picture("new/tuesday/" + std::to_string(f) + ".png", 30 + f);
-    }
     const core::RelinkResult result = core::relinkFootage(m_dataset, m_folder / "new");
     ASSERT_EQ(result.found.size(), 1u);
     EXPECT_EQ(result.found[0].sequence, "second");
     ASSERT_EQ(result.notFound.size(), 1u);
     EXPECT_EQ(result.notFound[0].sequence, "first");
-    EXPECT_NE(result.notFound[0].note.find("other footage of this dataset"), std::string::npos) << result.notFound[0].note;
+    EXPECT_NE(result.notFound[0].note.find("other footage of this dataset"), std::string::npos)
+        << result.notFound[0].note;
     EXPECT_EQ(view(0, 0).path, "../old/monday/{frame}.png");
 }
 
@@ -109,9 +109,8 @@ TEST_F(Relink, SaysWhereFramesOrPixelsDiffer) {
     useImages(0, 0, "../old/cam0/{frame}.png");
     useImages(0, 1, "../old/cam1/{frame}.png");
     for (int f = 0; f < 5; ++f) {
-        if (f < 3) {
+        if (f < 3)
             picture("new/cam0/" + std::to_string(f) + ".png", 1);
-        }
         picture("new/cam1/" + std::to_string(f) + ".png", 1, {8, 6});
     }
     const core::RelinkResult result = core::relinkFootage(m_dataset, m_folder / "new");
@@ -136,7 +135,8 @@ TEST_F(Relink, KeepsWhatIsInPlaceAndFindsMasks) {
     ASSERT_EQ(result.found.size(), 1u);
     EXPECT_TRUE(result.found[0].isMask);
     EXPECT_EQ(m_dataset.sequences[0].masks, "../new/masks/{camera}_{frame:03}.png");
-    const std::vector<cv::Mat> masks = core::readFrameMasks(m_dataset.folder, m_dataset.sequences[0], m_dataset.cameras, 3);
+    const std::vector<cv::Mat> masks =
+        core::readFrameMasks(m_dataset.folder, m_dataset.sequences[0], m_dataset.cameras, 3);
     EXPECT_TRUE(masks[0].empty());
     EXPECT_EQ(cv::countNonZero(masks[2]), 16 * 12);
 }

@@ -29,9 +29,8 @@ TEST(DemoDataset, HasFourSequencesEightViewsAndTwoHands) {
         EXPECT_EQ(dataset.sequences[s].views.size(), 8U);
         EXPECT_EQ(demo().motions[s].size(), static_cast<std::size_t>(dataset.sequences[s].frameCount));
     }
-    for (const core::Camera& camera : dataset.cameras) {
+    for (const core::Camera& camera : dataset.cameras)
         EXPECT_EQ(camera.size, (core::ImageSize{1080, 1920}));
-    }
 }
 
 TEST(DemoDataset, MovesAsFastAsThePublishedSequences) {
@@ -61,9 +60,8 @@ TEST(DemoDataset, StaysWithinTheLimitsAndMovesSmoothly) {
                     const auto a = core::jointPositions(skeleton, motion[f - 2][h]);
                     const auto b = core::jointPositions(skeleton, motion[f - 1][h]);
                     const auto c = core::jointPositions(skeleton, motion[f][h]);
-                    for (std::size_t j = 0; j < a.size(); ++j) {
+                    for (std::size_t j = 0; j < a.size(); ++j)
                         EXPECT_LT((a[j] - 2 * b[j] + c[j]).norm(), 5) << "frame " << f; // mm per frame^2
-                    }
                 }
             }
         }

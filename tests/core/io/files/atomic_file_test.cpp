@@ -41,10 +41,10 @@ TEST(AtomicFile, SaysWhichFileCannotBeWritten) {
 }
 
 TEST(AtomicFile, SaysThatTheDiskIsFull) {
-    if (!fs::exists("/dev/full")) {
+    if (!fs::exists("/dev/full"))
         GTEST_SKIP() << "there is no /dev/full here";
-    }
-    test::expectError([] { core::writeFileAtomically("/dev/full", "text"); }, core::ErrorCode::Io, "/dev/full", "No space left");
+    test::expectError([] { core::writeFileAtomically("/dev/full", "text"); }, core::ErrorCode::Io, "/dev/full",
+                      "No space left");
 }
 
 TEST(PendingFolder, AppearsOnlyWhenCommitted) {
@@ -70,7 +70,8 @@ TEST(PendingFolder, TakesAnEmptyFolderAndRefusesAFullOne) {
     fs::create_directory(folder / "dataset");
     core::PendingFolder(folder / "dataset").commit();
     test::writeText(folder / "dataset/precious", "1");
-    test::expectError([&] { core::PendingFolder again(folder / "dataset"); }, core::ErrorCode::Io, "dataset", "not empty");
+    test::expectError([&] { core::PendingFolder again(folder / "dataset"); }, core::ErrorCode::Io, "dataset",
+                      "not empty");
     EXPECT_EQ(test::readText(folder / "dataset/precious"), "1");
 }
 

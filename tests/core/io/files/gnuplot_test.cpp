@@ -19,13 +19,11 @@ bool isInstalled() {
 }
 
 TEST(Gnuplot, DrawsEveryFigure) {
-    if (!isInstalled()) {
+    if (!isInstalled())
         GTEST_SKIP() << "gnuplot is not installed";
-    }
     std::vector<std::string> programs;
-    for (const Figure& figure : overviewFigures(test::handMadeResults(), {"ch", "their, tracker"})) {
+    for (const Figure& figure : overviewFigures(test::handMadeResults(), {"ch", "their, tracker"}))
         programs.push_back(figure.gnuplot);
-    }
     const auto pictures = drawWithGnuplot(programs);
     ASSERT_TRUE(pictures);
     ASSERT_EQ(pictures->size(), programs.size());
@@ -37,9 +35,8 @@ TEST(Gnuplot, DrawsEveryFigure) {
 }
 
 TEST(Gnuplot, DrawsEveryFigureOfASweep) {
-    if (!isInstalled()) {
+    if (!isInstalled())
         GTEST_SKIP() << "gnuplot is not installed";
-    }
     BenchmarkResults results;
     results.pairs = {{"01", 15, 20}, {"01", 19, 20}};
     results.joints = {{Side::Left, "forearm"}};
@@ -51,9 +48,8 @@ TEST(Gnuplot, DrawsEveryFigureOfASweep) {
         }
     }
     std::vector<std::string> programs;
-    for (const Figure& figure : reportFigures(results, true)) {
+    for (const Figure& figure : reportFigures(results, true))
         programs.push_back(figure.gnuplot);
-    }
     EXPECT_EQ(programs.size(), 4u + 2 * 5u); // overview; per schedule the paper's four sweeps and the best of each
     const auto pictures = drawWithGnuplot(programs);
     ASSERT_TRUE(pictures);
@@ -61,9 +57,8 @@ TEST(Gnuplot, DrawsEveryFigureOfASweep) {
 }
 
 TEST(Gnuplot, SaysWhatItDidNotUnderstand) {
-    if (!isInstalled()) {
+    if (!isInstalled())
         GTEST_SKIP() << "gnuplot is not installed";
-    }
     EXPECT_THROW(drawWithGnuplot({"set terminal svg\nplot nonsense(\n"}), Error);
     EXPECT_TRUE(drawWithGnuplot({})->empty());
 }

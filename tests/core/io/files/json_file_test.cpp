@@ -54,7 +54,9 @@ TEST_F(JsonFile, RefusesOtherFormatsAndNewerVersions) {
 }
 
 TEST_F(JsonFile, NamesTheFieldThatBreaksTheSchema) {
-    test::writeText(m_file, R"({"format": "handlens-cameras", "version": 1, "units": "mm", "cameras": [{"name": "a", "size": [4, "x"],
+    test::writeText(
+        m_file,
+        R"({"format": "handlens-cameras", "version": 1, "units": "mm", "cameras": [{"name": "a", "size": [4, "x"],
         "K": [[1,0,0],[0,1,0],[0,0,1]], "R": [[1,0,0],[0,1,0],[0,0,1]], "t": [0,0,0]}]})");
     test::expectError([&] { core::readOwnFile(m_file, "cameras"); }, BadInput, "file.json: cameras[0].size[1]", "");
 }
@@ -68,7 +70,8 @@ TEST_F(JsonFile, WritesNumbersThatReadBackExactly) {
 }
 
 TEST(FormatJson, KeepsListsOfNumbersOnOneLine) {
-    const nlohmann::ordered_json value{{"K", {{1, 0}, {0, 1}}}, {"list", {1, 2}}, {"empty", nlohmann::ordered_json::array()}};
+    const nlohmann::ordered_json value{
+        {"K", {{1, 0}, {0, 1}}}, {"list", {1, 2}}, {"empty", nlohmann::ordered_json::array()}};
     EXPECT_EQ(core::formatJson(value), "{\n \"K\": [[1,0],[0,1]],\n \"list\": [1,2],\n \"empty\": []\n}\n");
 }
 

@@ -31,15 +31,18 @@ TEST(LineReader, NamesFileAndLineOfWhatIsWrong) {
     test::expectError(numbers("1 nan"), BadInput, "f.txt: line 1", "finite");
     test::expectError(numbers("1 1e999"), BadInput, "f.txt: line 1", "finite");
     test::expectError(numbers("1 2x"), BadInput, "f.txt: line 1", "'2x'");
-    test::expectError([] { core::LineReader("f.txt", "2.5").nextInteger(0, 9, "a count"); }, BadInput, "f.txt", "whole number from 0 to 9");
-    test::expectError([] { core::LineReader("f.txt", "10").nextInteger(0, 9, "a count"); }, BadInput, "f.txt", "whole number from 0 to 9");
+    test::expectError([] { core::LineReader("f.txt", "2.5").nextInteger(0, 9, "a count"); }, BadInput, "f.txt",
+                      "whole number from 0 to 9");
+    test::expectError([] { core::LineReader("f.txt", "10").nextInteger(0, 9, "a count"); }, BadInput, "f.txt",
+                      "whole number from 0 to 9");
 }
 
 TEST(ReadTextFile, TellsMissingFilesFoldersAndGiantsApart) {
     const test::TemporaryFolder folder;
     test::writeText(folder / "big", std::string(100, 'x'));
     test::expectError([&] { core::readTextFile(folder / "none"); }, core::ErrorCode::NotFound, "none", "no such file");
-    test::expectError([&] { core::readTextFile(folder.path()); }, core::ErrorCode::BadInput, folder.path().string(), "folder");
+    test::expectError([&] { core::readTextFile(folder.path()); }, core::ErrorCode::BadInput, folder.path().string(),
+                      "folder");
     test::expectError([&] { core::readTextFile(folder / "big", 99); }, core::ErrorCode::BadInput, "big", "too large");
     EXPECT_EQ(core::readTextFile(folder / "big", 100).size(), 100u);
 }

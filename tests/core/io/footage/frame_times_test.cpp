@@ -16,9 +16,8 @@ std::vector<double> times(int count, double step, const std::vector<std::pair<in
     std::vector<double> result;
     double instant = 7;
     for (int i = 0; i < count; ++i) {
-        for (const auto& [at, lost] : losses) {
+        for (const auto& [at, lost] : losses)
             instant += at == i ? lost : 0;
-        }
         const double time = 3.2 + instant * step;
         result.push_back(unit > 0 ? std::round(time / unit) * unit : time);
         instant += 1;
@@ -31,7 +30,8 @@ TEST(FrameTimes, ShowWhatACameraLost) {
     EXPECT_TRUE(timing.isSane);
     EXPECT_EQ(timing.gaps, (Gaps{{499, 8}}));
     EXPECT_EQ(core::roundedRate(timing.stepSec), 30);
-    EXPECT_EQ(core::analyseTimes(times(300, 0.01, {{1, 1}, {2, 1}, {3, 2}, {299, 40}})).gaps, (Gaps{{0, 1}, {1, 1}, {2, 2}, {298, 40}}));
+    EXPECT_EQ(core::analyseTimes(times(300, 0.01, {{1, 1}, {2, 1}, {3, 2}, {299, 40}})).gaps,
+              (Gaps{{0, 1}, {1, 1}, {2, 2}, {298, 40}}));
     EXPECT_TRUE(core::analyseTimes(times(1000, 1.0 / 30, {})).gaps.empty());
 }
 
@@ -48,9 +48,8 @@ TEST(FrameTimes, AreNotMisledByJitter) {
     std::mt19937 random(3);
     std::normal_distribution<double> noise(0, 0.0015);
     std::vector<double> jittered = times(2000, 1.0 / 60, {{1200, 2}});
-    for (double& time : jittered) {
+    for (double& time : jittered)
         time += noise(random);
-    }
     EXPECT_EQ(core::analyseTimes(jittered).gaps, (Gaps{{1199, 2}}));
     std::vector<double> late = times(200, 0.04, {});
     late[50] += 0.03;  // its own stamp is late, the next frame is not

@@ -28,23 +28,39 @@ struct Codec {
 
 std::vector<Codec> codecs() {
     // What ffmpeg writes as HEVC in AVI nobody can read.
-    Codec h264{"h264", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}}, hevc{"hevc", {}, {"mp4", "mov", "mkv", "ts", "mpg"}}, mpeg2{"mpeg2", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}};
+    Codec h264{"h264", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}},
+        hevc{"hevc", {}, {"mp4", "mov", "mkv", "ts", "mpg"}},
+        mpeg2{"mpeg2", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}};
     for (const bool open : {true, false}) {
         for (const char* b : {"0", "3"}) {
-            const std::string gop = std::string(":open-gop=") + (open ? "1" : "0") + ":keyint=30:min-keyint=10:scenecut=0:bframes=" + b;
+            const std::string gop =
+                std::string(":open-gop=") + (open ? "1" : "0") + ":keyint=30:min-keyint=10:scenecut=0:bframes=" + b;
             h264.options.push_back("-c:v libx264 -preset veryfast -pix_fmt yuv420p -x264-params threads=1" + gop);
-            hevc.options.push_back("-c:v libx265 -preset ultrafast -pix_fmt yuv420p -x265-params log-level=none:pools=none:frame-threads=1" + gop);
-            mpeg2.options.push_back(std::string("-c:v mpeg2video -qscale:v 3 -pix_fmt yuv420p -g 15 -sc_threshold 1000000000 -bf ") + b + (open ? "" : " -flags +cgop"));
+            hevc.options.push_back("-c:v libx265 -preset ultrafast -pix_fmt yuv420p -x265-params "
+                                   "log-level=none:pools=none:frame-threads=1" +
+                                   gop);
+            mpeg2.options.push_back(
+                std::string("-c:v mpeg2video -qscale:v 3 -pix_fmt yuv420p -g 15 -sc_threshold 1000000000 -bf ") + b +
+                (open ? "" : " -flags +cgop"));
         }
     }
-    const Codec vp9{"vp9", {"-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -g 40 -b:v 400k -auto-alt-ref 1 -lag-in-frames 16"}, {"mp4", "mkv", "webm", "avi"}};
-    const Codec vp8{"vp8", {"-c:v libvpx -deadline good -cpu-used 8 -threads 2 -g 40 -b:v 600k -auto-alt-ref 1 -lag-in-frames 16"}, {"mkv", "webm", "avi"}};
-    const Codec mpeg4{"mpeg4", {"-c:v mpeg4 -qscale:v 3 -g 30 -bf 2", "-c:v mpeg4 -qscale:v 3 -g 30 -bf 0"}, {"mp4", "avi", "mkv", "ts"}};
+    const Codec vp9{
+        "vp9",
+        {"-c:v libvpx-vp9 -deadline realtime -cpu-used 8 -g 40 -b:v 400k -auto-alt-ref 1 -lag-in-frames 16"},
+        {"mp4", "mkv", "webm", "avi"}};
+    const Codec vp8{
+        "vp8",
+        {"-c:v libvpx -deadline good -cpu-used 8 -threads 2 -g 40 -b:v 600k -auto-alt-ref 1 -lag-in-frames 16"},
+        {"mkv", "webm", "avi"}};
+    const Codec mpeg4{"mpeg4",
+                      {"-c:v mpeg4 -qscale:v 3 -g 30 -bf 2", "-c:v mpeg4 -qscale:v 3 -g 30 -bf 0"},
+                      {"mp4", "avi", "mkv", "ts"}};
     const Codec mjpeg{"mjpeg", {"-c:v mjpeg -qscale:v 3 -pix_fmt yuvj420p"}, {"mp4", "mov", "mkv", "avi"}};
     return {h264, hevc, mpeg2, vp9, vp8, mpeg4, mjpeg};
 }
 
-/// Reads in random order, backwards and forwards; returns how many frames show another number, or differ from decoding in order.
+/// Reads in random order, backwards and forwards; returns how many frames show another number, or differ from decoding
+/// in order.
 int wrongFrames(const fs::path& file) {
     core::VideoFile straight(file, {}), jumping(file, {});
     if (straight.info().frames != kCount) {
@@ -59,25 +75,21 @@ int wrongFrames(const fs::path& file) {
     }
     std::vector<int> order;
     std::mt19937 random(7);
-    for (int i = 0; i < 30; ++i) {
+    for (int i = 0; i < 30; ++i)
         order.push_back(static_cast<int>(random() % kCount));
-    }
-    for (int i = kCount - 1; i >= 0; i -= 3) {
+    for (int i = kCount - 1; i >= 0; i -= 3)
         order.push_back(i);
-    }
     order.insert(order.end(), {95, 96, 97, 98, 99, 100, 60, 61, 62, 63});
-    for (const int i : order) {
+    for (const int i : order)
         wrong += cv::norm(jumping.read(i), inOrder[static_cast<std::size_t>(i)], cv::NORM_INF) == 0 ? 0 : 1;
-    }
     return wrong;
 }
 
 class VideoOf : public testing::TestWithParam<Codec> {};
 
 TEST_P(VideoOf, ShowsEveryFrameInWhateverOrder) {
-    if (!test::hasFfmpeg()) {
+    if (!test::hasFfmpeg())
         GTEST_SKIP() << "ffmpeg is not installed";
-    }
     const test::TemporaryFolder folder;
     int files = 0;
     for (const std::string& container : GetParam().containers) {
@@ -89,17 +101,18 @@ TEST_P(VideoOf, ShowsEveryFrameInWhateverOrder) {
             }
         }
     }
-    EXPECT_GE(files, static_cast<int>(GetParam().containers.size() * GetParam().options.size()) / 2) << "this machine's ffmpeg lacks an encoder";
+    EXPECT_GE(files, static_cast<int>(GetParam().containers.size() * GetParam().options.size()) / 2)
+        << "this machine's ffmpeg lacks an encoder";
 }
 
-INSTANTIATE_TEST_SUITE_P(EveryCodec, VideoOf, testing::ValuesIn(codecs()), [](const auto& one) { return one.param.name; });
+INSTANTIATE_TEST_SUITE_P(EveryCodec, VideoOf, testing::ValuesIn(codecs()),
+                         [](const auto& one) { return one.param.name; });
 
 class Video : public testing::Test {
 protected:
     void SetUp() override {
-        if (!test::hasFfmpeg()) {
+        if (!test::hasFfmpeg())
             GTEST_SKIP() << "ffmpeg is not installed";
-        }
     }
 
     fs::path encode(const std::string& name, const std::string& options, int count = 60) {
@@ -130,8 +143,9 @@ TEST_F(Video, KeepsItsIndexAndMakesADamagedOrStaleOneAnew) {
 }
 
 TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {
-    for (const auto& [name, options] : {std::pair("a.avi", "-c:v mjpeg"), std::pair("a.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p"),
-                                        std::pair("b.mp4", "-c:v mpeg4 -g 20")}) {
+    for (const auto& [name, options] :
+         {std::pair("a.avi", "-c:v mjpeg"), std::pair("a.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p"),
+          std::pair("b.mp4", "-c:v mpeg4 -g 20")}) {
         const fs::path file = encode(name, options);
         const core::VideoIndex index = core::indexVideo(file);
         // The last picture of a group, on which no other leans.
@@ -143,31 +157,34 @@ TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {
         }
         core::VideoFile video(file, {});
         ASSERT_EQ(video.info().frames, 60) << name;
-        for (const int frame : {packet.picture, 59, 12, packet.picture, packet.picture + 1}) {
-            if (frame == packet.picture) {
+        for (const int frame : {packet.picture, 59, 12, packet.picture, packet.picture + 1})
+            if (frame == packet.picture)
                 test::expectError([&] { video.read(frame); }, BadInput, name, "frame " + std::to_string(frame));
-            } else {
+            else
                 EXPECT_EQ(test::numberInPicture(video.read(frame)), frame) << name;
-            }
-        }
     }
 }
 
 TEST_F(Video, LeavesOutWhatTheContainerCutsAway) {
-    const fs::path whole = encode("whole.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p", 60), cut = m_folder / "cut.mp4";
-    ASSERT_EQ(std::system(("ffmpeg -loglevel quiet -y -ss 1 -i " + whole.string() + " -c copy " + cut.string()).c_str()), 0);
+    const fs::path whole = encode("whole.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p", 60),
+                   cut = m_folder / "cut.mp4";
+    ASSERT_EQ(
+        std::system(("ffmpeg -loglevel quiet -y -ss 1 -i " + whole.string() + " -c copy " + cut.string()).c_str()), 0);
     core::VideoFile video(cut, {});
     ASSERT_EQ(video.info().frames, 35) << "one second of 25 frames is gone";
-    for (const int frame : {20, 0, 34, 3}) {
+    for (const int frame : {20, 0, 34, 3})
         EXPECT_EQ(test::numberInPicture(video.read(frame)), frame + 25);
-    }
 }
 
 /// A recording that begins within an open group: the decoder cannot show the pictures before the first key picture.
 TEST_F(Video, BeginsWithTheFirstPictureThatCanBeDecoded) {
-    const fs::path file = encode("a.ts", "-c:v libx264 -pix_fmt yuv420p -x264-params open-gop=1:keyint=30:min-keyint=30:scenecut=0:bframes=3:threads=1", 120);
+    const fs::path file = encode(
+        "a.ts",
+        "-c:v libx264 -pix_fmt yuv420p -x264-params open-gop=1:keyint=30:min-keyint=30:scenecut=0:bframes=3:threads=1",
+        120);
     const core::VideoIndex index = core::indexVideo(file);
-    const auto key = std::find_if(index.packets.begin() + 1, index.packets.end(), [](const core::VideoPacket& packet) { return packet.isKey; });
+    const auto key = std::find_if(index.packets.begin() + 1, index.packets.end(),
+                                  [](const core::VideoPacket& packet) { return packet.isKey; });
     ASSERT_NE(key, index.packets.end());
     const std::string bytes = test::readText(file);
     test::writeText(m_folder / "later.ts", bytes.substr(static_cast<std::size_t>(key->position)));
@@ -175,15 +192,17 @@ TEST_F(Video, BeginsWithTheFirstPictureThatCanBeDecoded) {
     const int first = test::numberInPicture(video.read(0));
     EXPECT_EQ(first, key->picture);
     EXPECT_EQ(video.info().frames, 120 - first);
-    for (const int frame : {50, 3, 0, 1, 29}) {
+    for (const int frame : {50, 3, 0, 1, 29})
         EXPECT_EQ(test::numberInPicture(video.read(frame)), first + frame);
-    }
 }
 
 TEST_F(Video, OfMoreThanEightBitsIsShownInEight) {
-    for (const auto& [name, options] : {std::pair("ten.mkv", "-c:v libx265 -pix_fmt yuv420p10le -x265-params log-level=none"),
-                                        std::pair("grey.mkv", "-c:v ffv1 -pix_fmt gray"), std::pair("grey10.mkv", "-c:v ffv1 -level 3 -pix_fmt gray10le"),
-                                        std::pair("grey16.mkv", "-c:v ffv1 -level 3 -pix_fmt gray16le"), std::pair("rgb48.mkv", "-c:v png -pix_fmt rgb48be")}) {
+    for (const auto& [name, options] :
+         {std::pair("ten.mkv", "-c:v libx265 -pix_fmt yuv420p10le -x265-params log-level=none"),
+          std::pair("grey.mkv", "-c:v ffv1 -pix_fmt gray"),
+          std::pair("grey10.mkv", "-c:v ffv1 -level 3 -pix_fmt gray10le"),
+          std::pair("grey16.mkv", "-c:v ffv1 -level 3 -pix_fmt gray16le"),
+          std::pair("rgb48.mkv", "-c:v png -pix_fmt rgb48be")}) {
         core::VideoFile video(encode(name, options, 12), {});
         const cv::Mat frame = video.read(7), wanted = test::numberedPicture(7);
         EXPECT_EQ(frame.type(), CV_8UC3);
@@ -192,9 +211,8 @@ TEST_F(Video, OfMoreThanEightBitsIsShownInEight) {
             const cv::Vec3b bgr = image.at<cv::Vec3b>(y, x);
             return 0.114 * bgr[0] + 0.587 * bgr[1] + 0.299 * bgr[2];
         };
-        for (const auto& [x, y] : {std::pair(16, 16), std::pair(144, 48), std::pair(80, 85), std::pair(20, 70)}) {
+        for (const auto& [x, y] : {std::pair(16, 16), std::pair(144, 48), std::pair(80, 85), std::pair(20, 70)})
             EXPECT_NEAR(greyAt(frame, x, y), greyAt(wanted, x, y), 12) << name << " " << x << " " << y;
-        }
     }
 }
 
@@ -209,7 +227,8 @@ TEST_F(Video, SaysWhenItsFramesAreShown) {
 
 /// ffmpeg turns pictures by itself: the oracle.
 TEST_F(Video, SaysHowAPlayerTurnsIt) {
-    const std::string file = encode("a.mp4", "-c:v mpeg4 -qscale:v 2", 3).string(), ffmpeg = "ffmpeg -loglevel quiet -y -i ";
+    const std::string file = encode("a.mp4", "-c:v mpeg4 -qscale:v 2", 3).string(),
+                      ffmpeg = "ffmpeg -loglevel quiet -y -i ";
     std::vector<int> turns;
     for (const char* tag : {"90", "180", "270"}) {
         const std::string turned = m_folder / ("turned" + std::string(tag) + ".mp4"), shown = m_folder / "shown.bgr";
@@ -220,7 +239,10 @@ TEST_F(Video, SaysHowAPlayerTurnsIt) {
         turns.push_back(video.info().rotationDegrees);
         ASSERT_TRUE(turns.back() == 90 || turns.back() == 180 || turns.back() == 270) << turns.back();
         cv::Mat picture;
-        cv::rotate(video.read(0), picture, std::map<int, int>{{90, cv::ROTATE_90_CLOCKWISE}, {180, cv::ROTATE_180}, {270, cv::ROTATE_90_COUNTERCLOCKWISE}}[turns.back()]);
+        cv::rotate(video.read(0), picture,
+                   std::map<int, int>{{90, cv::ROTATE_90_CLOCKWISE},
+                                      {180, cv::ROTATE_180},
+                                      {270, cv::ROTATE_90_COUNTERCLOCKWISE}}[turns.back()]);
         std::string bytes = test::readText(shown);
         ASSERT_EQ(bytes.size(), picture.total() * 3);
         const cv::Mat wanted(picture.size(), CV_8UC3, bytes.data());
@@ -234,9 +256,8 @@ TEST_F(Video, MustBeOne) {
     test::writeText(m_folder / "a.txt", "some text\n");
     test::writeText(m_folder / "a.mp4", "some text\n");
     test::writeText(m_folder / "b.mp4", test::readText(encode("c.mp4", "-c:v mpeg4")).substr(0, 1000));
-    for (const char* name : {"a.txt", "a.mp4", "b.mp4"}) {
+    for (const char* name : {"a.txt", "a.mp4", "b.mp4"})
         test::expectError([&] { core::readVideoInfo(m_folder / name); }, BadInput, name, "not a readable video");
-    }
     test::expectError([&] { core::readVideoInfo(m_folder / "none.mp4"); }, NotFound, "none.mp4", "no such video");
 }
 

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
-#include "core/io/formats/coco_annotations.h"
 #include "core/io/files/csv_text.h"
 #include "core/io/files/json_file.h"
 #include "core/io/files/text_file.h"
+#include "core/io/formats/coco_annotations.h"
 #include "tests/support/clicks.h"
 #include "tests/support/ring_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -55,7 +55,9 @@ protected:
         for (const int frame : {0, 7, 41}) {
             for (const Side hand : {Side::Left, Side::Right}) {
                 for (std::size_t i = 0; i < kJoints.size(); ++i) {
-                    click(frame, {hand, kJoints[i]}, {(hand == Side::Left ? -60.0 : 40.0) + 3.0 * static_cast<double>(i), 5.0 * static_cast<double>(i % 5), 0.5 * frame});
+                    click(frame, {hand, kJoints[i]},
+                          {(hand == Side::Left ? -60.0 : 40.0) + 3.0 * static_cast<double>(i),
+                           5.0 * static_cast<double>(i % 5), 0.5 * frame});
                 }
             }
         }
@@ -68,9 +70,10 @@ protected:
         }
     }
 
-    const std::vector<std::string> kJoints{"wrist",      "thumb_cmc",  "thumb_mcp", "thumb_ip", "thumb_tip", "index_mcp",  "index_pip",
-                                           "index_dip",  "index_tip",  "middle_mcp", "middle_pip", "middle_dip", "middle_tip", "ring_mcp",
-                                           "ring_pip",   "ring_dip",   "ring_tip",  "little_mcp", "little_pip", "little_dip", "little_tip"};
+    const std::vector<std::string> kJoints{
+        "wrist",     "thumb_cmc", "thumb_mcp",  "thumb_ip",   "thumb_tip",  "index_mcp",  "index_pip",
+        "index_dip", "index_tip", "middle_mcp", "middle_pip", "middle_dip", "middle_tip", "ring_mcp",
+        "ring_pip",  "ring_dip",  "ring_tip",   "little_mcp", "little_pip", "little_dip", "little_tip"};
     test::TemporaryFolder m_folder;
     core::Dataset m_dataset = test::ringDataset();
     AnnotationSet m_set;
@@ -108,11 +111,9 @@ TEST_F(AnnotationFormats, AuthorsFilesComeBackAsTheyWere) {
     const fs::path first = exported("tzionas");
     m_set = import("tzionas", first).set;
     const fs::path second = exported("tzionas");
-    for (const auto& entry : fs::recursive_directory_iterator(first)) {
-        if (entry.is_regular_file()) {
+    for (const auto& entry : fs::recursive_directory_iterator(first))
+        if (entry.is_regular_file())
             EXPECT_EQ(core::readTextFile(entry.path()), core::readTextFile(second / fs::relative(entry.path(), first)));
-        }
-    }
 }
 
 TEST_F(AnnotationFormats, AuthorsFilesThatAreWrongAreRefused) {
@@ -135,8 +136,10 @@ TEST_F(AnnotationFormats, AuthorsFilesThatAreWrongAreRefused) {
 TEST_F(AnnotationFormats, CocoVisibilityAndForeignFileNames) {
     const auto got = importSample("coco", "coco.json").set;
     EXPECT_EQ(got.marks.size(), 2u);
-    EXPECT_EQ(*mark(got, 41, {Side::Right, "wrist"}, "cam3"), (Mark{{100.5, 200}, Placement::Manual, MarkState::Visible}));
-    EXPECT_EQ(*mark(got, 41, {Side::Right, "index_mcp"}, "cam3"), (Mark{{110, 190.25}, Placement::Manual, MarkState::Occluded}));
+    EXPECT_EQ(*mark(got, 41, {Side::Right, "wrist"}, "cam3"),
+              (Mark{{100.5, 200}, Placement::Manual, MarkState::Visible}));
+    EXPECT_EQ(*mark(got, 41, {Side::Right, "index_mcp"}, "cam3"),
+              (Mark{{110, 190.25}, Placement::Manual, MarkState::Occluded}));
 }
 
 TEST_F(AnnotationFormats, CocoComesBackExactlyAndPassesTheChecker) {
@@ -161,14 +164,28 @@ TEST_F(AnnotationFormats, CocoCheckerFindsEveryFault) {
         spoil(bad);
         EXPECT_THROW(core::checkCoco(bad, "coco"), core::Error) << what;
     };
-    refused("count", [](auto& d) { d["annotations"][0]["num_keypoints"] = 3; });
-    refused("v", [](auto& d) { d["annotations"][0]["keypoints"][2] = 3; });
-    refused("length", [](auto& d) { d["annotations"][0]["keypoints"].erase(0); });
-    refused("image", [](auto& d) { d["annotations"][0]["image_id"] = 99999; });
-    refused("category", [](auto& d) { d["annotations"][0]["category_id"] = 9; });
-    refused("ids", [](auto& d) { d["annotations"][1]["id"] = d["annotations"][0]["id"]; });
-    refused("skeleton from 0", [](auto& d) { d["categories"][0]["skeleton"][0] = {0, 1}; });
-    refused("skeleton too far", [](auto& d) { d["categories"][0]["skeleton"][0] = {1, 22}; });
+    refused(
+        "count", [](auto& d) { d["annotations"][0]["num_keypoints"] = 3; });
+    refused(
+        "v", [](auto& d) { d["annotations"][0]["keypoints"][2] = 3; });
+    refused(
+        "length", [](auto& d) { d["annotations"][0]["keypoints"].erase(0); });
+    refused(
+        "image", [](auto& d) { d["annotations"][0]["image_id"] = 99999; });
+    refused(
+        "category", [](auto& d) { d["annotations"][0]["category_id"] = 9; });
+    refused(
+        "ids", [](auto& d) { d["annotations"][1]["id"] = d["annotations"][0]["id"]; });
+    refused(
+        "skeleton from 0",
+        [](auto& d) {
+            d["categories"][0]["skeleton"][0] = {0, 1};
+        });
+    refused(
+        "skeleton too far",
+        [](auto& d) {
+            d["categories"][0]["skeleton"][0] = {1, 22};
+        });
     refused("images", [](auto& d) { d.erase("images"); });
 }
 
@@ -196,34 +213,40 @@ TEST_F(AnnotationFormats, LightningPoseHasThreeIndexColumnsAndCamerasAreMatchedB
 TEST_F(AnnotationFormats, Anipose2dHasLikelihoodsAndSeveralWaysToSayMissing) {
     const auto got = importSample("anipose2d", "anipose/cam2.csv").set;
     EXPECT_EQ(got.marks.size(), 3u);
-    EXPECT_EQ(*mark(got, 0, {Side::Left, "index_mcp"}, "cam2"), (Mark{{100.5, 200.25}, Placement::Proposed, MarkState::Visible, 0.99}));
+    EXPECT_EQ(*mark(got, 0, {Side::Left, "index_mcp"}, "cam2"),
+              (Mark{{100.5, 200.25}, Placement::Proposed, MarkState::Visible, 0.99}));
     EXPECT_EQ(mark(got, 1, {Side::Left, "index_mcp"}, "cam2")->likelihood, 0.3);
     EXPECT_EQ(mark(got, 2, {Side::Right, "wrist"}, "cam2")->px, Vector2d(5, 6));
 }
 
 TEST_F(AnnotationFormats, WhatANetworkGuessedIsProposedAndUnlikelyGuessesCanBeLeftOut) {
     for (const char* name : {"likelihood", "score", "confidence"}) {
-        std::ofstream(m_folder / "cam0.csv") << "scorer,net,net,net\nbodyparts,left_wrist,left_wrist,left_wrist\ncoords,x,y," << name
-                                             << "\n0,10,20,0.003\n1,30,40,0.97\n";
+        std::ofstream(m_folder / "cam0.csv")
+            << "scorer,net,net,net\nbodyparts,left_wrist,left_wrist,left_wrist\ncoords,x,y," << name
+            << "\n0,10,20,0.003\n1,30,40,0.97\n";
         m_import.minLikelihood.reset();
         const auto all = import("deeplabcut", m_folder / "cam0.csv").set;
         ASSERT_EQ(all.marks.size(), 2u) << name;
-        EXPECT_EQ(*mark(all, 0, {Side::Left, "wrist"}, "cam0"), (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.003}));
+        EXPECT_EQ(*mark(all, 0, {Side::Left, "wrist"}, "cam0"),
+                  (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.003}));
         EXPECT_FALSE(all.marks.begin()->second.isEvidence());
         m_import.minLikelihood = 0.5;
         const auto likely = import("deeplabcut", m_folder / "cam0.csv");
         ASSERT_EQ(likely.set.marks.size(), 1u);
         EXPECT_EQ(likely.set.marks.begin()->second.likelihood, 0.97);
-        EXPECT_NE(likely.warnings.back().find("likelihood below 0.5 (1 times)"), std::string::npos) << likely.warnings.back();
+        EXPECT_NE(likely.warnings.back().find("likelihood below 0.5 (1 times)"), std::string::npos)
+            << likely.warnings.back();
     }
 }
 
 TEST_F(AnnotationFormats, SleapTablesAreProposalsWhoseTracksAreHands) {
-    std::ofstream(m_folder / "cam0.csv") << "track,frame_idx,instance.score,wrist.x,wrist.y,wrist.score,right_index_mcp.x,right_index_mcp.y,right_index_mcp.score\n"
+    std::ofstream(m_folder / "cam0.csv") << "track,frame_idx,instance.score,wrist.x,wrist.y,wrist.score,right_index_"
+                                            "mcp.x,right_index_mcp.y,right_index_mcp.score\n"
                                             "left,7,0.8,10,20,0.75,,,\n,8,0.8,,,,30,40,0.5\n";
     const auto got = import("anipose2d", m_folder / "cam0.csv").set;
     EXPECT_EQ(got.marks.size(), 2u);
-    EXPECT_EQ(*mark(got, 7, {Side::Left, "wrist"}, "cam0"), (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.75}));
+    EXPECT_EQ(*mark(got, 7, {Side::Left, "wrist"}, "cam0"),
+              (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.75}));
     EXPECT_EQ(mark(got, 8, {Side::Right, "index_mcp"}, "cam0")->likelihood, 0.5);
 }
 
@@ -246,30 +269,36 @@ TEST_F(AnnotationFormats, OnlyRowsOfThisSequencesVideosAreTaken) {
     const std::string head = "scorer,a,a\nbodyparts,left_wrist,left_wrist\ncoords,x,y\n";
     const auto write = [&](const std::string& rows) { std::ofstream(m_folder / "cam2.csv") << head << rows; };
     write("labeled-data/left/img1.png,1,2\nlabeled-data\\right\\img2.png,3,4\nlabeled-data/01/img3.png,5,6\n"
-          "labeled-data/01-cam3/img4.png,7,8\nimg5.png,9,10\nlabeled-data/02_cam0/img1.png,0.5,1\nlabeled-data/monday/img1.png,1,1\n"
+          "labeled-data/01-cam3/img4.png,7,8\nimg5.png,9,10\nlabeled-data/02_cam0/img1.png,0.5,1\nlabeled-data/monday/"
+          "img1.png,1,1\n"
           "labeled-data/monday/img2.png,1,1\n");
     const auto got = import("deeplabcut", m_folder / "cam2.csv");
     EXPECT_EQ(got.set.marks.size(), 5u);
     const std::pair<int, const char*> places[] = {{1, "cam0"}, {2, "cam1"}, {3, "cam2"}, {4, "cam3"}, {5, "cam2"}};
-    for (const auto& [frame, camera] : places) {
+    for (const auto& [frame, camera] : places)
         EXPECT_TRUE(mark(got.set, frame, {Side::Left, "wrist"}, camera)) << frame;
-    }
     ASSERT_EQ(got.warnings.size(), 1u);
     EXPECT_EQ(got.warnings[0], "3 rows of other videos left out: 02_cam0, monday; choose a video with --video");
     EXPECT_EQ(got.otherVideos, (std::vector<std::string>{"02_cam0", "monday"}));
     m_import.videos = {"02"};
-    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam2.csv").set, 1, {Side::Left, "wrist"}, "cam0")->px, Vector2d(0.5, 1));
-    std::ofstream(m_folder / "cam2.csv") << "scorer,,,a,a\nbodyparts,,,left_wrist,left_wrist\ncoords,,,x,y\nlabeled-data,monday,img1.png,1,2\n";
+    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam2.csv").set, 1, {Side::Left, "wrist"}, "cam0")->px,
+              Vector2d(0.5, 1));
+    std::ofstream(m_folder / "cam2.csv")
+        << "scorer,,,a,a\nbodyparts,,,left_wrist,left_wrist\ncoords,,,x,y\nlabeled-data,monday,img1.png,1,2\n";
     m_import.videos.clear();
-    EXPECT_TRUE(import("deeplabcut", m_folder / "cam2.csv").set.marks.empty()) << "nor the only video, if it is another";
+    EXPECT_TRUE(import("deeplabcut", m_folder / "cam2.csv").set.marks.empty())
+        << "nor the only video, if it is another";
 }
 
 TEST_F(AnnotationFormats, SemicolonsAndDecimalCommasAreRead) {
-    std::ofstream(m_folder / "cam0.csv") << "scorer;a;a\nbodyparts;left_wrist;left_wrist\ncoords;x;y\nimg7.png;1,5;2,25\n";
-    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam0.csv").set, 7, {Side::Left, "wrist"}, "cam0")->px, Vector2d(1.5, 2.25));
+    std::ofstream(m_folder / "cam0.csv")
+        << "scorer;a;a\nbodyparts;left_wrist;left_wrist\ncoords;x;y\nimg7.png;1,5;2,25\n";
+    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam0.csv").set, 7, {Side::Left, "wrist"}, "cam0")->px,
+              Vector2d(1.5, 2.25));
     std::ofstream(m_folder / "marks.csv") << "sequence;frame;rater;hand;joint;camera;x_px;y_px;state;placement\r\n"
                                              "01;4;ann;left;wrist;cam0;10,25;20,5;visible;manual\r\n";
-    EXPECT_EQ(mark(import("csv-marks", m_folder / "marks.csv").set, 4, {Side::Left, "wrist"}, "cam0")->px, Vector2d(10.25, 20.5));
+    EXPECT_EQ(mark(import("csv-marks", m_folder / "marks.csv").set, 4, {Side::Left, "wrist"}, "cam0")->px,
+              Vector2d(10.25, 20.5));
 }
 
 TEST_F(AnnotationFormats, MarksOutsideThePictureAreExportedAsNotVisible) {
@@ -341,7 +370,10 @@ TEST_F(AnnotationFormats, Anipose3dHoldsWhatIsShown) {
     EXPECT_EQ(rows[42][column("fnum")], "41");
     EXPECT_EQ(rows[3][column("left_ring_dip_x")], "");
     const auto back = import("anipose3d", file).set;
-    EXPECT_LT((mark(back, 41, {Side::Left, "ring_dip"}, "cam3")->px - *core::project(m_dataset.cameras[3], shown.pointInWorld)).norm(), 1e-9);
+    EXPECT_LT((mark(back, 41, {Side::Left, "ring_dip"}, "cam3")->px -
+               *core::project(m_dataset.cameras[3], shown.pointInWorld))
+                  .norm(),
+              1e-9);
 }
 
 // ---- export only
@@ -352,15 +384,13 @@ TEST_F(AnnotationFormats, TrcHasItsHeaderOfFiveLinesAndCountsFromOne) {
     m_dataset.sequences[0].frameCount = 4;
     const std::string text = core::readTextFile(exported("trc"));
     std::vector<std::vector<std::string>> lines(1, {""});
-    for (const char c : text) {
-        if (c == '\n') {
+    for (const char c : text)
+        if (c == '\n')
             lines.push_back({""});
-        } else if (c == '\t') {
+        else if (c == '\t')
             lines.back().push_back("");
-        } else {
+        else
             lines.back().back() += c;
-        }
-    }
     lines.pop_back();
     ASSERT_EQ(lines.size(), 5u + 4u);
     EXPECT_EQ(lines[0][0], "PathFileType");
@@ -387,7 +417,8 @@ TEST_F(AnnotationFormats, InterHandHasTipsFirstWristLastRightHandFirstAndPositio
     const auto cameras = core::readJsonFile(folder / "camera.json")["01"];
     const core::Camera& camera = m_dataset.cameras[2];
     const Vector3d world(5, -7, 11), position = core::jsonVector(cameras["campos"]["cam2"], "", "");
-    const Vector3d inCamera = core::jsonMatrix(cameras["camrot"]["cam2"], "", "") * (world - position); // R (X - campos)
+    const Vector3d inCamera =
+        core::jsonMatrix(cameras["camrot"]["cam2"], "", "") * (world - position); // R (X - campos)
     EXPECT_LT((inCamera - camera.cameraFromWorld * world).norm(), 1e-9);
     EXPECT_EQ(cameras["princpt"]["cam2"], (nlohmann::json{541.3, 955.8}));
 }
@@ -396,17 +427,17 @@ TEST_F(AnnotationFormats, FreiHandIsInMetresWristFirst) {
     clickHands();
     m_set.marks.erase({41, "ann", {Side::Left, "thumb_cmc"}, "cam0"});
     core::AnnotationSet set;
-    for (const auto& [key, mark] : m_set.marks) {
-        if (key.joint.joint != "thumb_cmc" || key.joint.hand != Side::Left) {
+    for (const auto& [key, mark] : m_set.marks)
+        if (key.joint.joint != "thumb_cmc" || key.joint.hand != Side::Left)
             set.marks.emplace(key, mark);
-        }
-    }
     m_set = set;
     const fs::path folder = exported("freihand");
     const auto joints = core::readJsonFile(folder / "xyz/01_left/00000041.json");
     ASSERT_EQ(joints.size(), 21u);
-    EXPECT_LT((1000 * core::jsonVector(joints[0], "", "") - point(41, {Side::Left, "wrist"}).pointInWorld).norm(), 1e-9);
-    EXPECT_LT((1000 * core::jsonVector(joints[4], "", "") - point(41, {Side::Left, "thumb_tip"}).pointInWorld).norm(), 1e-9);
+    EXPECT_LT((1000 * core::jsonVector(joints[0], "", "") - point(41, {Side::Left, "wrist"}).pointInWorld).norm(),
+              1e-9);
+    EXPECT_LT((1000 * core::jsonVector(joints[4], "", "") - point(41, {Side::Left, "thumb_tip"}).pointInWorld).norm(),
+              1e-9);
     EXPECT_TRUE(joints[1].is_null());
     const auto calib = core::readJsonFile(folder / "calib/01_left/00000041.json");
     EXPECT_EQ(calib["K"].size(), 8u);
@@ -429,12 +460,15 @@ TEST_F(AnnotationFormats, PointTableHoldsWhatIsShown) {
 
 TEST_F(AnnotationFormats, MarkTableReadsQuotesByteOrderMarksAndComesBackExactly) {
     const auto got = importSample("csv-marks", "marks.csv").set;
-    const auto markOf = [&](const char* camera) { return core::markAt(got, {4, "Müller, A.", {Side::Left, "index_mcp"}, camera}); };
+    const auto markOf = [&](const char* camera) {
+        return core::markAt(got, {4, "Müller, A.", {Side::Left, "index_mcp"}, camera});
+    };
     EXPECT_EQ(markOf("cam0").value().px, Vector2d(10.25, 20.5));
     EXPECT_EQ(markOf("cam1").value().state, MarkState::Unplaceable);
     clickHands();
     varyStates(true);
-    m_set.marks[{7, "ann", {Side::Left, "wrist"}, "cam4"}] = Mark{Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
+    m_set.marks[{7, "ann", {Side::Left, "wrist"}, "cam4"}] =
+        Mark{Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
     EXPECT_EQ(import("csv-marks", exported("csv-marks")).set, m_set);
 }
 
@@ -459,7 +493,8 @@ TEST_F(AnnotationFormats, EveryKindWritesAnEmptySequenceAndNoKindWritesOverSomet
         if (format.isFolder) {
             const fs::path taken = m_folder / ("taken " + std::string(format.kind));
             fs::create_directories(taken / "something");
-            EXPECT_THROW(core::exportAnnotations(m_dataset, sequence(), m_set, format.kind, taken), core::Error) << format.kind;
+            EXPECT_THROW(core::exportAnnotations(m_dataset, sequence(), m_set, format.kind, taken), core::Error)
+                << format.kind;
         }
     }
 }
@@ -476,17 +511,21 @@ TEST_F(AnnotationFormats, FormatsOfOneRaterTakeTheOneWithMostMarks) {
 TEST_F(AnnotationFormats, ProposalsMakeNobodyARaterAndNoFrameLabelled) {
     m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{7, 7}};
     for (const core::Camera& camera : m_dataset.cameras) {
-        m_set.marks[{3, "import", {Side::Left, "wrist"}, camera.name}] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
-        m_set.marks[{6, "ann", {Side::Left, "wrist"}, camera.name}] = Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
+        m_set.marks[{3, "import", {Side::Left, "wrist"}, camera.name}] =
+            Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
+        m_set.marks[{6, "ann", {Side::Left, "wrist"}, camera.name}] =
+            Mark{{9, 9}, Placement::Proposed, core::MarkState::Visible};
     }
     const auto coco = core::readJsonFile(exported("coco"));
-    EXPECT_EQ(std::pair(coco["images"].size(), coco["annotations"].size()), std::pair(std::size_t{8}, std::size_t{1})) << "frame 3";
+    EXPECT_EQ(std::pair(coco["images"].size(), coco["annotations"].size()), std::pair(std::size_t{8}, std::size_t{1}))
+        << "frame 3";
 }
 
 TEST_F(AnnotationFormats, MarkTablesKeepLikelihoodsAndTheirSequences) {
     m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{7, 7}};
     EXPECT_EQ(core::readCsv(exported("csv-marks"))[0].size(), 10u) << "as ever without guesses";
-    m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam1"}] = Mark{{9, 9}, Placement::Proposed, MarkState::Visible, 0.125};
+    m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam1"}] =
+        Mark{{9, 9}, Placement::Proposed, MarkState::Visible, 0.125};
     const fs::path file = exported("csv-marks");
     EXPECT_EQ(import("csv-marks", file).set, m_set);
     m_import.minLikelihood = 0.5;

@@ -5,10 +5,10 @@
 
 #include "core/annotation/edits.h"
 #include "core/annotation/import_edit.h"
-#include "core/io/store/annotation_store.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/files/gnuplot.h"
 #include "core/io/files/text_file.h"
+#include "core/io/store/annotation_store.h"
 #include "tests/support/clicks.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -31,9 +31,8 @@ protected:
     void annotate() {
         auto store = core::AnnotationStore::open(core::annotationFile(m_dataset, m_dataset.sequences[0]));
         core::AnnotationSet set;
-        for (const std::string rater : {"ann <first>", "bob"}) {
+        for (const std::string rater : {"ann <first>", "bob"})
             test::clickEverywhere(set, m_dataset.cameras, 1, rater, {Side::Left, "index_mcp"}, {0, 0, 0}, 1, &m_random);
-        }
         store.commit(core::importEdit({}, set, "import"), "ann");
     }
     std::string report() {
@@ -61,18 +60,15 @@ TEST_F(AnnotationReportTest, ShowsRatersJointsAndFigures) {
     EXPECT_FALSE(contains(html, "ann <first>"));
     EXPECT_TRUE(contains(html, "left index_mcp"));
     EXPECT_TRUE(contains(html, "<h2>Agreement</h2>\n<table>"));
-    for (const char* const reference : {"src=", "href=\"http", "url(http", "@import"}) {
+    for (const char* const reference : {"src=", "href=\"http", "url(http", "@import"})
         EXPECT_FALSE(contains(html, reference)) << "needs a network: " << reference;
-    }
     const bool drawn = core::drawWithGnuplot({}).has_value();
     EXPECT_EQ(contains(html, "<svg"), drawn);
-    if (!drawn) {
+    if (!drawn)
         GTEST_SKIP() << "gnuplot is not installed: figures not looked at";
-    }
     std::size_t figures = 0;
-    for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1)) {
+    for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1))
         ++figures;
-    }
     EXPECT_EQ(figures, 3u);
 }
 
@@ -83,7 +79,9 @@ TEST_F(AnnotationReportTest, OneSharedClickIsNoAgreementOfPoints) {
     set.marks[{1, "ann", {Side::Left, "index_mcp"}, camera}] = {{100, 100}};
     set.marks[{1, "bob", {Side::Left, "index_mcp"}, camera}] = {{109, 100}};
     store.commit(core::importEdit({}, set, "import"), "ann");
-    EXPECT_TRUE(contains(report(), "<td>0</td><td></td><td></td><td></td><td></td><td></td><td></td><td>1</td><td>9.00</td>")) << report();
+    EXPECT_TRUE(
+        contains(report(), "<td>0</td><td></td><td></td><td></td><td></td><td></td><td></td><td>1</td><td>9.00</td>"))
+        << report();
 }
 
 TEST_F(AnnotationReportTest, NothingIsWrittenOnceItIsToStop) {
@@ -97,7 +95,8 @@ TEST_F(AnnotationReportTest, NothingIsWrittenOnceItIsToStop) {
 TEST_F(AnnotationReportTest, SequencesWithoutANamedFileHaveTheUsualOne) {
     core::Sequence sequence = m_dataset.sequences[0];
     sequence.annotations.clear();
-    EXPECT_EQ(core::annotationFile(m_dataset, sequence), m_dataset.folder / "annotations" / (sequence.name + ".sqlite"));
+    EXPECT_EQ(core::annotationFile(m_dataset, sequence),
+              m_dataset.folder / "annotations" / (sequence.name + ".sqlite"));
 }
 
 } // namespace

@@ -24,7 +24,9 @@ using core::Side;
 class GroundTruthFile : public testing::Test {
 protected:
     void write() { core::exportAnnotations(m_dataset, m_dataset.sequences[0], m_set, "handlens", m_file, m_options); }
-    core::ImportedAnnotations read() { return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file); }
+    core::ImportedAnnotations read() {
+        return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file);
+    }
     nlohmann::json content() { return core::readOwnFile(m_file, "ground-truth"); }
 
     test::TemporaryFolder m_folder;
@@ -53,7 +55,8 @@ TEST_F(GroundTruthFile, SaysOfAJointWhatTheContractAsksFor) {
     EXPECT_EQ(rater["rater"], "ann");
     const auto& written = rater["hands"]["left"]["joints"]["index_mcp"];
     const auto shown = core::reconstruct(m_set, m_dataset.cameras, 4, "ann", joint);
-    EXPECT_EQ(core::jsonVector(written["xyz"], "", ""), shown.result.point->pointInWorld); // exported is what is displayed
+    EXPECT_EQ(core::jsonVector(written["xyz"], "", ""),
+              shown.result.point->pointInWorld); // exported is what is displayed
     EXPECT_EQ(core::jsonMatrix(written["covariance"], "", ""), shown.result.point->covariance);
     EXPECT_EQ(written["rmsPx"].get<double>(), shown.result.point->rmsPx);
     EXPECT_EQ(written["views"].size(), 7u);
@@ -92,7 +95,8 @@ TEST_F(GroundTruthFile, ReadsBackExactly) {
         for (int frame = 0; frame < 20; frame += 3) {
             for (const Side hand : {Side::Left, Side::Right}) {
                 for (const char* joint : {"wrist", "thumb_ip", "little_dip"}) {
-                    test::clickEverywhere(m_set, m_dataset.cameras, frame, rater, {hand, joint}, {10.0 * frame, 20, 30}, 2.0, &m_random);
+                    test::clickEverywhere(m_set, m_dataset.cameras, frame, rater, {hand, joint}, {10.0 * frame, 20, 30},
+                                          2.0, &m_random);
                 }
             }
         }
@@ -100,9 +104,8 @@ TEST_F(GroundTruthFile, ReadsBackExactly) {
     for (auto& [key, mark] : m_set.marks) {
         mark.placement = m_random() % 3 ? Placement::Manual : Placement::Auto;
         mark.state = m_random() % 3 ? MarkState::Visible : MarkState::Occluded;
-        if (m_random() % 7 == 0) {
+        if (m_random() % 7 == 0)
             mark = Mark{Eigen::Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
-        }
     }
     m_set.notes = {{3, "blurred"}, {250, "a note without marks"}};
     write();
@@ -157,7 +160,8 @@ TEST_F(GroundTruthFile, RefusesWhatIsNotGroundTruth) {
 TEST_F(GroundTruthFile, AJointIsDoneWhenEveryViewWithFootageIs) {
     const JointId joint{Side::Left, "index_mcp"};
     for (int i = 0; i < 3; ++i) {
-        m_dataset.sequences[0].views.push_back({m_dataset.cameras[static_cast<std::size_t>(i)].name, core::ViewKind::Video, "v.mp4"});
+        m_dataset.sequences[0].views.push_back(
+            {m_dataset.cameras[static_cast<std::size_t>(i)].name, core::ViewKind::Video, "v.mp4"});
     }
     m_dataset.sequences[0].views.push_back({"cam3", core::ViewKind::None, ""});
     const auto status = [&] {
@@ -198,8 +202,11 @@ TEST_F(GroundTruthFile, OneRaterMayTakeAllButNotTwoPeoplesMarksOfOneJoint) {
     test::clickEverywhere(m_set, m_dataset.cameras, 6, "bob", joint, {10, 20, 30});
     write();
     core::AnnotationImportOptions options{"carl", {}, {}};
-    const auto all = [&] { return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file, options); };
-    EXPECT_EQ(core::ratersOf(all().set), (std::vector<std::string>{"ann", "ann (again)", "bob"})) << "the file says whose";
+    const auto all = [&] {
+        return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file, options);
+    };
+    EXPECT_EQ(core::ratersOf(all().set), (std::vector<std::string>{"ann", "ann (again)", "bob"}))
+        << "the file says whose";
     options.raterForAll = true;
     EXPECT_EQ(core::ratersOf(all().set), (std::vector<std::string>{"carl", "carl (again)"}));
     EXPECT_EQ(all().set.marks.size(), m_set.marks.size());

@@ -50,7 +50,8 @@ TEST(JointMap, NamesGoThereAndBack) {
 TEST(JointMap, RefusesDoubles) {
     const test::TemporaryFolder folder;
     const auto refused = [&](const std::string& joints) {
-        std::ofstream(folder / "map.json") << R"({"format": "handlens-joint-map", "version": 1, "joints": [)" << joints << "]}";
+        std::ofstream(folder / "map.json")
+            << R"({"format": "handlens-joint-map", "version": 1, "joints": [)" << joints << "]}";
         EXPECT_THROW(core::readJointMap(folder / "map.json"), core::Error) << joints;
     };
     refused(R"({"name": "a", "joint": "wrist"}, {"name": "a", "joint": "thumb_ip"})");
@@ -65,7 +66,8 @@ TEST(JointList, BuiltInListsAndFiles) {
     EXPECT_EQ(std::set<std::string>(twentyOne.begin(), twentyOne.end()).size(), 21u);
     EXPECT_EQ(core::readJointList("14").size(), 14u);
     const test::TemporaryFolder folder;
-    std::ofstream(folder / "own.json") << R"({"format": "handlens-joint-list", "version": 1, "joints": ["wrist", "thumb_tip"]})";
+    std::ofstream(folder / "own.json")
+        << R"({"format": "handlens-joint-list", "version": 1, "joints": ["wrist", "thumb_tip"]})";
     EXPECT_EQ(core::readJointList(folder / "own.json"), (std::vector<std::string>{"wrist", "thumb_tip"}));
 }
 

@@ -33,7 +33,8 @@ protected:
 };
 
 TEST_F(PointsFile, ReadsClicksByCameraName) {
-    const auto points = read(R"({"points": [{"id": "a", "views": [{"camera": "cam2", "px": [1.25, -3]}, {"camera": "cam0", "px": [4, 5]}]},
+    const auto points = read(
+        R"({"points": [{"id": "a", "views": [{"camera": "cam2", "px": [1.25, -3]}, {"camera": "cam0", "px": [4, 5]}]},
                                             {"id": "b", "views": []}]})");
     ASSERT_EQ(points.size(), 2u);
     EXPECT_EQ(points[0].id, "a");
@@ -44,9 +45,14 @@ TEST_F(PointsFile, ReadsClicksByCameraName) {
 }
 
 TEST_F(PointsFile, NamesWhatIsWrong) {
-    EXPECT_NE(problemOf(R"({"points": [{"id": "a", "views": [{"camera": "cam9", "px": [1, 2]}]}]})").find("points[0].views[0].camera"), std::string::npos);
-    EXPECT_NE(problemOf(R"({"points": [{"id": "a", "views": [{"camera": "cam0", "px": [1, 2]}, {"camera": "cam0", "px": [1, 2]}]}]})").find("twice"),
+    EXPECT_NE(problemOf(R"({"points": [{"id": "a", "views": [{"camera": "cam9", "px": [1, 2]}]}]})")
+                  .find("points[0].views[0].camera"),
               std::string::npos);
+    EXPECT_NE(
+        problemOf(
+            R"({"points": [{"id": "a", "views": [{"camera": "cam0", "px": [1, 2]}, {"camera": "cam0", "px": [1, 2]}]}]})")
+            .find("twice"),
+        std::string::npos);
     EXPECT_NE(problemOf(R"({"points": [{"id": "a", "views": [{"camera": "cam0", "px": [1]}]}]})"), "");
     EXPECT_NE(problemOf(R"({"points": [{"id": 7, "views": []}]})"), "");
     EXPECT_NE(problemOf(R"([])"), "");
@@ -55,13 +61,11 @@ TEST_F(PointsFile, NamesWhatIsWrong) {
 TEST_F(PointsFile, WritesPointsOutliersAndReasons) {
     const Eigen::Vector3d truth(3, 4, 5);
     std::vector<core::PointClicks> points{{"good", {}}, {"alone", {{1, {500, 500}}}}};
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
         points[0].observations.push_back({i, *core::project(m_cameras[i], truth)});
-    }
     std::vector<core::TriangulationResult> results;
-    for (const auto& point : points) {
+    for (const auto& point : points)
         results.push_back(core::triangulate(m_cameras, point.observations));
-    }
     results[0].point->inlier[1] = false; // as if it had disagreed
     core::writeTriangulatedPoints(m_folder / "out.json", m_cameras, points, results);
     const auto out = core::readJsonFile(m_folder / "out.json")["points"];

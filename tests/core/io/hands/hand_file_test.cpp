@@ -17,7 +17,8 @@ protected:
 
     void expectRefused(const std::string& text, const std::string& field, const std::string& word) {
         test::writeText(m_file, text);
-        test::expectError([&] { core::readHandModel(m_file); }, core::ErrorCode::BadInput, m_file.string() + ": " + field, word);
+        test::expectError([&] { core::readHandModel(m_file); }, core::ErrorCode::BadInput,
+                          m_file.string() + ": " + field, word);
     }
 
     test::TemporaryFolder m_folder;
@@ -40,8 +41,10 @@ TEST_F(HandFile, ReadsBackExactlyWhatWasWritten) {
         EXPECT_EQ(read.skeleton.bones[b].name, hand.skeleton.bones[b].name);
         EXPECT_EQ(read.skeleton.bones[b].parent, hand.skeleton.bones[b].parent);
         EXPECT_EQ(read.skeleton.bones[b].lengthMm, hand.skeleton.bones[b].lengthMm);
-        EXPECT_EQ(read.skeleton.bones[b].worldFromBoneAtRest.rotation, hand.skeleton.bones[b].worldFromBoneAtRest.rotation);
-        EXPECT_EQ(read.skeleton.bones[b].worldFromBoneAtRest.translation, hand.skeleton.bones[b].worldFromBoneAtRest.translation);
+        EXPECT_EQ(read.skeleton.bones[b].worldFromBoneAtRest.rotation,
+                  hand.skeleton.bones[b].worldFromBoneAtRest.rotation);
+        EXPECT_EQ(read.skeleton.bones[b].worldFromBoneAtRest.translation,
+                  hand.skeleton.bones[b].worldFromBoneAtRest.translation);
     }
     ASSERT_EQ(read.skeleton.dofs.size(), hand.skeleton.dofs.size());
     for (std::size_t d = 0; d < hand.skeleton.dofs.size(); ++d) {
@@ -58,7 +61,8 @@ TEST_F(HandFile, RefusesBrokenSkeletons) {
     const std::string good = test::readText(m_file);
     std::string twice = replaced(good, "\"index_pip\"", "\"index_mcp\"");
     expectRefused(replaced(twice, "\"bone\": \"index_pip\"", "\"bone\": \"index_mcp\""), "bones[2].name", "twice");
-    expectRefused(replaced(good, "\"parent\": \"forearm\"", "\"parent\": \"elbow\""), "bones[1].parent", "unknown bone \"elbow\"");
+    expectRefused(replaced(good, "\"parent\": \"forearm\"", "\"parent\": \"elbow\""), "bones[1].parent",
+                  "unknown bone \"elbow\"");
     expectRefused(replaced(good, "\"parent\": \"forearm\"", "\"parent\": null"), "bones[1].parent", "root");
     expectRefused(replaced(good, "\"rotation\": [[", "\"rotation\": [[-"), "bones[0].rotation", "not a rotation");
     expectRefused(replaced(good, "\"axis\": [0.0,1.0", "\"axis\": [0.0,2.0"), "dofs[0].axis", "unit");
@@ -73,7 +77,8 @@ TEST_F(HandFile, RefusesBrokenSurfaces) {
     expectRefused(replaced(good, "\"vertices\": [", "\"vertices\": [1,"), "vertices", "three numbers");
     expectRefused(replaced(good, "\"triangles\": [0,2,1", "\"triangles\": [0,2,8"), "triangles[2]", "from 0 to 7");
     expectRefused(replaced(good, "\"triangles\": [0,2,1", "\"triangles\": [0,2,-1"), "triangles[2]", "from 0 to 7");
-    expectRefused(replaced(good, "\"triangles\": [0,2,1", "\"triangles\": [0,2,2"), "triangles[0]", "different vertices");
+    expectRefused(replaced(good, "\"triangles\": [0,2,1", "\"triangles\": [0,2,2"), "triangles[0]",
+                  "different vertices");
     expectRefused(replaced(good, "\"triangles\": [0,", "\"triangles\": ["), "triangles", "three indices");
 }
 
@@ -85,7 +90,8 @@ TEST_F(HandFile, RefusesBrokenWeights) {
     expectRefused(replaced(good, "\"counts\": [1", "\"counts\": [2"), "weights.bones", "numbers");
     expectRefused(replaced(good, "\"counts\": [1,", "\"counts\": ["), "weights.counts", "8 numbers");
     std::string weights = good.substr(good.find("\"weights\""));
-    expectRefused(good.substr(0, good.size() - weights.size()) + replaced(weights, "\"bones\": [0", "\"bones\": [3"), "weights.bones[0]", "0 to 2");
+    expectRefused(good.substr(0, good.size() - weights.size()) + replaced(weights, "\"bones\": [0", "\"bones\": [3"),
+                  "weights.bones[0]", "0 to 2");
 }
 
 TEST_F(HandFile, RefusesNegativeWeightsThatSumToOne) {

@@ -10,9 +10,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/error.h"
+#include "core/io/files/json_file.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_scene.h"
-#include "core/io/files/json_file.h"
 #include "tests/support/mesh_checks.h"
 #include "tests/support/temporary_folder.h"
 
@@ -72,9 +72,8 @@ std::string glbOf(const fs::path& file) {
     binary.resize((binary.size() + 3) / 4 * 4, '\0');
     const auto word = [](std::size_t value) {
         std::string bytes;
-        for (int k = 0; k < 4; ++k) {
+        for (int k = 0; k < 4; ++k)
             bytes.push_back(static_cast<char>((value >> (8 * k)) & 0xFF));
-        }
         return bytes;
     };
     return "glTF" + word(2) + word(28 + text.size() + binary.size()) + word(text.size()) + "JSON" + text +
@@ -144,9 +143,8 @@ TEST(GltfHand, BendsAboutTheRigsAxes) {
     ASSERT_EQ(hand.skeleton.dofs[1].name, "index_pip.flexion");
     pose[core::kRigidDofs + 1] = -std::numbers::pi / 2; // straight again
     Vector3d farthest = Vector3d::Zero();
-    for (const Vector3d& vertex : core::posedVertices(hand, pose)) {
+    for (const Vector3d& vertex : core::posedVertices(hand, pose))
         farthest = vertex.x() > farthest.x() ? vertex : farthest;
-    }
     EXPECT_NEAR(farthest.x(), 660, 0.1);
     EXPECT_LT(std::abs(farthest.y() - 100), 8.1);
 }
@@ -156,11 +154,9 @@ TEST(GltfHand, WeightsOfOtherJointsGoToTheJointAbove) {
     rig.joints.erase(rig.joints.begin() + 2); // no pip
     rig.dofs.pop_back();
     const core::HandModel hand = core::readGltfHand(handFile(core::Side::Right), rig, core::Side::Right);
-    for (int v = 0; v < static_cast<int>(hand.mesh.vertices.size()); ++v) {
-        if (hand.mesh.vertices[v].y() > 125) {
+    for (int v = 0; v < static_cast<int>(hand.mesh.vertices.size()); ++v)
+        if (hand.mesh.vertices[v].y() > 125)
             EXPECT_EQ(hand.weights.entries[hand.weights.firstEntry[v]].bone, 1); // the mcp
-        }
-    }
 }
 
 TEST(GltfHand, GlbReadsLikeGltf) {
@@ -169,9 +165,8 @@ TEST(GltfHand, GlbReadsLikeGltf) {
     const core::HandModel a = core::readGltfHand(handFile(core::Side::Left), smallRig(), core::Side::Left);
     const core::HandModel b = core::readGltfHand(folder / "hand.glb", smallRig(), core::Side::Left);
     EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
-    for (std::size_t v = 0; v < a.mesh.vertices.size(); ++v) {
+    for (std::size_t v = 0; v < a.mesh.vertices.size(); ++v)
         EXPECT_EQ(a.mesh.vertices[v], b.mesh.vertices[v]);
-    }
 }
 
 TEST(GltfHand, SaysWhichJointIsMissingAndWhichHandItIs) {
@@ -233,9 +228,8 @@ TEST(GltfCheck, NoCutOffOrGarbledFileDoesHarm) {
     int refused = 0;
     for (int trial = 0; trial < 300; ++trial) {
         std::string garbled = whole;
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 3; ++k)
             garbled[random() % garbled.size()] = static_cast<char>(random() & 0xFF);
-        }
         std::ofstream(file, std::ios::binary) << garbled;
         try {
             core::readGltfHand(file, smallRig(), core::Side::Right);

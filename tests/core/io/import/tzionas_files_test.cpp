@@ -12,11 +12,13 @@ namespace {
 using test::replaced;
 using enum core::ErrorCode;
 
-constexpr const char* kSkel = "3\r\nRoot_NULL_Bone_0\r\nLower Arm L\r\n20.5\r\nLower Arm L\r\nLFing.3_Hand\r\n70\r\nLFing.3_Hand\r\nLFing.3_0\r\n40\r\n";
+constexpr const char* kSkel = "3\r\nRoot_NULL_Bone_0\r\nLower Arm L\r\n20.5\r\nLower Arm "
+                              "L\r\nLFing.3_Hand\r\n70\r\nLFing.3_Hand\r\nLFing.3_0\r\n40\r\n";
 constexpr const char* kSkin = "3\nLower Arm L LFing.3_0 LFing.3_Hand \n1 0 0 \n0.25 0.5 0.2505\n";
-constexpr const char* kLimits = "Lower Arm L\n1 1 1 1\n9 9 9\n9 9 9\n9 9 9\n-3e+38 3e+38\n-3e+38 3e+38\n-3e+38 3e+38\n\n"
-                                "LFing.3_0\n0 1 1 1\n1 0 0\n0 0.6 0.8\n0 0 2\n-0 0\n-90 20\n-15 15\n\n"
-                                "LFing.3_Hand\n0 0 1 0\n1 0 0\n0 1 0\n0 0 1\n-5 5\n-10 10\n-5 5\n";
+constexpr const char* kLimits =
+    "Lower Arm L\n1 1 1 1\n9 9 9\n9 9 9\n9 9 9\n-3e+38 3e+38\n-3e+38 3e+38\n-3e+38 3e+38\n\n"
+    "LFing.3_0\n0 1 1 1\n1 0 0\n0 0.6 0.8\n0 0 2\n-0 0\n-90 20\n-15 15\n\n"
+    "LFing.3_Hand\n0 0 1 0\n1 0 0\n0 1 0\n0 0 1\n-5 5\n-10 10\n-5 5\n";
 
 class AuthorsFiles : public testing::Test {
 protected:
@@ -51,10 +53,14 @@ TEST_F(AuthorsFiles, SkelIsRefusedWithItsLine) {
     refuse("3\n", "no bones");
     refuse(replaced(kSkel, "20.5", "-1"), "line 4: a length is negative");
     refuse(replaced(kSkel, "20.5", "nan"), "line 4");
-    refuse(replaced(kSkel, "Lower Arm L\r\nLFing.3_Hand", "Upper Arm L\r\nLFing.3_Hand"), "line 5: unknown bone name 'Upper Arm L'");
+    refuse(replaced(kSkel, "Lower Arm L\r\nLFing.3_Hand", "Upper Arm L\r\nLFing.3_Hand"),
+           "line 5: unknown bone name 'Upper Arm L'");
     refuse(replaced(kSkel, "LFing.3_0", "Lower Arm L"), "comes twice");
     refuse(replaced(kSkel, "Lower Arm L\r\nLFing.3_Hand", "Root_NULL_Bone_0\r\nLFing.3_Hand"), "Root_NULL_Bone_0");
-    refuse(std::string("\x7f" "ELF\x02\x01\x01\x00\x00", 9), "line 1");
+    refuse(std::string("\x7f"
+                       "ELF\x02\x01\x01\x00\x00",
+                       9),
+           "line 1");
     refuse(std::string(kSkel).substr(0, 60), "ends where");
 }
 
@@ -110,7 +116,8 @@ TEST_F(AuthorsFiles, LimitsAreRefusedWithTheirLine) {
     refuse(replaced(kLimits, "LFing.3_0", "LFing.3_7"), "unknown bone name");
     refuse(replaced(kLimits, "LFing.3_0", "Lower Arm L"), "twice");
     refuse(std::string(kLimits).substr(0, std::string(kLimits).size() - 6), "ends where");
-    refuse(std::string(kLimits).substr(0, std::string(kLimits).find("LFing.3_Hand")), "2 bones, but the skeleton has 3");
+    refuse(std::string(kLimits).substr(0, std::string(kLimits).find("LFing.3_Hand")),
+           "2 bones, but the skeleton has 3");
 }
 
 TEST_F(AuthorsFiles, MotionGivesPosesPerFrameWithTrueRotations) {
@@ -157,9 +164,9 @@ TEST(StandardJointName, KnowsAllTwentyBonesOfAHandAndNothingElse) {
     EXPECT_EQ(core::standardJointName("LFing.4_Hand"), "thumb_cmc");
     EXPECT_EQ(core::standardJointName("LFing.4_0"), "thumb_mcp");
     EXPECT_EQ(core::standardJointName("LFing.4_1"), "thumb_ip");
-    for (const char* other : {"LFing.4_2", "LFing.5_0", "LFing.3_3", "LFing.3_", "LFing.3", "XFing.3_0", "", "Lower Arm"}) {
+    for (const char* other :
+         {"LFing.4_2", "LFing.5_0", "LFing.3_3", "LFing.3_", "LFing.3", "XFing.3_0", "", "Lower Arm"})
         EXPECT_FALSE(core::standardJointName(other)) << other;
-    }
 }
 
 } // namespace

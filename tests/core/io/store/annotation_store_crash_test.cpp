@@ -23,13 +23,13 @@ using core::Edit;
 /// A history and the next step of a writer, both drawn from a seed: the writer and its judge make the same ones.
 class Script {
 public:
-    Script(unsigned seed, AnnotationSet set, core::AnnotationHistory history) : m_random(seed), m_set(std::move(set)) {
-        for (const auto& entry : history.done) {
+    Script(unsigned seed, AnnotationSet set, core::AnnotationHistory history)
+        : m_random(seed)
+        , m_set(std::move(set)) {
+        for (const auto& entry : history.done)
             m_done.push_back(entry.edit);
-        }
-        for (const auto& entry : history.undone) {
+        for (const auto& entry : history.undone)
             m_undone.push_back(entry.edit);
-        }
     }
 
     /// Makes one step here and, if given, in the store.
@@ -39,34 +39,31 @@ public:
             core::apply(m_set, core::inverse(m_done.back()));
             m_undone.push_back(m_done.back());
             m_done.pop_back();
-            if (store) {
+            if (store)
                 store->undo();
-            }
         } else if (choice == 1 && !m_undone.empty()) {
             core::apply(m_set, m_undone.back());
             m_done.push_back(m_undone.back());
             m_undone.pop_back();
-            if (store) {
+            if (store)
                 store->redo();
-            }
         } else {
             const Edit edit = m_random.next(m_set);
-            if (edit.empty()) {
+            if (edit.empty())
                 return;
-            }
             core::apply(m_set, edit);
             m_done.push_back(edit);
             m_undone.clear();
-            if (store) {
+            if (store)
                 store->commit(edit, "ann");
-            }
         }
     }
 
     bool agrees(const AnnotationStore& store) const {
         const auto history = store.history();
         const auto same = [](const std::vector<core::JournalEntry>& a, const std::vector<Edit>& b) {
-            return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& entry, const Edit& edit) { return entry.edit == edit; });
+            return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                              [](const auto& entry, const Edit& edit) { return entry.edit == edit; });
         };
         return store.annotations() == m_set && same(history.done, m_done) && same(history.undone, m_undone);
     }
@@ -84,18 +81,16 @@ private:
     for (;;) {
         script.step(&store);
         const char acknowledged = '.';
-        if (::write(pipe, &acknowledged, 1) != 1) {
+        if (::write(pipe, &acknowledged, 1) != 1)
             ::_exit(1);
-        }
     }
 }
 
 int drain(int pipe) {
     int count = 0;
     char buffer[256];
-    for (ssize_t n; (n = ::read(pipe, buffer, sizeof buffer)) > 0;) {
+    for (ssize_t n; (n = ::read(pipe, buffer, sizeof buffer)) > 0;)
         count += static_cast<int>(n);
-    }
     return count;
 }
 
@@ -130,9 +125,8 @@ TEST(AnnotationStoreCrash, AKillAtAnyMomentLosesNothingThatWasAcknowledged) {
         acknowledgedInAll += acknowledged;
 
         Script judge(round, set, history);
-        for (int i = 0; i < acknowledged; ++i) {
+        for (int i = 0; i < acknowledged; ++i)
             judge.step(nullptr);
-        }
         const auto store = AnnotationStore::open(file);
         ASSERT_FALSE(store.isReadOnly()) << store.readOnlyReason();
         if (!judge.agrees(store)) {
@@ -165,7 +159,9 @@ int inChild(Work&& work) {
 }
 
 Edit place(int frame) {
-    return {"place", {{core::MarkKey{frame, "ann", {core::Side::Left, "wrist"}, "cam0"}, std::nullopt, core::Mark{{1, 2}}}}, {}};
+    return {"place",
+            {{core::MarkKey{frame, "ann", {core::Side::Left, "wrist"}, "cam0"}, std::nullopt, core::Mark{{1, 2}}}},
+            {}};
 }
 
 TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
@@ -173,9 +169,8 @@ TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
     const fs::path file = folder / "01.sqlite";
     const int status = inChild([&] {
         auto store = AnnotationStore::open(file);
-        for (int frame = 0; frame < 50; ++frame) {
+        for (int frame = 0; frame < 50; ++frame)
             store.commit(place(frame), "ann");
-        }
         ::signal(SIGXFSZ, SIG_IGN);
         rlimit limit{};
         ::getrlimit(RLIMIT_FSIZE, &limit);
@@ -184,18 +179,16 @@ TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
         ::setrlimit(RLIMIT_FSIZE, &limit);
         int written = 50;
         try {
-            for (; written < 2000; ++written) {
+            for (; written < 2000; ++written)
                 store.commit(place(written), "ann");
-            }
             return 1; // no error
         } catch (const core::Error& error) {
-            if (error.code() != core::ErrorCode::Io) {
+            if (error.code() != core::ErrorCode::Io)
                 return 2;
-            }
         }
-        if (static_cast<int>(store.annotations().marks.size()) != written || static_cast<int>(store.history().done.size()) != written) {
+        if (static_cast<int>(store.annotations().marks.size()) != written ||
+            static_cast<int>(store.history().done.size()) != written)
             return 3;
-        }
         limit.rlim_cur = before; // room again: the same edit goes through
         ::setrlimit(RLIMIT_FSIZE, &limit);
         store.commit(place(written), "ann");
@@ -209,9 +202,8 @@ TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
 template <typename Work>
 int asNobody(Work&& work) {
     return inChild([&] {
-        if (::geteuid() == 0 && (::setegid(65534) != 0 || ::seteuid(65534) != 0)) {
+        if (::geteuid() == 0 && (::setegid(65534) != 0 || ::seteuid(65534) != 0))
             return 77;
-        }
         return work();
     });
 }
@@ -230,8 +222,8 @@ TEST(AnnotationStoreCrash, AReadOnlyFolderIsReadAndSaidToBeReadOnly) {
               }),
               -SIGKILL);
     const auto allow = [&](fs::perms perms) { fs::permissions(place01, perms); };
-    const auto readOnly = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read | fs::perms::group_exec |
-                          fs::perms::others_read | fs::perms::others_exec;
+    const auto readOnly = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read |
+                          fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec;
     const auto look = [&](std::size_t expectedMarks) {
         return asNobody([&] {
             auto store = AnnotationStore::open(file);

@@ -53,9 +53,8 @@ struct Model {
 
 std::vector<Edit> editsOf(const std::vector<core::JournalEntry>& entries) {
     std::vector<Edit> edits;
-    for (const core::JournalEntry& entry : entries) {
+    for (const core::JournalEntry& entry : entries)
         edits.push_back(entry.edit);
-    }
     return edits;
 }
 
@@ -85,7 +84,9 @@ std::string bytesOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void writeBytes(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+void writeBytes(const fs::path& file, const std::string& bytes) {
+    std::ofstream(file, std::ios::binary) << bytes;
+}
 
 class AnnotationStoreTest : public testing::Test {
 protected:
@@ -104,7 +105,8 @@ TEST_F(AnnotationStoreTest, HoldsExactlyWhatAModelHoldsThroughEditsUndoRedoAndRe
             store.commit(edit, "ann");
             model.commit(edit);
         } else if (choice < 7) {
-            EXPECT_EQ(store.undo(), model.done.empty() ? std::nullopt : std::optional(core::inverse(model.done.back())));
+            EXPECT_EQ(store.undo(),
+                      model.done.empty() ? std::nullopt : std::optional(core::inverse(model.done.back())));
             model.undo();
         } else if (choice < 9) {
             EXPECT_EQ(store.redo(), model.undone.empty() ? std::nullopt : std::optional(model.undone.back()));
@@ -114,9 +116,8 @@ TEST_F(AnnotationStoreTest, HoldsExactlyWhatAModelHoldsThroughEditsUndoRedoAndRe
             store = AnnotationStore::open(m_file);
             ASSERT_FALSE(store.isReadOnly()) << store.readOnlyReason();
         }
-        if (step % 20 == 0) {
+        if (step % 20 == 0)
             expectSame(store, model);
-        }
     }
     expectSame(store, model);
 }
@@ -152,7 +153,9 @@ TEST_F(AnnotationStoreTest, AmendingJoinsTheNewestEntry) {
     auto store = AnnotationStore::open(m_file);
     const Edit first = place(3, 10);
     const MarkKey key = first.marks[0].key;
-    const auto move = [&key](double from, double to) { return Edit{"move", {{key, Mark{{from, 2.5}}, Mark{{to, 2.5}}}}, {}}; };
+    const auto move = [&key](double from, double to) {
+        return Edit{"move", {{key, Mark{{from, 2.5}}, Mark{{to, 2.5}}}}, {}};
+    };
     store.commit(first, "ann");
     store.commit(move(10, 11), "ann");
     store.amend(move(11, 12), "ann");
@@ -171,12 +174,10 @@ TEST_F(AnnotationStoreTest, AmendingJoinsTheNewestEntry) {
 
 TEST_F(AnnotationStoreTest, HistoryCanBeLimitedToTheNewest) {
     auto store = AnnotationStore::open(m_file);
-    for (int frame = 0; frame < 10; ++frame) {
+    for (int frame = 0; frame < 10; ++frame)
         store.commit(place(frame, frame), "ann");
-    }
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
         store.undo();
-    }
     const auto history = store.history(3);
     ASSERT_EQ(history.done.size(), 3u);
     EXPECT_EQ(history.done.back().edit, place(5, 5));
@@ -305,7 +306,8 @@ TEST_F(AnnotationStoreTest, AFileOfVersionTwoIsReadAndBroughtUpToDate) {
 TEST_F(AnnotationStoreTest, AFileOfVersionOneIsBroughtUpToDate) {
     AnnotationStore::open(m_file).commit(place(1, 1), "ann");
     {
-        SQLite::Database old(m_file.string(), SQLite::OPEN_READWRITE); // as version 1 was: no proposed marks, no likelihoods
+        SQLite::Database old(m_file.string(),
+                             SQLite::OPEN_READWRITE); // as version 1 was: no proposed marks, no likelihoods
         dropLikelihoods(old);
         old.exec("PRAGMA writable_schema = ON");
         old.exec("UPDATE sqlite_master SET sql = replace(sql, ', ''proposed''', '') WHERE type = 'table'");
@@ -334,9 +336,8 @@ TEST_F(AnnotationStoreTest, AFileOfVersionOneIsBroughtUpToDate) {
 TEST_F(AnnotationStoreTest, RefusesDamagedFilesNamesTheBackupAndLeavesThemUntouched) {
     {
         auto store = AnnotationStore::open(m_file);
-        for (int frame = 0; frame < 300; ++frame) {
+        for (int frame = 0; frame < 300; ++frame)
             store.commit(place(frame, frame), "ann");
-        }
         store.backup();
     }
     const std::string whole = bytesOf(m_file);
@@ -366,7 +367,8 @@ TEST_F(AnnotationStoreTest, RefusesDamagedFilesNamesTheBackupAndLeavesThemUntouc
         } catch (const core::Error& error) {
             EXPECT_EQ(error.code(), ErrorCode::BadInput) << name;
             if (name != "another program's") {
-                EXPECT_NE(std::string(error.what()).find(core::backupsOf(m_file).front().string()), std::string::npos) << error.what();
+                EXPECT_NE(std::string(error.what()).find(core::backupsOf(m_file).front().string()), std::string::npos)
+                    << error.what();
             }
         }
         EXPECT_TRUE(bytesOf(m_file) == bytes) << name;

@@ -25,11 +25,9 @@ protected:
     }
     std::vector<int> shown() const {
         std::vector<int> result;
-        for (int i = 0; i < grid.count(); ++i) {
-            if (grid.view(i)->isVisible()) {
+        for (int i = 0; i < grid.count(); ++i)
+            if (grid.view(i)->isVisible())
                 result.push_back(i);
-            }
-        }
         return result;
     }
     CameraGrid grid;
@@ -43,9 +41,8 @@ TEST_F(CameraGridTest, AnyNumberOfViewsFitsWithoutOverlap) {
         for (int i = 0; i < count; ++i) {
             EXPECT_TRUE(grid.rect().contains(grid.view(i)->geometry())) << i << " of " << count;
             EXPECT_GT(grid.view(i)->viewport()->height(), 100);
-            for (int j = 0; j < i; ++j) {
+            for (int j = 0; j < i; ++j)
                 EXPECT_FALSE(grid.view(i)->geometry().intersects(grid.view(j)->geometry())) << i << " " << j;
-            }
         }
     }
 }

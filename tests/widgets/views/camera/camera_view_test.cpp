@@ -26,13 +26,18 @@ protected:
         view.resize(270, 500);
         view.show();
         QApplication::processEvents();
-        QObject::connect(&view, &CameraView::pointPlaced, [this](QPointF px) { placed.push_back(px); });
-        QObject::connect(&view, &CameraView::pointWithdrawn, [this] { ++withdrawn; });
-        QObject::connect(&view, &CameraView::markDragStarted,
-                         [this](auto& joint, QPointF) { dragStarted.push_back(joint); });
-        QObject::connect(&view, &CameraView::markDragged, [this](auto&, QPointF px) { dragged.push_back(px); });
-        QObject::connect(&view, &CameraView::markDropped, [this](auto&, QPointF px) { dropped.push_back(px); });
-        QObject::connect(&view, &CameraView::markDragCancelled, [this](auto& joint) { cancelled.push_back(joint); });
+        QObject::connect(
+            &view, &CameraView::pointPlaced, [this](QPointF px) { placed.push_back(px); });
+        QObject::connect(
+            &view, &CameraView::pointWithdrawn, [this] { ++withdrawn; });
+        QObject::connect(
+            &view, &CameraView::markDragStarted, [this](auto& joint, QPointF) { dragStarted.push_back(joint); });
+        QObject::connect(
+            &view, &CameraView::markDragged, [this](auto&, QPointF px) { dragged.push_back(px); });
+        QObject::connect(
+            &view, &CameraView::markDropped, [this](auto&, QPointF px) { dropped.push_back(px); });
+        QObject::connect(
+            &view, &CameraView::markDragCancelled, [this](auto& joint) { cancelled.push_back(joint); });
         QObject::connect(&view, &CameraView::markSelected, [this](auto& joint) { selected.push_back(joint); });
     }
 
@@ -70,12 +75,10 @@ TEST_F(CameraViewTest, FitsTheWholeImage) {
 
 TEST_F(CameraViewTest, ImageAndViewportMapOntoEachOtherExactly) {
     for (const double scale : {0.0, 0.31, 1.0, 7.77, 64.0}) {
-        if (scale > 0) {
+        if (scale > 0)
             view.lookAt({500.3, 900.7}, scale);
-        }
-        for (const QPointF px : {QPointF(0, 0), QPointF(512.25, 733.5), QPointF(1079, 1919)}) {
+        for (const QPointF px : {QPointF(0, 0), QPointF(512.25, 733.5), QPointF(1079, 1919)})
             EXPECT_LT(distance(view.viewportToImage(onScreen(px)), px), 1e-9) << scale;
-        }
         EXPECT_EQ(view.viewportTransform(), view.transform()) << "the scroll bars must not interfere";
     }
 }
@@ -83,9 +86,8 @@ TEST_F(CameraViewTest, ImageAndViewportMapOntoEachOtherExactly) {
 TEST_F(CameraViewTest, AClickPlacesTheExactPixelAtAnyZoom) {
     const QPointF px(512.37, 733.52);
     for (const double scale : {0.0, 0.2, 1.0, 3.3, 20.0}) {
-        if (scale > 0) {
+        if (scale > 0)
             view.lookAt(px + QPointF(0.4, -0.3), scale);
-        }
         placed.clear();
         test::click(view.viewport(), onScreen(px));
         ASSERT_EQ(placed.size(), 1u);
@@ -272,21 +274,17 @@ TEST_F(CameraViewTest, PixelsOfTheImageLieWhereTheMapSays) {
     view.setImage(image);
     view.lookAt({517, 731}, 11);
     const QImage shown = view.viewport()->grab().toImage();
-    for (const QPointF inside : {QPointF(517, 731), QPointF(516.6, 730.6), QPointF(517.4, 731.4)}) {
+    for (const QPointF inside : {QPointF(517, 731), QPointF(516.6, 730.6), QPointF(517.4, 731.4)})
         EXPECT_EQ(shown.pixelColor(onScreen(inside).toPoint()), QColor(Qt::red));
-    }
-    for (const QPointF outside : {QPointF(516.3, 731), QPointF(517.7, 731), QPointF(517, 730.3), QPointF(517, 731.7)}) {
+    for (const QPointF outside : {QPointF(516.3, 731), QPointF(517.7, 731), QPointF(517, 730.3), QPointF(517, 731.7)})
         EXPECT_EQ(shown.pixelColor(onScreen(outside).toPoint()), QColor(Qt::black));
-    }
 }
 
 TEST_F(CameraViewTest, ShrunkImagesAreAveragedNotSampled) {
     QImage image(1080, 1920, QImage::Format_RGB32);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
             image.setPixel(x, y, (x + y) % 2 ? qRgb(255, 255, 255) : qRgb(0, 0, 0));
-        }
-    }
     view.setImage(image);
     const QImage shown = view.viewport()->grab().toImage();
     const QColor middle = shown.pixelColor(onScreen({540, 960}).toPoint());
@@ -331,11 +329,9 @@ TEST_F(CameraViewTest, SavedPictureIsThatOnTheScreen) {
     const QImage saved = view.grabPicture(1);
     ASSERT_EQ(saved.size(), onTheScreen.size());
     int different = 0;
-    for (int y = 0; y < saved.height(); ++y) {
-        for (int x = 0; x < saved.width(); ++x) {
+    for (int y = 0; y < saved.height(); ++y)
+        for (int x = 0; x < saved.width(); ++x)
             different += (saved.pixel(x, y) & 0xFFFFFF) != (onTheScreen.pixel(x, y) & 0xFFFFFF);
-        }
-    }
     EXPECT_EQ(different, 0);
     EXPECT_EQ(view.grabPicture(2).size(), view.viewport()->size() * 2);
 }

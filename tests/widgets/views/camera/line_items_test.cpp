@@ -27,11 +27,9 @@ protected:
         const QImage image = view.viewport()->grab().toImage();
         const QPoint centre = view.imageToViewport(px).toPoint();
         int best = 0;
-        for (int dy = -1; dy <= 1; ++dy) {
-            for (int dx = -1; dx <= 1; ++dx) {
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
                 best = std::max(best, image.pixelColor(centre + QPoint(dx, dy)).value());
-            }
-        }
         return best;
     }
     /// Lit screen pixels in the column of this image pixel.
@@ -39,9 +37,8 @@ protected:
         const QImage image = view.viewport()->grab().toImage();
         const int column = view.imageToViewport({x, 700}).toPoint().x();
         int lit = 0;
-        for (int y = 0; y < image.height(); ++y) {
+        for (int y = 0; y < image.height(); ++y)
             lit += image.pixelColor(column, y).value() > 40;
-        }
         return lit;
     }
     CameraView view;
@@ -61,9 +58,8 @@ TEST_F(LineItemsTest, BonesAreThinAtEveryZoom) {
 
 TEST_F(LineItemsTest, GuidesFadeAwayFromTheFocus) {
     std::vector<QPointF> points;
-    for (int x = 320; x <= 680; x += 10) {
+    for (int x = 320; x <= 680; x += 10)
         points.emplace_back(x, 700);
-    }
     view.setEpipolarGuides({{points, Qt::white}});
     view.setGuideFocus(QPointF(340, 700));
     const int nearFocus = brightness({345, 700}), farAway = brightness({670, 700});

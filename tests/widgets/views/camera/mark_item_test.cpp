@@ -48,11 +48,9 @@ protected:
     /// Screen pixels within reach of the mark that are not the image's.
     int changed(const QImage& image) const {
         int count = 0;
-        for (int y = -30; y < 30; ++y) {
-            for (int x = -30; x < 30; ++x) {
+        for (int y = -30; y < 30; ++y)
+            for (int x = -30; x < 30; ++x)
                 count += at(image, x + 0.5, y + 0.5) != kSkin;
-            }
-        }
         return count;
     }
     /// Share of the directions in which the ring has its finger's colour.
@@ -110,9 +108,8 @@ TEST_F(MarkItemTest, LeftIsRoundAndRightIsSquare) {
 }
 
 TEST_F(MarkItemTest, ColourTellsTheFinger) {
-    for (const char* joint : {"thumb_ip", "middle_pip", "ring_dip", "little_mcp", "wrist"}) {
+    for (const char* joint : {"thumb_ip", "middle_pip", "ring_dip", "little_mcp", "wrist"})
         EXPECT_GT(ringShare(draw(mark(core::Side::Left, joint)), fingerColour(joint)), 0.85) << joint;
-    }
 }
 
 TEST_F(MarkItemTest, MeasuresElevenPixelsWithItsOutlineAtEveryZoom) {
@@ -216,9 +213,8 @@ TEST_F(MarkItemTest, SelectedHasAHaloAndACrossHairWithAGap) {
         EXPECT_NE(c, kSkin);
     }
     EXPECT_GT(at(image, 8.5, 0.5).lightness(), kSkin.lightness());
-    for (double x = -1.5; x < 2; ++x) {
+    for (double x = -1.5; x < 2; ++x)
         EXPECT_EQ(at(image, x, 0.5), kSkin) << "the gap is open at " << x;
-    }
 }
 
 TEST_F(MarkItemTest, LabelsAppearWhenAskedForAndForTheSelectedMark) {

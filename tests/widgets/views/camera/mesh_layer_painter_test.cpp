@@ -35,9 +35,8 @@ TEST(MeshLayerPainter, DrawsWhatWasAskedFor) {
 TEST(MeshLayerPainter, OfManyRequestsTheLastOneCounts) {
     MeshLayerPainter painter;
     QSignalSpy changed(&painter, &MeshLayerPainter::pictureChanged);
-    for (int i = 1; i <= 40; ++i) {
+    for (int i = 1; i <= 40; ++i)
         painter.request(requestAt(0.01 * i));
-    }
     while (painter.picture().scale != 0.4 && changed.wait(5000)) {
     }
     EXPECT_EQ(painter.picture().picture, expected(0.4));

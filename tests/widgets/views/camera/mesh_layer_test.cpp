@@ -20,9 +20,8 @@ using namespace widgets;
 
 cv::Mat maskOf(const core::Camera& camera, const MeshLayer& layer) {
     std::vector<core::PosedSurface> surfaces;
-    for (const ViewSurfacePtr& s : layer.surfaces) {
+    for (const ViewSurfacePtr& s : layer.surfaces)
         surfaces.push_back({&s->verticesInWorld, &s->triangles});
-    }
     return core::renderMask(camera, surfaces);
 }
 
@@ -82,9 +81,8 @@ TEST(MeshLayer, LiesOnTheImagePixelsThatItBelongsTo) {
     cv::Mat columns;
     cv::reduce(mask, columns, 0, cv::REDUCE_MAX);
     int left = 0;
-    while (columns.at<unsigned char>(0, left) == 0) {
+    while (columns.at<unsigned char>(0, left) == 0)
         ++left;
-    }
     view.lookAt({left + 10.0, 955.0}, 8);
     QApplication::processEvents();
     view.finishDrawing();
@@ -93,9 +91,8 @@ TEST(MeshLayer, LiesOnTheImagePixelsThatItBelongsTo) {
     for (int y = 935; y < 975; ++y) {
         for (int x = left - 8; x < left + 28; ++x) {
             const QPoint at = view.imageToViewport({static_cast<double>(x), static_cast<double>(y)}).toPoint();
-            if (!shown.rect().adjusted(2, 2, -2, -2).contains(at)) {
+            if (!shown.rect().adjusted(2, 2, -2, -2).contains(at))
                 continue;
-            }
             const bool expected = mask.at<unsigned char>(y, x) != 0;
             inside += expected;
             edge += expected != (mask.at<unsigned char>(y, x + 1) != 0);
@@ -137,17 +134,17 @@ TEST(MeshLayer, HasTheColourOfItsLegend) {
         layer.opacity = 1;
         const QImage opaque = drawMeshLayers(camera, {layer}, {-0.5, -0.5}, {270, 480}, 1).picture;
         shown.push_back(test::meanColour(opaque, [&](int x, int y) { return qAlpha(opaque.pixel(x, y)) > 0; }));
-        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10) << method << " " << shown.back().name().toStdString();
+        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10)
+            << method << " " << shown.back().name().toStdString();
         layer.opacity = 0.5; // the colour that is mixed in is the same
-        const QImage half = drawMeshLayers(camera, {layer}, {-0.5, -0.5}, {270, 480}, 1).picture.convertToFormat(QImage::Format_ARGB32);
+        const QImage half =
+            drawMeshLayers(camera, {layer}, {-0.5, -0.5}, {270, 480}, 1).picture.convertToFormat(QImage::Format_ARGB32);
         const QColor mixedIn = test::meanColour(half, [&](int x, int y) { return qAlpha(half.pixel(x, y)) > 0; });
         EXPECT_LT(test::labDistance(mixedIn, layer.colour), 10) << method;
     }
-    for (std::size_t a = 0; a < shown.size(); ++a) {
-        for (std::size_t b = a + 1; b < shown.size(); ++b) {
+    for (std::size_t a = 0; a < shown.size(); ++a)
+        for (std::size_t b = a + 1; b < shown.size(); ++b)
             EXPECT_GT(test::labDistance(shown[a], shown[b]), 20) << a << " " << b;
-        }
-    }
 }
 
 } // namespace

@@ -48,9 +48,8 @@ TEST(OrbitCamera, OrbitsAroundTheFocusWithALevelHorizon) {
 
 TEST(OrbitCamera, NeverTipsOver) {
     OrbitCamera camera = makeCamera();
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 100; ++i)
         camera.orbit({3, 100}, kHeight);
-    }
     EXPECT_LT(std::abs(camera.away.dot(camera.up)), 1 - 1e-4);
     EXPECT_TRUE(camera.right().allFinite());
 }

@@ -21,14 +21,11 @@ protected:
     SceneViewTest() {
         scene.resize(400, 300);
         scene.show();
-        for (int i = 0; i < 5; ++i) {
+        for (int i = 0; i < 5; ++i)
             QApplication::processEvents();
-        }
-        for (QWidget* child : scene.findChildren<QWidget*>()) {
-            if (child->inherits("QVTKOpenGLNativeWidget")) {
+        for (QWidget* child : scene.findChildren<QWidget*>())
+            if (child->inherits("QVTKOpenGLNativeWidget"))
                 gl = child;
-            }
-        }
     }
     /// Pixels that have the hue of `colour` and are lit.
     static int count(const QImage& image, const QColor& colour) {
@@ -158,15 +155,16 @@ TEST_F(SceneViewTest, MeshesHaveTheColourOfTheirLegend) {
         MeshLayer layer = test::ballLayer(methodColour(method));
         scene.setMeshLayers({layer});
         const QImage picture = scene.grabPicture();
-        const auto isMesh = [&](int x, int y) { return test::labDistance(picture.pixelColor(x, y), black.pixelColor(x, y)) > 15; };
+        const auto isMesh = [&](int x, int y) {
+            return test::labDistance(picture.pixelColor(x, y), black.pixelColor(x, y)) > 15;
+        };
         shown.push_back(test::meanColour(picture, isMesh));
-        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10) << method << " " << shown.back().name().toStdString();
+        EXPECT_LT(test::labDistance(shown.back(), layer.colour), 10)
+            << method << " " << shown.back().name().toStdString();
     }
-    for (std::size_t a = 0; a < shown.size(); ++a) {
-        for (std::size_t b = a + 1; b < shown.size(); ++b) {
+    for (std::size_t a = 0; a < shown.size(); ++a)
+        for (std::size_t b = a + 1; b < shown.size(); ++b)
             EXPECT_GT(test::labDistance(shown[a], shown[b]), 20) << a << " " << b;
-        }
-    }
 }
 
 } // namespace
