@@ -3,7 +3,8 @@
 
 #include "core/processor/instruction_sets.h"
 
-/// Prints the newest level of x86-64 that this processor runs; used when the project is configured (cmake/processor.cmake).
+/// Prints the newest level of x86-64 that this processor runs; used when the project is configured
+/// (cmake/processor.cmake).
 int main() {
     const core::InstructionSets here = core::instructionSetsHere();
     const auto runs = [here](core::InstructionSets level) { return (level & ~here) == 0; };
