@@ -6,6 +6,7 @@
 
 #include "app/batch/verbs.h"
 #include "core/annotation/import_edit.h"
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/files/login_name.h"

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/io/files/text_file.h"
+#include "core/text/number_text.h"
 
 namespace app {
 

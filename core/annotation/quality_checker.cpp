@@ -40,7 +40,8 @@ void reportNoPoint(const FrameCheck& check, const JointId& id, const JointRecons
     }
     const CurveGap& gap = joint.gaps.front();
     check.report(id, QualityKind::Disagreement, gap.px,
-                 text + "the click in " + gap.camera + " is " + number(gap.px) + " px off " + gap.curveOf + "'s curve",
+                 text + "the click in " + gap.camera + " is " + fixedText(gap.px, 1) + " px off " + gap.curveOf +
+                     "'s curve",
                  gap.camera);
     check.findings.back().curveOf = gap.curveOf;
 }
@@ -87,7 +88,7 @@ void checkOutside(const FrameCheck& check, const std::vector<Camera>& cameras) {
             const Eigen::Vector2d last(cameras[i].size.width - 1.0, cameras[i].size.height - 1.0);
             const double distance = (view.mark->px - view.mark->px.cwiseMax(0).cwiseMin(last)).norm();
             check.report(id, QualityKind::OutsidePicture, distance,
-                         jointLabel(id) + ": the mark in " + view.camera + " lies " + number(distance, 0) +
+                         jointLabel(id) + ": the mark in " + view.camera + " lies " + fixedText(distance, 0) +
                              " px outside the picture",
                          view.camera);
         }

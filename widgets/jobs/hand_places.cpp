@@ -116,9 +116,9 @@ std::optional<QRectF> marksInView(const core::Camera& camera, const core::Annota
     return std::nullopt;
 }
 
-std::vector<QRectF> handsOfMasks(const core::Dataset& dataset, const std::string& pattern, int frame) {
+std::vector<QRectF> handsOfMasks(const core::Dataset& dataset, const core::Sequence& sequence, int frame) {
     std::vector<QRectF> boxes;
-    for (const cv::Mat& mask : core::readFrameMasks(dataset.folder, pattern, dataset.cameras, frame)) {
+    for (const cv::Mat& mask : core::readFrameMasks(dataset.folder, sequence, dataset.cameras, frame)) {
         const cv::Rect box = mask.empty() ? cv::Rect() : cv::boundingRect(mask);
         boxes.emplace_back(box.empty() ? QRectF() : QRectF(box.x - 0.5, box.y - 0.5, box.width, box.height));
     }

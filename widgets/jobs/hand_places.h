@@ -35,7 +35,7 @@ std::optional<QRectF> marksInView(const core::Camera& camera, const core::Annota
 
 /// Per camera where the silhouettes of a frame lie, px; null where there are none. Throws Error if a mask file cannot
 /// be read.
-std::vector<QRectF> handsOfMasks(const core::Dataset& dataset, const std::string& pattern, int frame);
+std::vector<QRectF> handsOfMasks(const core::Dataset& dataset, const core::Sequence& sequence, int frame);
 
 /// `box` clipped to the image; nothing if they do not meet.
 std::optional<QRectF> withinImage(const core::Camera& camera, const QRectF& box);

@@ -105,7 +105,7 @@ bool HandFraming::frameHands() {
     }
     refreshLabels();
     const core::Sequence* sequence = m_workbench.session.sequence();
-    const bool masksTell = hands.empty() && !unknown.empty() && sequence && !sequence->masks.empty();
+    const bool masksTell = hands.empty() && !unknown.empty() && sequence && core::hasMasks(*sequence);
     if (masksTell)
         frameByMasks(unknown);
     return masksTell || static_cast<int>(unknown.size()) < m_grid.count();
@@ -114,10 +114,10 @@ bool HandFraming::frameHands() {
 /// The views that were zoomed by hand meanwhile stay as they are.
 void HandFraming::frameByMasks(const std::vector<int>& cameras) {
     const auto dataset = m_workbench.session.dataset();
-    const std::string pattern = m_workbench.session.sequence()->masks;
+    const core::Sequence sequence = *m_workbench.session.sequence();
     m_maskJob.start(
-        [this, dataset, pattern, cameras, frame = m_workbench.selection.frame()](const JobContext&) -> Job::Delivery {
-            return [this, cameras, boxes = handsOfMasks(*dataset, pattern, frame)] {
+        [this, dataset, sequence, cameras, frame = m_workbench.selection.frame()](const JobContext&) -> Job::Delivery {
+            return [this, cameras, boxes = handsOfMasks(*dataset, sequence, frame)] {
                 for (const int camera : cameras) {
                     const auto at = static_cast<std::size_t>(camera);
                     if (camera >= m_grid.count() || at >= boxes.size() || boxes[at].isNull())

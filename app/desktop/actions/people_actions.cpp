@@ -89,7 +89,7 @@ void announceOthers(MainWindow& window) {
 }
 
 /// "12 marks of anna and bob and 1 note in 3 frames"
-QString conflictText(const core::ImportConflicts& conflicts) {
+QString replacedText(const core::ImportConflicts& conflicts) {
     QStringList parts, names;
     for (const std::string& rater : conflicts.raters)
         names << QString::fromStdString(rater);
@@ -114,7 +114,7 @@ void askAboutImports(MainWindow& window) {
         &files, &widgets::AnnotationFiles::importConflicts, &window,
         [bar, &files, cancel](const QString& path, const core::ImportConflicts& conflicts) {
             bar->offer(
-                MainWindow::tr("%1 would replace %2.").arg(QFileInfo(path).fileName(), conflictText(conflicts)),
+                MainWindow::tr("%1 would replace %2.").arg(QFileInfo(path).fileName(), replacedText(conflicts)),
                 {{MainWindow::tr("Replace"), [&files] { files.finishImport(core::ImportMode::Replace); }},
                  {MainWindow::tr("Keep what is there"), [&files] { files.finishImport(core::ImportMode::Keep); }},
                  cancel},

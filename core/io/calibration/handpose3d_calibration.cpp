@@ -5,6 +5,7 @@
 #include "core/error.h"
 #include "core/io/calibration/calibration_readers.h"
 #include "core/io/files/text_file.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -7,7 +7,7 @@
 
 #include "core/annotation/edits.h"
 #include "core/error.h"
-#include "core/numeric/number_text.h"
+#include "core/text/number_text.h"
 
 namespace core {
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/annotation/edits.h"
+#include "core/annotation/import_edit.h"
 #include "core/io/calibration/calibration.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset_annotations.h"

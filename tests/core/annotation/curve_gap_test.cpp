@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/annotation/quality.h"
+#include "core/annotation/quality_checker.h"
 #include "core/annotation/reconstruction.h"
 #include "tests/support/camera_ring.h"
 

@@ -85,7 +85,9 @@ TEST_F(HandPlaces, MasksTellPerCamera) {
     mask(cv::Rect(100, 200, 40, 60)) = 255;
     std::filesystem::create_directories(folder / "masks");
     cv::imwrite((folder / "masks" / "cam2_7.png").string(), mask);
-    const auto boxes = handsOfMasks(dataset, "masks/{camera}_{frame}.png", 7);
+    core::Sequence sequence;
+    sequence.masks = "masks/{camera}_{frame}.png";
+    const auto boxes = handsOfMasks(dataset, sequence, 7);
     ASSERT_EQ(boxes.size(), 8u);
     EXPECT_EQ(boxes[2], QRectF(99.5, 199.5, 40, 60));
     EXPECT_TRUE(boxes[0].isNull());

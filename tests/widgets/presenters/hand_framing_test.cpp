@@ -172,7 +172,7 @@ TEST_F(HandFramingTest, TheTitleOfTheViewToClickNextSaysSo) {
     EXPECT_TRUE(asking().isEmpty());
     for (const int camera : {0, 3}) {
         click(index, camera);
-        const QString advice = widgets::adviceText(index, bench.reconstructions.selected(), 8);
+        const QString advice = widgets::adviceText(index, bench.reconstructions.selected());
         ASSERT_EQ(asking().size(), 1) << advice.toStdString();
         EXPECT_TRUE(advice.contains(asking().front())) << advice.toStdString();
     }

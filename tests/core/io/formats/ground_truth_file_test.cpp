@@ -8,6 +8,7 @@
 
 #include "core/error.h"
 #include "core/io/files/json_file.h"
+#include "core/io/formats/annotation_formats.h"
 #include "tests/support/clicks.h"
 #include "tests/support/ring_dataset.h"
 #include "tests/support/temporary_folder.h"
@@ -201,7 +202,8 @@ TEST_F(GroundTruthFile, OneRaterMayTakeAllButNotTwoPeoplesMarksOfOneJoint) {
     test::clickEverywhere(m_set, m_dataset.cameras, 5, "ann (again)", joint, {10, 20, 30});
     test::clickEverywhere(m_set, m_dataset.cameras, 6, "bob", joint, {10, 20, 30});
     write();
-    core::AnnotationImportOptions options{"carl", {}, {}};
+    core::AnnotationImportOptions options;
+    options.rater = "carl";
     const auto all = [&] {
         return core::importAnnotations(m_dataset, m_dataset.sequences[0], "handlens", m_file, options);
     };
