@@ -172,11 +172,11 @@ TEST_F(FitPanelsTest, InspectShowsThePicturesOfItsOwnPair) {
     bench.selection.setFrame(13);      // the key D
     bench.selection.setCamera("cam1"); // the key E
     settle();
-    for (int index = 0; index < inspect.grid()->count(); ++index) {
-        widgets::CameraView& view = *inspect.grid()->view(index);
-        const int camera = 1 + index / 2;
+    for (int i = 0; i < inspect.grid()->count(); ++i) {
+        widgets::CameraView& view = *inspect.grid()->view(i);
+        const int camera = 1 + i / 2;
         ASSERT_EQ(view.camera().name, "cam" + std::to_string(camera));
-        EXPECT_EQ(picture(view), expected(view, camera, 12)) << index;
+        EXPECT_EQ(picture(view), expected(view, camera, 12)) << i;
         EXPECT_NE(picture(view), expected(view, camera, 13)) << "the current frame";
         EXPECT_NE(picture(view), expected(view, camera - 1, 12)) << "the camera that was there before";
     }
