@@ -110,7 +110,8 @@ void importFile(const AnnotationsArguments& arguments, core::AnnotationImportOpt
     const core::ImportMode mode = requiredMode(arguments, conflicts);
     auto store = core::AnnotationStore::open(core::annotationFile(dataset, sequence));
     if (store.isReadOnly())
-        throw core::Error(core::ErrorCode::Io, store.file().string(), "", "is read-only: " + store.readOnlyReason());
+        throw core::Error(core::ErrorCode::Io, store.file().string(), "",
+                          "is read-only: " + core::readOnlyText(store.readOnlyReason()));
     const std::string name = std::filesystem::path(arguments.file).filename().string();
     const core::Edit edit = core::importEdit(store.annotations(), imported.set, "import " + name, mode);
     store.commit(edit, options.rater);

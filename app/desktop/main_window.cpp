@@ -210,7 +210,7 @@ void MainWindow::connectDocument() {
         const core::AnnotationStore* store = m_workbench.document.store();
         if (store && store->isReadOnly())
             showMessage(tr("Read-only: %1. You can look and export; edits are not possible.")
-                            .arg(QString::fromStdString(store->readOnlyReason())));
+                            .arg(widgets::readOnlyText(store->readOnlyReason())));
         else if (store && !store->warnings().empty())
             showMessage(QString::fromStdString(store->warnings().front()));
     });

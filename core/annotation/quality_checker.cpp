@@ -35,7 +35,7 @@ struct FrameCheck {
 void reportNoPoint(const FrameCheck& check, const JointId& id, const JointReconstruction& joint) {
     const std::string text = jointLabel(id) + ": no point from " + std::to_string(joint.manualViews) + " views: ";
     if (joint.gaps.empty()) {
-        check.report(id, QualityKind::Disagreement, 0, text + joint.result.reason);
+        check.report(id, QualityKind::Disagreement, 0, text + std::string(failureText(joint.result.failure)));
         return;
     }
     const CurveGap& gap = joint.gaps.front();

@@ -234,7 +234,7 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
             if (guess.point)
                 joint.proposal = guess.point->pointInWorld;
         }
-        if (joint.result.reason == kViewsDisagree)
+        if (joint.result.failure == TriangulationFailure::ViewsDisagree)
             joint.gaps = worstCurveGaps(cameras, evidence.observations);
         if (options.details && evidence.observations.size() == 1)
             rankSecondView(joint, cameras, evidence, options);

@@ -153,7 +153,7 @@ double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 /// What the pairs of views proposed: the best point, or why there is none.
 struct Proposal {
     std::optional<Eigen::Vector3d> point;
-    std::string_view reason;
+    TriangulationFailure failure = TriangulationFailure::None;
 };
 
 /// With few views every pair counts: its midpoint is moved to its least squares first. With more, some pair is good.
@@ -161,12 +161,12 @@ constexpr std::size_t kRefinedPairsViews = 4;
 constexpr int kPairIterations = 2;
 
 Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& options) {
-    Proposal best{std::nullopt, kFewerThanTwoViews};
+    Proposal best{std::nullopt, TriangulationFailure::FewerThanTwoViews};
     double bestCost = kUnseen;
-    const auto atLeast = [&best](std::string_view reason) {
+    const auto atLeast = [&best](TriangulationFailure failure) {
         // The further a pair came, the better it explains why there is no answer.
-        if (!best.point && best.reason != kBehindCamera)
-            best.reason = reason;
+        if (!best.point && best.failure != TriangulationFailure::BehindCamera)
+            best.failure = failure;
     };
     for (std::size_t i = 0; i < views.size(); ++i) {
         for (std::size_t j = i + 1; j < views.size(); ++j) {
@@ -174,17 +174,17 @@ Proposal bestPair(const std::vector<View>& views, const TriangulationOptions& op
             if (a.cameraIndex == b.cameraIndex)
                 continue;
             if (!a.hasRay || !b.hasRay) {
-                atLeast(kOutsideLensModel);
+                atLeast(TriangulationFailure::OutsideLensModel);
                 continue;
             }
             const double angle = angleBetween(a.direction, b.direction);
             if (!(std::min(angle, M_PI - angle) >= options.minAngleRad)) {
-                atLeast(kRaysNearlyParallel);
+                atLeast(TriangulationFailure::RaysNearlyParallel);
                 continue;
             }
             auto point = midpoint(a, b);
             if (!point) {
-                atLeast(kBehindCamera);
+                atLeast(TriangulationFailure::BehindCamera);
                 continue;
             }
             if (views.size() <= kRefinedPairsViews) {
@@ -274,20 +274,39 @@ TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>
 
 } // namespace
 
+std::string_view failureText(TriangulationFailure failure) {
+    switch (failure) {
+    case TriangulationFailure::FewerThanTwoViews:
+        return "fewer than two views";
+    case TriangulationFailure::OutsideLensModel:
+        return "a click lies where the lens model cannot be inverted";
+    case TriangulationFailure::RaysNearlyParallel:
+        return "rays are nearly parallel";
+    case TriangulationFailure::BehindCamera:
+        return "the rays meet behind a camera";
+    case TriangulationFailure::ViewsDisagree:
+        return "views disagree";
+    case TriangulationFailure::None:
+        break;
+    }
+    return "";
+}
+
 TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
                                 const TriangulationOptions& options) {
     const std::vector<View> views = prepare(cameras, observations, options);
     const Proposal proposal = bestPair(views, options);
     if (!proposal.point)
-        return {std::nullopt, std::string(proposal.reason)};
+        return {std::nullopt, proposal.failure};
     const auto point = settle(views, *proposal.point, options);
     if (!point)
-        return {std::nullopt, std::string(kViewsDisagree)};
+        return {std::nullopt, TriangulationFailure::ViewsDisagree};
     const std::vector<bool> inlier = inliersOf(views, *point);
     if (!(widestAngle(views, inlier, *point) >= options.minAngleRad)) {
         // Too few inliers, or all of one camera, or all from one direction.
         const bool severalCameras = std::count(inlier.begin(), inlier.end(), true) >= 2;
-        return {std::nullopt, std::string(severalCameras ? kRaysNearlyParallel : kViewsDisagree)};
+        return {std::nullopt,
+                severalCameras ? TriangulationFailure::RaysNearlyParallel : TriangulationFailure::ViewsDisagree};
     }
     return {report(views, inlier, *point), {}};
 }

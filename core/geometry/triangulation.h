@@ -36,18 +36,22 @@ struct TriangulatedPoint {
     std::vector<bool> inlier;                                 ///< per observation
 };
 
-/// Why there is no point: the whole set of phrases that TriangulationResult.reason can hold.
-inline constexpr std::string_view kFewerThanTwoViews = "fewer than two views";
-inline constexpr std::string_view kOutsideLensModel = "a click lies where the lens model cannot be inverted";
-inline constexpr std::string_view kRaysNearlyParallel = "rays are nearly parallel";
-inline constexpr std::string_view kBehindCamera = "the rays meet behind a camera";
-inline constexpr std::string_view kViewsDisagree = "views disagree";
+/// Why there is no point.
+enum class TriangulationFailure {
+    None, ///< there is one
+    FewerThanTwoViews,
+    OutsideLensModel,   ///< a click lies where the lens model cannot be inverted
+    RaysNearlyParallel, ///< no two rays meet at more than TriangulationOptions::minAngleRad
+    BehindCamera,       ///< the rays meet behind a camera
+    ViewsDisagree       ///< fewer than two clicks lie within the gate of any point
+};
+/// In English, as files hold it: "fewer than two views"; empty for None.
+std::string_view failureText(TriangulationFailure failure);
 
-/// Either a point, or why there is none (one of the English phrases above, translated by the window; empty with a
-/// point).
+/// Either a point, or why there is none.
 struct TriangulationResult {
     std::optional<TriangulatedPoint> point;
-    std::string reason;
+    TriangulationFailure failure = TriangulationFailure::None;
 };
 
 /// Robust N-view triangulation: every pair of views proposes a point, MSAC in recorded pixels chooses, Gauss-Newton

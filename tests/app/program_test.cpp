@@ -102,7 +102,7 @@ TEST_F(Program, KilledInMidDragLosesNothingThatWasDone) {
             drags += answer["do"] == "drag";
         }
         auto store = core::AnnotationStore::open(annotations());
-        EXPECT_FALSE(store.isReadOnly()) << store.readOnlyReason();
+        EXPECT_FALSE(store.isReadOnly()) << core::readOnlyText(store.readOnlyReason());
         const auto marks = store.annotations().marks;
         EXPECT_GE(marks.size(), clicks);
         EXPECT_LE(marks.size(), clicks + 1);

@@ -21,17 +21,23 @@ QString number(double value, int decimals) {
 
 } // namespace
 
-/// Core's phrases, for the translators' files.
-[[maybe_unused]] constexpr const char* kReasons[] = {
-    QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"),
-    QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"),
-    QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"),
-    QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"),
-    QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"),
-};
-
-QString reasonText(const std::string& reason) {
-    return text(reason.c_str());
+QString failureText(core::TriangulationFailure failure) {
+    using core::TriangulationFailure;
+    switch (failure) {
+    case TriangulationFailure::FewerThanTwoViews:
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"));
+    case TriangulationFailure::OutsideLensModel:
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"));
+    case TriangulationFailure::RaysNearlyParallel:
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"));
+    case TriangulationFailure::BehindCamera:
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"));
+    case TriangulationFailure::ViewsDisagree:
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"));
+    case TriangulationFailure::None:
+        break;
+    }
+    return {};
 }
 
 namespace {
@@ -115,7 +121,7 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
     if (!found.gaps.empty())
         return disagreementText(found);
     if (!found.hasPoint() && found.manualViews >= 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(reasonText(found.result.reason));
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(failureText(found.result.failure));
     if (!found.hasPoint())
         return next.isEmpty() ? text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
                               : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2."))

@@ -49,7 +49,7 @@ QJsonObject jointJson(const core::JointReconstruction& found) {
     object[QStringLiteral("unplaceable")] = unplaceable;
     object[QStringLiteral("status")] = QString::fromUtf8(core::statusName(found.status).data());
     if (!point)
-        object[QStringLiteral("reason")] = QString::fromStdString(found.result.reason);
+        object[QStringLiteral("reason")] = QString::fromStdString(std::string(core::failureText(found.result.failure)));
     return object;
 }
 

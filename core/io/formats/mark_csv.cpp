@@ -38,7 +38,7 @@ CsvRow pointRow(const ExportRequest& job, int frame, const std::string& rater, c
         row.insert(row.end(), 5, "");
     }
     row.insert(row.end(), {std::to_string(joint.manualViews), outliers, std::string(statusName(joint.status)),
-                           joint.result.reason});
+                           std::string(failureText(joint.result.failure))});
     return row;
 }
 

@@ -67,7 +67,7 @@ void writeTriangulatedPoints(const std::filesystem::path& file, const std::vecto
                         {"rmsPx", point ? ordered_json(point->rmsPx) : ordered_json()},
                         {"inliers", inliers},
                         {"outliers", outliers},
-                        {"reason", results[i].reason}});
+                        {"reason", failureText(results[i].failure)}});
     }
     writeJsonFile(file, {{"points", list}});
 }

@@ -23,6 +23,22 @@ namespace core {
 
 namespace fs = std::filesystem;
 
+std::string readOnlyText(const ReadOnlyReason& reason) {
+    switch (reason.kind) {
+    case ReadOnlyReason::Kind::Requested:
+        return "opened for reading only";
+    case ReadOnlyReason::Kind::OtherWindow:
+        return "opened by another window" + (reason.holder.empty() ? "" : " (" + reason.holder + ")");
+    case ReadOnlyReason::Kind::ReadOnlyFolder:
+        return "the folder is read-only";
+    case ReadOnlyReason::Kind::ReadOnlyFile:
+        return "the file is read-only";
+    case ReadOnlyReason::Kind::None:
+        break;
+    }
+    return "";
+}
+
 struct AnnotationStore::Impl {
     fs::path file;
     FileLock lock;
@@ -31,7 +47,7 @@ struct AnnotationStore::Impl {
     std::unique_ptr<SQLite::Database> database;
     std::unique_ptr<AnnotationTables> tables;
     bool isReadOnly = true;
-    std::string readOnlyReason;
+    ReadOnlyReason readOnlyReason;
     std::vector<std::string> warnings;
     ino_t inode = 0;
 
@@ -48,17 +64,17 @@ struct AnnotationStore::Impl {
 
 void AnnotationStore::Impl::decideAccess(StoreAccess access) {
     if (access == StoreAccess::ReadOnly) {
-        readOnlyReason = "opened for reading only";
+        readOnlyReason.kind = ReadOnlyReason::Kind::Requested;
         return;
     }
     lock = FileLock(file.parent_path() / ("." + file.filename().string() + ".lock"));
     if (lock.state() == FileLock::State::HeldByOther)
-        readOnlyReason = "opened by another window" + (lock.holder().empty() ? "" : " (" + lock.holder() + ")");
+        readOnlyReason = {ReadOnlyReason::Kind::OtherWindow, lock.holder()};
     else if (lock.state() == FileLock::State::NotPermitted ||
              !isWritablePath(file.parent_path().empty() ? "." : file.parent_path()))
-        readOnlyReason = "the folder is read-only";
+        readOnlyReason.kind = ReadOnlyReason::Kind::ReadOnlyFolder;
     else if (fs::exists(file) && !isWritablePath(file))
-        readOnlyReason = "the file is read-only";
+        readOnlyReason.kind = ReadOnlyReason::Kind::ReadOnlyFile;
     else
         isReadOnly = false;
     if (lock.state() == FileLock::State::NotSupported) {
@@ -116,8 +132,9 @@ AnnotationStore AnnotationStore::open(const fs::path& file, StoreAccess access) 
         if (!fs::exists(file)) {
             if (impl->isReadOnly) {
                 throw Error(access == StoreAccess::ReadOnly ? ErrorCode::NotFound : ErrorCode::Io, file.string(), "",
-                            access == StoreAccess::ReadOnly ? "there is no such file"
-                                                            : "cannot be created: " + impl->readOnlyReason);
+                            access == StoreAccess::ReadOnly
+                                ? "there is no such file"
+                                : "cannot be created: " + readOnlyText(impl->readOnlyReason));
             }
             createDatabaseFile(file);
         }
@@ -152,7 +169,7 @@ const fs::path& AnnotationStore::file() const {
 bool AnnotationStore::isReadOnly() const {
     return m_impl->isReadOnly;
 }
-const std::string& AnnotationStore::readOnlyReason() const {
+const ReadOnlyReason& AnnotationStore::readOnlyReason() const {
     return m_impl->readOnlyReason;
 }
 const std::vector<std::string>& AnnotationStore::warnings() const {
@@ -198,7 +215,7 @@ AnnotationHistory AnnotationStore::history(std::optional<int> newest) const {
 
 void AnnotationStore::Impl::requireWritable() const {
     if (isReadOnly)
-        throw Error(ErrorCode::Io, file.string(), "", "is read-only here: " + readOnlyReason);
+        throw Error(ErrorCode::Io, file.string(), "", "is read-only here: " + readOnlyText(readOnlyReason));
     struct stat status {};
     if (::stat(file.c_str(), &status) != 0 || status.st_ino != inode)
         throw Error(ErrorCode::Io, file.string(), "", "was moved, replaced or deleted while it was open");

@@ -17,6 +17,21 @@ enum class StoreAccess {
     ReadOnly
 };
 
+/// Why a store is read-only.
+struct ReadOnlyReason {
+    enum class Kind {
+        None,        ///< it is not
+        Requested,   ///< StoreAccess::ReadOnly
+        OtherWindow, ///< another process writes
+        ReadOnlyFolder,
+        ReadOnlyFile
+    };
+    Kind kind = Kind::None;
+    std::string holder; ///< of OtherWindow: "user@host, process 123"; empty if it does not say
+};
+/// In English, for messages of the command line: "opened by another window (user@host, process 123)"; empty for None.
+std::string readOnlyText(const ReadOnlyReason& reason);
+
 /// The annotations of one sequence in one SQLite file (WAL). Every edit, undo and redo is one transaction that is in
 /// the file before the call returns: killing the process at any moment loses at most the call in flight. The file is
 /// flushed to the disk within a tenth of a second, so that a power failure costs no more than that, and a click need
@@ -38,9 +53,7 @@ public:
 
     const std::filesystem::path& file() const;
     bool isReadOnly() const;
-    /// Why it is read-only, for people: "opened by another window (user@host, process 123)", "the folder is read-only";
-    /// else empty.
-    const std::string& readOnlyReason() const;
+    const ReadOnlyReason& readOnlyReason() const;
     /// Things that went wrong without harm when opening, such as a backup that could not be written.
     const std::vector<std::string>& warnings() const;
 

@@ -40,7 +40,7 @@ protected:
 
 TEST_F(Reconstruction, TwoClicksGiveThePointAndItsReprojectionInEveryView) {
     EXPECT_EQ(look().status, core::JointStatus::None);
-    EXPECT_EQ(look().result.reason, core::kFewerThanTwoViews);
+    EXPECT_EQ(look().result.failure, core::TriangulationFailure::FewerThanTwoViews);
     click({0, 2});
     const JointReconstruction joint = look();
     ASSERT_TRUE(joint.hasPoint());

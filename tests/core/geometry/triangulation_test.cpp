@@ -49,10 +49,10 @@ TEST_F(Triangulation, FindsExactPointsFromTwoToEightViewsThroughTheLens) {
         if (observations.size() == 2 && (observations[0].camera - observations[1].camera) % 4 == 0)
             continue; // opposite cameras see the middle of the ring along one line
         const auto result = core::triangulate(cameras, observations);
-        ASSERT_TRUE(result.point) << result.reason;
+        ASSERT_TRUE(result.point) << core::failureText(result.failure);
         EXPECT_LT((result.point->pointInWorld - truth).norm(), 1e-6);
         EXPECT_LT(result.point->rmsPx, 1e-6);
-        EXPECT_EQ(result.reason, "");
+        EXPECT_EQ(result.failure, core::TriangulationFailure::None);
     }
 }
 
@@ -179,24 +179,24 @@ TEST_F(Triangulation, SaysWhyThereIsNoPoint) {
     auto cameras = test::cameraRing(8);
     const Vector3d truth(10, -20, 30);
     const auto exact = observe(cameras, truth);
-    EXPECT_EQ(core::triangulate(cameras, {}).reason, core::kFewerThanTwoViews);
-    EXPECT_EQ(core::triangulate(cameras, {exact[0]}).reason, core::kFewerThanTwoViews);
-    EXPECT_EQ(core::triangulate(cameras, {exact[2], exact[2]}).reason, core::kFewerThanTwoViews);
+    EXPECT_EQ(core::triangulate(cameras, {}).failure, core::TriangulationFailure::FewerThanTwoViews);
+    EXPECT_EQ(core::triangulate(cameras, {exact[0]}).failure, core::TriangulationFailure::FewerThanTwoViews);
+    EXPECT_EQ(core::triangulate(cameras, {exact[2], exact[2]}).failure, core::TriangulationFailure::FewerThanTwoViews);
 
     auto wrong = exact;
     wrong[1].px.y() += 60;
-    EXPECT_EQ(core::triangulate(cameras, {exact[0], wrong[1]}).reason, core::kViewsDisagree);
+    EXPECT_EQ(core::triangulate(cameras, {exact[0], wrong[1]}).failure, core::TriangulationFailure::ViewsDisagree);
 
     std::vector<core::Camera> twins{cameras[0], cameras[0]};
     twins[1].cameraFromWorld.translation.x() += 2; // 2 mm apart at a metre: 0.1 degrees
-    EXPECT_EQ(core::triangulate(twins, observe(twins, truth)).reason, core::kRaysNearlyParallel);
+    EXPECT_EQ(core::triangulate(twins, observe(twins, truth)).failure, core::TriangulationFailure::RaysNearlyParallel);
 
     std::vector<core::Camera> diverging{cameras[0], cameras[0]};
     diverging[1].cameraFromWorld.translation.x() -= 300;
     const std::vector<Observation> outward{{0, {900, 955}}, {1, {100, 955}}};
     const std::vector<Observation> inward{{0, {100, 955}}, {1, {900, 955}}};
-    const auto reasons = {core::triangulate(diverging, outward).reason, core::triangulate(diverging, inward).reason};
-    EXPECT_EQ(std::count(reasons.begin(), reasons.end(), core::kBehindCamera), 1);
+    const auto failures = {core::triangulate(diverging, outward).failure, core::triangulate(diverging, inward).failure};
+    EXPECT_EQ(std::count(failures.begin(), failures.end(), core::TriangulationFailure::BehindCamera), 1);
 }
 
 TEST_F(Triangulation, DoesNotDependOnTheOrderOfTheViews) {

@@ -76,7 +76,7 @@ TEST_F(PointsFile, WritesPointsOutliersAndReasons) {
     EXPECT_EQ(out[0]["reason"], "");
     EXPECT_EQ(out[1]["id"], "alone");
     EXPECT_TRUE(out[1]["xyz"].is_null() && out[1]["covariance"].is_null() && out[1]["rmsPx"].is_null());
-    EXPECT_EQ(out[1]["reason"], core::kFewerThanTwoViews);
+    EXPECT_EQ(out[1]["reason"], core::failureText(core::TriangulationFailure::FewerThanTwoViews));
 }
 
 } // namespace

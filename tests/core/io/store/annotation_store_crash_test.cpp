@@ -128,7 +128,7 @@ TEST(AnnotationStoreCrash, AKillAtAnyMomentLosesNothingThatWasAcknowledged) {
         for (int i = 0; i < acknowledged; ++i)
             judge.step(nullptr);
         const auto store = AnnotationStore::open(file);
-        ASSERT_FALSE(store.isReadOnly()) << store.readOnlyReason();
+        ASSERT_FALSE(store.isReadOnly()) << core::readOnlyText(store.readOnlyReason());
         if (!judge.agrees(store)) {
             judge.step(nullptr); // the edit in flight may have been written but not yet acknowledged
             ++landedInFlight;
@@ -227,7 +227,7 @@ TEST(AnnotationStoreCrash, AReadOnlyFolderIsReadAndSaidToBeReadOnly) {
     const auto look = [&](std::size_t expectedMarks) {
         return asNobody([&] {
             auto store = AnnotationStore::open(file);
-            if (!store.isReadOnly() || store.readOnlyReason() != "the folder is read-only") {
+            if (!store.isReadOnly() || core::readOnlyText(store.readOnlyReason()) != "the folder is read-only") {
                 return 1;
             }
             if (store.annotations().marks.size() != expectedMarks) {

@@ -114,7 +114,7 @@ TEST_F(AnnotationStoreTest, HoldsExactlyWhatAModelHoldsThroughEditsUndoRedoAndRe
         } else if (random.draw(4) == 0) {
             store = AnnotationStore::open(m_folder / "other.sqlite"); // lets go of the file
             store = AnnotationStore::open(m_file);
-            ASSERT_FALSE(store.isReadOnly()) << store.readOnlyReason();
+            ASSERT_FALSE(store.isReadOnly()) << core::readOnlyText(store.readOnlyReason());
         }
         if (step % 20 == 0)
             expectSame(store, model);
@@ -228,8 +228,9 @@ TEST_F(AnnotationStoreTest, ASecondOpenerIsReadOnlyToldWhyAndSeesWhatIsWritten) 
     {
         auto second = AnnotationStore::open(m_file);
         EXPECT_TRUE(second.isReadOnly());
-        EXPECT_NE(second.readOnlyReason().find("another window"), std::string::npos);
-        EXPECT_NE(second.readOnlyReason().find("process " + std::to_string(::getpid())), std::string::npos);
+        EXPECT_NE(core::readOnlyText(second.readOnlyReason()).find("another window"), std::string::npos);
+        EXPECT_NE(core::readOnlyText(second.readOnlyReason()).find("process " + std::to_string(::getpid())),
+                  std::string::npos);
         EXPECT_EQ(second.annotations().marks.size(), 1u);
         EXPECT_EQ(errorOf([&] { second.commit(place(2, 2), "bob"); }), ErrorCode::Io);
         EXPECT_EQ(errorOf([&] { second.undo(); }), ErrorCode::Io);
@@ -319,7 +320,7 @@ TEST_F(AnnotationStoreTest, AFileOfVersionOneIsBroughtUpToDate) {
     proposal.marks[0].after->placement = core::Placement::Proposed;
     {
         auto store = AnnotationStore::open(m_file);
-        EXPECT_FALSE(store.isReadOnly()) << store.readOnlyReason();
+        EXPECT_FALSE(store.isReadOnly()) << core::readOnlyText(store.readOnlyReason());
         store.commit(proposal, "ann");
     }
     auto store = AnnotationStore::open(m_file);

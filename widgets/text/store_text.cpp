@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/text/store_text.h"
+
+#include <QCoreApplication>
+
+namespace widgets {
+
+namespace {
+
+QString text(const char* source) {
+    return QCoreApplication::translate("widgets::StoreText", source);
+}
+
+} // namespace
+
+QString readOnlyText(const core::ReadOnlyReason& reason) {
+    using Kind = core::ReadOnlyReason::Kind;
+    switch (reason.kind) {
+    case Kind::Requested:
+        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened for reading only"));
+    case Kind::OtherWindow:
+        return reason.holder.empty() ? text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window"))
+                                     : text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window (%1)"))
+                                           .arg(QString::fromStdString(reason.holder));
+    case Kind::ReadOnlyFolder:
+        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "the folder is read-only"));
+    case Kind::ReadOnlyFile:
+        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "the file is read-only"));
+    case Kind::None:
+        break;
+    }
+    return {};
+}
+
+} // namespace widgets
