@@ -110,12 +110,19 @@ void setFrom(const Dataset& dataset, Sequence& sequence, const MaskSource& sourc
     }
 }
 
+/// The mask file of a frame. ".." climbs out of a dataset's folder even while that does not exist yet.
+fs::path fileOf(const Dataset& dataset, const Sequence& sequence, const std::string& camera, int frame) {
+    std::error_code ignored;
+    const fs::path file = maskFile(dataset.folder, sequence, camera, frame);
+    return fs::exists(dataset.folder, ignored) ? file : file.lexically_normal();
+}
+
 /// Number of frames that have a mask of this camera; the first one is looked at.
 int countMasks(const Dataset& dataset, const Sequence& sequence, const Camera& camera) {
     int count = 0;
     std::error_code ignored;
     for (int frame = 0; frame < sequence.frameCount; ++frame) {
-        const fs::path file = maskFile(dataset.folder, sequence, camera.name, frame);
+        const fs::path file = fileOf(dataset, sequence, camera.name, frame);
         if (file.empty() || !fs::is_regular_file(file, ignored))
             continue;
         if (count++ == 0) {
@@ -137,7 +144,7 @@ void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::str
     int all = 0;
     std::string example;
     for (const Camera& camera : dataset.cameras) {
-        example = example.empty() ? maskFile(dataset.folder, sequence, camera.name, 0).string() : example;
+        example = example.empty() ? fileOf(dataset, sequence, camera.name, 0).string() : example;
         const int count = countMasks(dataset, sequence, camera);
         all += count;
         counts.push_back(camera.name + ": " + std::to_string(count) + " of " + std::to_string(sequence.frameCount) +

@@ -227,8 +227,8 @@ TEST_F(Calibration, DannceMatricesAreTransposedAndPixelsStartAtOne) {
     EXPECT_EQ(cameras[0].intrinsics(1, 2), 240);
     EXPECT_EQ(cameras[0].distortion, (std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5}));
     EXPECT_LT((cameras[0].cameraFromWorld * Eigen::Vector3d(10, 0, 0) - Eigen::Vector3d(1, 12, 500)).norm(), 1e-9);
-    expectRefused(write("bad_params.mat", "no MATLAB file at all"), "no MATLAB file");
-    expectRefused(write("empty_params.mat", ""), "no MATLAB file");
+    expectRefused(write("bad_params.mat", "not one"), "not a readable MATLAB file");
+    expectRefused(write("empty_params.mat", ""), "not a readable MATLAB file");
 }
 
 constexpr const char* kInterHand =
@@ -276,12 +276,12 @@ TEST_F(Calibration, ReflectionsAreRefusedWhateverTheKind) {
 }
 
 TEST_F(Calibration, UnknownAndMissingFilesAreNamed) {
-    expectRefused(write("a.json", "{\"a\": 1}"), "no calibration of a known kind", Unsupported);
-    expectRefused(write("a.yml", "a: 1"), "no calibration of a known kind", Unsupported);
-    expectRefused(write("a.xyz", "1"), "no calibration of a known kind", Unsupported);
+    expectRefused(write("a.json", "{\"a\": 1}"), "not a calibration of a known kind", Unsupported);
+    expectRefused(write("a.yml", "a: 1"), "not a calibration of a known kind", Unsupported);
+    expectRefused(write("a.xyz", "1"), "not a calibration of a known kind", Unsupported);
     expectRefused(m_folder / "none.toml", "no such file", NotFound);
     fs::create_directory(m_folder / "void");
-    expectRefused(m_folder / "void", "no calibration of a known kind", Unsupported);
+    expectRefused(m_folder / "void", "not a calibration of a known kind", Unsupported);
 }
 
 TEST(NaturalLess, CountsNumbersByValue) {
