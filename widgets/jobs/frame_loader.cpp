@@ -86,6 +86,11 @@ ImagePyramid FrameLoader::picture(int camera) const {
     return at == m_cache.end() ? ImagePyramid() : at->second.picture;
 }
 
+bool FrameLoader::lacksPicture(int camera) const {
+    return m_source && m_frame >= 0 && m_source->kind(camera) != core::ViewKind::None &&
+           !m_source->hasPicture(camera, m_frame);
+}
+
 void FrameLoader::setBudget(std::int64_t bytes) {
     m_budget = bytes;
     trim();

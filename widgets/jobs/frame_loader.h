@@ -41,6 +41,8 @@ public:
     bool isComplete() const { return m_missing.empty(); }
     /// The picture of the requested frame, if it has come.
     ImagePyramid picture(int camera) const;
+    /// Whether this camera has footage, but no picture of the requested frame: what comes is a plain backdrop.
+    bool lacksPicture(int camera) const;
     /// How much memory pictures may take. The requested frame is always kept.
     void setBudget(std::int64_t bytes);
     /// Whether the next frame is fetched before somebody asks for it; it is at first.

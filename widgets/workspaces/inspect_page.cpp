@@ -235,7 +235,7 @@ void InspectPage::showPicture(int camera, const ImagePyramid& picture) {
     for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
         for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column) {
             CameraView* view = m_grid->view(static_cast<int>(row * methodCount() + column));
-            view->setMessage({});
+            view->setMessage(m_frames.lacksPicture(camera) ? tr("No picture at this instant.") : QString());
             view->setImage(picture);
         }
     }

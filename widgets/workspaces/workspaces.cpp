@@ -16,6 +16,13 @@ namespace widgets {
 namespace {
 constexpr const char* kAdjustmentsSetting = "adjustments";
 
+/// What a view shows where there is no picture.
+QImage plainPicture(const core::ImageSize& size) {
+    QImage image(size.width, size.height, QImage::Format_RGB32);
+    image.fill(QColor(0x20, 0x22, 0x25));
+    return image;
+}
+
 /// A panel that scrolls where there is no room for it: it never makes the window larger than a small screen.
 QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
     auto* area = new QScrollArea(parent);
@@ -247,18 +254,20 @@ void Workspaces::showOrder() {
 void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
     if (camera >= m_grid->count() || picture.isNull())
         return;
-    m_grid->view(camera)->setMessage({});
+    m_grid->view(camera)->setMessage(m_workbench.frames.lacksPicture(camera) ? tr("No picture at this instant.")
+                                                                             : QString());
     m_grid->view(camera)->setImage(picture);
     if (camera == m_grid->current() && !inspects())
         m_scene->setCameraImage(picture.image());
 }
 
-/// Says why there is no picture; footage that is not there any more can be looked for.
+/// Says why there is no picture, instead of another frame's; footage that is not there any more can be looked for.
 void Workspaces::showFailure(int camera, const QString& message) {
     const auto& dataset = m_workbench.session.dataset();
     if (!dataset || camera >= m_grid->count())
         return;
     CameraView* view = m_grid->view(camera);
+    view->setImage(plainPicture(view->camera().size));
     std::vector<MessageAction> actions;
     if (isFootageGone(*dataset, *m_workbench.session.sequence(), view->camera().name))
         actions.push_back({tr("Find..."), [this] { emit footageWanted(); }});

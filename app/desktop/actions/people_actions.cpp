@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QToolButton>
 
+#include "app/desktop/actions/footage_notice.h"
 #include "app/desktop/main_window.h"
 #include "widgets/panels/name_bar.h"
 #include "widgets/presenters/other_marks.h"
@@ -149,6 +150,7 @@ void bindPeopleActions(MainWindow& window, bool mayAsk) {
     showName(window);
     announceOthers(window);
     askAboutImports(window);
+    bindFootageNotice(window);
     if (mayAsk && window.settings().value(kRaterSetting).toString().isEmpty())
         askForName(window);
 }

@@ -91,7 +91,8 @@ private:
             m_notes.push_back(
                 lostFrames(view.camera, lost) +
                 " (its time stamps say so); its frames are taken by number, so the later ones are not of the other "
-                "cameras' instants (new --sync time maps them by time)");
+                "cameras' instants" +
+                (timeProblem(m_measured).empty() ? " (new --sync time maps them by time)" : ""));
         }
     }
 
@@ -105,10 +106,12 @@ private:
 
     void noteLength(const ViewSource& view, const MeasuredFootage& footage) {
         const int more = layOut(footage, view.offsetFrames, isByTime(view, footage)).instants - m_sequence.frameCount;
-        if (more > 0) {
-            m_notes.push_back(view.camera + " has " + std::to_string(more) +
-                              " frames more than the shortest footage: are they all of the same instants?");
-        }
+        const bool isTimed = view.kind == ViewKind::Video && !view.missing.empty();
+        if (more > 0 && isTimed)
+            m_notes.push_back(view.camera + " goes on for " + counted(more, "frame") + " after the last instant");
+        else if (more > 0)
+            m_notes.push_back(view.camera + " has " + counted(more, "frame") +
+                              " more than the shortest footage: are they all of the same instants?");
     }
 
     void noteRate(const ViewSource& view, const MeasuredFootage& footage) {

@@ -2,6 +2,7 @@
 #include "core/io/dataset/measured_footage.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
@@ -66,6 +67,20 @@ std::vector<InstantRange> within(const std::vector<InstantRange>& ranges, int co
         if (range.first < count)
             result.push_back({range.first, std::min(range.count, count - range.first)});
     return result;
+}
+
+std::string timeProblem(const std::map<std::string, MeasuredFootage>& measured) {
+    double rate = 0;
+    for (const auto& [camera, one] : measured) {
+        if (one.kind != ViewKind::Video)
+            continue;
+        if (!one.timing.isSane)
+            return camera + ": its time stamps are uneven or missing";
+        rate = rate > 0 ? rate : one.framesPerSecond;
+        if (std::abs(one.framesPerSecond - rate) > 0.002 * rate)
+            return camera + " was recorded at another frame rate than the others";
+    }
+    return "";
 }
 
 } // namespace core

@@ -43,6 +43,10 @@ FootageLayout layOut(const MeasuredFootage& footage, int first, bool byTime);
 /// The ranges within the first `count` instants.
 std::vector<InstantRange> within(const std::vector<InstantRange>& ranges, int count);
 
+/// Why the videos among the footage cannot be mapped to instants by time: uneven stamps, or different rates. Empty if
+/// they can.
+std::string timeProblem(const std::map<std::string, MeasuredFootage>& measured);
+
 /// What a person should know about the footage of a sequence: lost frames, missing pictures, other lengths and rates.
 /// The same for a new sequence and for one that is read again. `measured` by camera.
 std::vector<std::string> footageNotes(const Sequence& sequence, const std::map<std::string, MeasuredFootage>& measured);

@@ -93,23 +93,8 @@ void alignImages(const std::vector<Footage>& footage, std::map<std::string, Meas
         one->firstFrame = first;
 }
 
-/// Why the videos cannot be mapped by time, or nothing.
-std::string timeProblem(const std::map<std::string, Measured>& measured) {
-    double rate = 0;
-    for (const auto& [camera, one] : measured) {
-        if (one.kind != ViewKind::Video)
-            continue;
-        if (!one.timing.isSane)
-            return camera + ": its time stamps are uneven or missing";
-        rate = rate > 0 ? rate : one.framesPerSecond;
-        if (std::abs(one.framesPerSecond - rate) > 0.002 * rate)
-            return camera + " was recorded at another frame rate than the others";
-    }
-    return "";
-}
-
 void layOutAll(std::map<std::string, Measured>& measured, FootageSync sync) {
-    const std::string problem = timeProblem(measured);
+    const std::string problem = timeProblem({measured.begin(), measured.end()});
     if (sync == FootageSync::Time && !problem.empty())
         throw Error(ErrorCode::Usage, "", "--sync time", problem);
     for (auto& [camera, one] : measured)

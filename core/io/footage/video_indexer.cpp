@@ -169,26 +169,27 @@ void orderByDecoding(VideoDemuxer& demuxer, const std::string& file, VideoIndex&
     setPictures(index, std::move(decoded.packets));
 }
 
-/// Presentation times: the packets' own, else those of decoding in increasing order; empty if neither increases.
+/// Presentation times: the packets' own; where some have none, those of decoding in increasing order. Empty if they do
+/// not increase.
 std::vector<double> timesOf(const VideoIndex& index, AVRational timeBase) {
-    for (const bool usesDts : {false, true}) {
+    const auto stamps = [&](auto member) {
         std::vector<std::int64_t> times;
-        for (const int p : index.packetOfPicture) {
-            const VideoPacket& packet = index.packets[static_cast<std::size_t>(p)];
-            times.push_back(usesDts ? packet.dts : packet.pts);
-        }
-        if (usesDts)
-            std::sort(times.begin(), times.end());
-        const bool increases = std::adjacent_find(times.begin(), times.end(),
-                                                  [](std::int64_t a, std::int64_t b) { return a >= b; }) == times.end();
-        if (!index.isCounted && increases && times.front() != VideoPacket::kNoTime) {
-            std::vector<double> seconds;
-            for (const std::int64_t time : times)
-                seconds.push_back(static_cast<double>(time) * av_q2d(timeBase));
-            return seconds;
-        }
+        for (const int p : index.packetOfPicture)
+            times.push_back(index.packets[static_cast<std::size_t>(p)].*member);
+        return times;
+    };
+    std::vector<std::int64_t> times = stamps(&VideoPacket::pts);
+    if (std::find(times.begin(), times.end(), VideoPacket::kNoTime) != times.end()) {
+        times = stamps(&VideoPacket::dts);
+        std::sort(times.begin(), times.end());
     }
-    return {};
+    const auto isNotLater = [](std::int64_t a, std::int64_t b) { return a >= b; };
+    const bool increases = std::adjacent_find(times.begin(), times.end(), isNotLater) == times.end();
+    std::vector<double> seconds;
+    if (!index.isCounted && increases && times.front() != VideoPacket::kNoTime)
+        for (const std::int64_t time : times)
+            seconds.push_back(static_cast<double>(time) * av_q2d(timeBase));
+    return seconds;
 }
 
 double rateOf(const VideoIndex& index, const AVStream& stream) {

@@ -43,7 +43,7 @@ TEST_F(New, MakesADatasetOfNumberedImages) {
                                  "--images", "cam1=" + (m_folder / "shots1/img_{frame}.png").string(), "--offset",
                                  "cam0=2", "--offset", "cam1=95", "--fps", "30", "--out", m_set});
     ASSERT_EQ(made.status, 0) << made.err;
-    EXPECT_NE(made.out.find("note: cam0 has 1 frames more"), std::string::npos) << made.out;
+    EXPECT_NE(made.out.find("note: cam0 has 1 frame more"), std::string::npos) << made.out;
     EXPECT_EQ(runBatch({"check", m_set}).status, 0);
     const core::Dataset dataset = core::readDataset(m_set);
     ASSERT_EQ(dataset.sequences.size(), 1u);

@@ -81,6 +81,23 @@ TEST_F(DatasetFolder, RefusesWhatDoesNotFitTogether) {
     expectRefused("\"version\": 1", "\"version\": \"one\"", "version", "");
 }
 
+TEST_F(DatasetFolder, KeepsMissingInstantsAndNotes) {
+    core::Dataset dataset = core::readDataset(m_path);
+    dataset.sequences[1].views[0].missing = {{0, 1}, {3, 4}};
+    dataset.sequences[1].notes = {"cam0: 5 frames missing"};
+    core::rewriteDatasetFile(dataset);
+    const core::Sequence read = core::readDataset(m_path).sequences[1];
+    EXPECT_EQ(read.views[0].missing, (std::vector<core::InstantRange>{{0, 1}, {3, 4}}));
+    EXPECT_TRUE(read.views[1].missing.empty());
+    EXPECT_EQ(read.notes, dataset.sequences[1].notes);
+    for (const std::vector<core::InstantRange>& bad :
+         {std::vector<core::InstantRange>{{3, 1}, {3, 1}}, {{5, 3}}, {{7, 1}}, {{2, 0}}, {{-1, 1}}}) {
+        dataset.sequences[1].views[0].missing = bad;
+        test::expectError([&] { core::rewriteDatasetFile(dataset); }, BadInput,
+                          "dataset.json: sequences[1].views[0].missing", "");
+    }
+}
+
 TEST_F(DatasetFolder, SaysWhichFileIsMissing) {
     std::filesystem::remove(m_path / "hands/right.json");
     test::expectError([&] { core::readDataset(m_path); }, NotFound, "hands/right.json", "no such file");
