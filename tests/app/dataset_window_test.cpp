@@ -141,7 +141,8 @@ TEST_F(DatasetWindow, FootageThatHasMovedIsFoundAgain) {
     ASSERT_TRUE(app::waitFor(*window, [this] { return !window->workbench().frames.picture(0).isNull(); }));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_TRUE(view->message().isEmpty()) << view->message().toStdString();
-    for (const core::ViewSource& source : core::readDataset(folder / "dataset").sequences.front().views)
+    const core::Dataset found = core::readDataset(folder / "dataset");
+    for (const core::ViewSource& source : found.sequences.front().views)
         EXPECT_NE(source.path.find("elsewhere/moved"), std::string::npos) << source.path;
 }
 

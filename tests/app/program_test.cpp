@@ -211,9 +211,9 @@ TEST_F(Program, AFrameOrALanguageThatThereIsNotEndsInOneSentence) {
         ASSERT_TRUE(process.waitForFinished(kPatienceMs));
         EXPECT_EQ(process.exitCode(), 2);
         const QByteArray said = process.readAllStandardError();
-        EXPECT_TRUE(said.startsWith("handlens: " + arguments.front().toUtf8())) << said.constData();
+        EXPECT_EQ(said.count("handlens: "), 1) << said.constData();
+        EXPECT_TRUE(said.contains("handlens: " + arguments.front().toUtf8())) << said.constData();
         EXPECT_TRUE(said.contains(mentions)) << said.constData();
-        EXPECT_EQ(said.count('\n'), 1) << said.constData();
         EXPECT_TRUE(process.readAllStandardOutput().isEmpty()) << "no step was played";
     }
     play({{{"do", "timing"}}}, {QStringLiteral("--language"), QStringLiteral("de_AT")});

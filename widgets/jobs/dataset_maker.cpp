@@ -68,6 +68,9 @@ DatasetMaker::DatasetMaker(JobPool& pool, QObject* parent)
     : QObject(parent)
     , m_job(pool) {
     connect(&m_job, &Job::failed, this, &DatasetMaker::failed);
+    for (const auto end : {&Job::finished, &Job::stopped})
+        connect(&m_job, end, this, &DatasetMaker::idle);
+    connect(&m_job, &Job::failed, this, &DatasetMaker::idle);
 }
 
 void DatasetMaker::readCameras(const NewDatasetRequest& request) {

@@ -43,6 +43,8 @@ signals:
     /// `notes` say what a person should know about the footage, one a line.
     void made(const QString& folder, const QString& notes);
     void failed(const QString& message);
+    /// The work has ended, well or not; another can begin.
+    void idle();
 
 private:
     Job m_job;

@@ -230,9 +230,10 @@ ViewTitle MarkPresenter::titleOf(int camera) const {
         title.error = tr("cannot be placed");
     else if (view.errorPx)
         title.error = tr("%1 px").arg(QLocale().toString(*view.errorPx, 'f', 1));
-    else if (gap)
-        title.error = curveGapText(*gap);
-    else if (view.mark && view.mark->placement != core::Placement::Manual)
+    else if (gap) {
+        title.error = tr("%1 px").arg(QLocale().toString(gap->px, 'f', 1));
+        title.detail = tr("off %1's curve").arg(QString::fromStdString(gap->curveOf));
+    } else if (view.mark && view.mark->placement != core::Placement::Manual)
         title.error = view.mark->isPlaced() ? tr("accepted") : tr("proposed");
     title.warning = view.outlier || gap || (!selected.suspect.empty() && selected.suspect == name);
     if (advisedCamera(selected) == name)

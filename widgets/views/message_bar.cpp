@@ -69,6 +69,7 @@ void MessageBar::offer(const QString& text, const std::vector<MessageAction>& ac
         auto* button = new QPushButton(action.text, this);
         button->setFocusPolicy(Qt::NoFocus);
         m_buttons->addWidget(button);
+        button->show(); // at once, also where the bar is shown already
         connect(button, &QPushButton::clicked, this, [this, run = action.run] {
             setMessage({});
             run();

@@ -46,10 +46,8 @@ NewDatasetWindow::NewDatasetWindow(MainWindow& window)
         connect(field, &QLineEdit::textChanged, this, &NewDatasetWindow::refresh);
     connect(m_make, &QPushButton::clicked, this, &NewDatasetWindow::make);
     connect(&m_maker, &widgets::DatasetMaker::camerasRead, this, &NewDatasetWindow::showCameras);
-    connect(&m_maker, &widgets::DatasetMaker::failed, this, [this](const QString& message) {
-        m_message->setMessage(message);
-        refresh();
-    });
+    connect(&m_maker, &widgets::DatasetMaker::failed, m_message, &widgets::MessageBar::setMessage);
+    connect(&m_maker, &widgets::DatasetMaker::idle, this, &NewDatasetWindow::refresh);
     connect(&m_maker, &widgets::DatasetMaker::made, this, [this](const QString& folder, const QString& notes) {
         m_window.openDataset(folder);
         if (!notes.isEmpty())
