@@ -115,7 +115,7 @@ TEST_F(Access, TheToolbarHasIconsWithTextsAndCanBeHidden) {
          {"edit.undo", "edit.redo", "annotation.accept", "annotation.occluded", "annotation.unplaceable",
           "view.frameHands", "view.loupe", "view.fitAll", "view.modelOfMarks", "fit.run", "file.export"})
         EXPECT_TRUE(ids.count(QString::fromLatin1(id))) << id;
-    input.key(QStringLiteral("Ctrl+Shift+T"), 0);
+    app::RealInput(*window).key(QStringLiteral("Ctrl+Shift+T"), 0); // this window, not the one before
     EXPECT_FALSE(bar->isVisible());
     restart();
     EXPECT_FALSE(window->findChild<QToolBar*>()->isVisible()) << "it stays hidden";
