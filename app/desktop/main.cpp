@@ -10,10 +10,10 @@
 
 #include "app/desktop/command_line.h"
 #include "app/desktop/language.h"
-#include "app/desktop/main_window.h"
 #include "app/desktop/palettes.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
+#include "app/desktop/window_assembly.h"
 #include "core/error.h"
 #include "widgets/views/private_display.h"
 
@@ -76,7 +76,8 @@ int run(int argc, char** argv, const app::CommandLine& line) {
                                                    : QString::fromStdString(line.language);
     app::applyLanguage(application, language.isEmpty() && line.offscreen ? QStringLiteral("en") : language);
     app::applyLook(application, app::lookFromName(settings.value(QStringLiteral("look")).toString()));
-    app::MainWindow window(settings, {line.rater, !line.offscreen});
+    const auto made = app::makeMainWindow(settings, {line.rater, !line.offscreen});
+    app::MainWindow& window = *made;
     if (line.offscreen) {
         QTimer::singleShot(
             0, &window, [&] { QCoreApplication::exit(runScript(window, line)); });

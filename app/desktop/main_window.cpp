@@ -16,17 +16,7 @@
 #include <QStatusTipEvent>
 #include <QVBoxLayout>
 
-#include "app/desktop/actions/annotation_actions.h"
-#include "app/desktop/actions/dataset_actions.h"
-#include "app/desktop/actions/file_actions.h"
-#include "app/desktop/actions/menus.h"
-#include "app/desktop/actions/number_keys.h"
-#include "app/desktop/actions/panel_actions.h"
-#include "app/desktop/actions/people_actions.h"
-#include "app/desktop/actions/window_actions.h"
 #include "app/desktop/resources.h"
-#include "app/desktop/windows/new_dataset_window.h"
-#include "app/desktop/windows/preferences_window.h"
 #include "core/io/files/login_name.h"
 
 namespace app {
@@ -71,21 +61,11 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     connectSession();
     connectDocument();
     connectWork();
-    bindWindowActions(*this);
-    bindAnnotationActions(*this);
-    bindPanelActions(*this);
-    bindFileActions(*this);
-    bindDatasetActions(*this);
-    new NumberKeys(*this);
-    buildMenus(*this);
     m_mayAsk = options.hints;
-    buildToolbar(*this);
-    applyPreferences(*this);
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
     m_workbench.document.setRater(rater.isEmpty() ? core::loginName() : rater.toStdString());
-    bindPeopleActions(*this, options.hints && options.rater.empty());
     restoreLayout();
     refreshTitle();
 }
@@ -152,129 +132,6 @@ QWidget* MainWindow::makeWorkspaceBar() {
     connect(m_workspaces, &Workspaces::currentChanged, m_workspaceBar,
             [this](Workspaces::Kind kind) { m_workspaceBar->setCurrentIndex(static_cast<int>(kind)); });
     return m_workspaceBar;
-}
-
-void MainWindow::connectSession() {
-    widgets::DatasetSession& session = m_workbench.session;
-    connect(&session, &widgets::DatasetSession::opening, this, [this](const QString& what) {
-        showMessage({});
-        m_statusLine->showWork(tr("Opening %1").arg(QFileInfo(what).fileName()), -1);
-    });
-    connect(&session, &widgets::DatasetSession::openFailed, this, [this](const QString& message) {
-        m_statusLine->hideWork();
-        m_wantedFrame = 0;
-        showMessage(tr("This could not be opened. %1").arg(message));
-        if (m_workbench.session.sequence())
-            m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
-    });
-    connect(&session, &widgets::DatasetSession::datasetOpened, this, [this] {
-        const core::Dataset& dataset = *m_workbench.session.dataset();
-        m_framesBar->setDataset(dataset);
-        remember(QString::fromStdString(dataset.folder.string()));
-    });
-    connect(
-        &m_workbench, &widgets::Workbench::ready, this,
-        [this] {
-            m_statusLine->hideWork();
-            m_framesBar->setSequence(QString::fromStdString(m_workbench.session.sequence()->name));
-            m_framesBar->show();
-            m_pages->setCurrentWidget(m_workspaces);
-            m_workspaces->grid()->setFocus();
-            m_playback.setFramesPerSecond(m_workbench.session.sequence()->framesPerSecond);
-            if (std::exchange(m_mayHint, false))
-                showHints();
-            refreshTitle();
-            refreshTestFrames();
-            sayIfFrameIsMissing();
-        });
-    connect(m_workspaces, &Workspaces::wordsChanged, m_statusLine,
-            [this](const widgets::WorkWords& words) { m_statusLine->setWords(words.summary, words.advice); });
-    connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::drawChanged, this, &MainWindow::refreshTestFrames);
-    connect(m_framesBar, &widgets::FramesBar::sequenceRequested, this,
-            [this](const QString& name) { m_workbench.session.openSequence(name, 0); });
-}
-
-void MainWindow::connectDocument() {
-    widgets::AnnotationDocument& document = m_workbench.document;
-    connect(&document, &widgets::AnnotationDocument::saveFailed, this, [this](const QString& message) {
-        m_saveFailed = true;
-        showMessage(tr("Not saved yet, but nothing is lost: it is tried again every few seconds. %1").arg(message));
-    });
-    connect(&document, &widgets::AnnotationDocument::saved, this, [this] {
-        m_mayLoseEdits = false;
-        if (std::exchange(m_saveFailed, false))
-            showMessage({});
-    });
-    connect(&document, &widgets::AnnotationDocument::refused, this, &MainWindow::showMessage);
-    connect(&document, &widgets::AnnotationDocument::opened, this, [this] {
-        const core::AnnotationStore* store = m_workbench.document.store();
-        if (store && store->isReadOnly())
-            showMessage(tr("Read-only: %1. You can look and export; edits are not possible.")
-                            .arg(widgets::readOnlyText(store->readOnlyReason())));
-        else if (store && !store->warnings().empty())
-            showMessage(QString::fromStdString(store->warnings().front()));
-    });
-    connect(&m_workbench.annotator, &widgets::Annotator::nothingDone, m_statusLine, &widgets::StatusLine::sayBriefly);
-    widgets::AnnotationFiles& files = m_workbench.files;
-    connect(&files, &widgets::AnnotationFiles::failed, this, &MainWindow::showMessage);
-    connect(&files, &widgets::AnnotationFiles::exported, this, [this](const QString& path) {
-        m_statusLine->sayBriefly(tr("Exported to %1").arg(QDir::toNativeSeparators(path)));
-    });
-    connect(&files, &widgets::AnnotationFiles::reported, this, &MainWindow::offerReport);
-    connect(&files, &widgets::AnnotationFiles::jointsRead, this, [this](const std::vector<std::string>& names) {
-        if (m_workbench.session.dataset())
-            m_workbench.joints.setNames(names, *m_workbench.session.dataset());
-    });
-    connect(&files, &widgets::AnnotationFiles::imported, this,
-            [this](const QString& path, int marks, int notes, const QString& warnings) {
-                const QString file = QFileInfo(path).fileName();
-                QString text = tr("%n mark(s) imported from %1", nullptr, marks).arg(file);
-                if (notes > 0)
-                    text += QStringLiteral(", ") + tr("%n note(s)", nullptr, notes);
-                m_statusLine->sayBriefly(
-                    marks + notes > 0
-                        ? text
-                        : tr("Nothing was changed: %1 holds nothing that is not there already.").arg(file));
-                if (!warnings.isEmpty())
-                    showMessage(warnings);
-            });
-}
-
-void MainWindow::connectWork() {
-    widgets::FitRunner& fits = m_workbench.fits;
-    connect(
-        &fits, &widgets::FitRunner::started, this, [this] { m_statusLine->showWork(tr("Fitting"), 0); });
-    connect(&fits, &widgets::FitRunner::progressed, this, [this](double fraction, const QString& method) {
-        m_statusLine->showWork(tr("Fitting: %1").arg(method), fraction);
-    });
-    connect(&fits, &widgets::FitRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(&fits, &widgets::FitRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(&fits, &widgets::FitRunner::failed, m_statusLine,
-            &widgets::StatusLine::sayBriefly); // the panel may be hidden
-    connect(&fits, &widgets::FitRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(m_statusLine, &widgets::StatusLine::stopRequested, &fits, &widgets::FitRunner::stop);
-    widgets::BenchmarkRunner& benchmarks = m_workbench.benchmarks;
-    connect(
-        &benchmarks, &widgets::BenchmarkRunner::started, this, [this] { m_statusLine->showWork(tr("Benchmark"), 0); });
-    connect(&benchmarks, &widgets::BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
-        m_statusLine->showWork(tr("Benchmark: %1").arg(text), fraction);
-    });
-    connect(&benchmarks, &widgets::BenchmarkRunner::finished, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(&benchmarks, &widgets::BenchmarkRunner::failed, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(&benchmarks, &widgets::BenchmarkRunner::cleared, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(m_statusLine, &widgets::StatusLine::stopRequested, &benchmarks, &widgets::BenchmarkRunner::stop);
-    connect(
-        &benchmarks, &widgets::BenchmarkRunner::saved, this,
-        [this](const QString& folder) {
-            m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
-        });
-    connect(&benchmarks, &widgets::BenchmarkRunner::opened, this,
-            [this] { m_workspaces->setCurrent(Workspaces::Kind::Benchmark); });
-    connect(m_workspaces->masks(), &widgets::MaskAttacher::attached, m_statusLine, &widgets::StatusLine::sayBriefly);
-    widgets::AnnotationFiles& files = m_workbench.files;
-    connect(&files, &widgets::AnnotationFiles::working, m_statusLine, &widgets::StatusLine::showWork);
-    connect(&files, &widgets::AnnotationFiles::idle, m_statusLine, &widgets::StatusLine::hideWork);
-    connect(m_statusLine, &widgets::StatusLine::stopRequested, &files, &widgets::AnnotationFiles::stop);
 }
 
 void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
@@ -419,7 +276,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (!folder.isEmpty())
         openDataset(folder);
     else
-        NewDatasetWindow::open(*this, droppedFootage(event->mimeData()));
+        emit footageDropped(droppedFootage(event->mimeData()));
 }
 
 } // namespace app

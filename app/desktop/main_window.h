@@ -28,7 +28,8 @@ struct WindowOptions {
                        ///< something surprising is done
 };
 
-/// The window: it builds the parts and wires them; all that it shows and does is theirs.
+/// The window: it builds the parts and wires them; all that it shows and does is theirs. makeMainWindow() gives it its
+/// actions and menus.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -66,6 +67,10 @@ public:
     QSettings& settings() { return m_settings; }
     /// A part of the window by the name that scripts use; null if there is none.
     QWidget* part(const QString& name);
+
+signals:
+    /// Videos or folders of images, but no dataset, were dropped on the window.
+    void footageDropped(const QStringList& paths);
 
 protected:
     bool event(QEvent* event) override;

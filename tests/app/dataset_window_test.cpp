@@ -23,7 +23,7 @@ protected:
         core::writeCalibration(folder / "calibration.json", "handlens", cameras);
         for (const core::Camera& camera : cameras)
             writeImages(camera.name);
-        window = std::make_unique<app::MainWindow>(settings, app::WindowOptions{"ann", false});
+        window = app::makeMainWindow(settings, app::WindowOptions{"ann", false});
         window->setGeometry(0, 0, 1366, 768);
         window->show();
         window->activateWindow();

@@ -52,7 +52,7 @@ protected:
     void startForAPerson() {
         settings->setValue(QStringLiteral("hintsSeen"), true);
         window.reset();
-        window = std::make_unique<app::MainWindow>(*settings, app::WindowOptions{"ann", true});
+        window = app::makeMainWindow(*settings, app::WindowOptions{"ann", true});
         window->setGeometry(0, 0, 1366, 768);
         window->show();
         window->activateWindow();

@@ -69,7 +69,7 @@ TEST_F(People, TheNameIsShownAllTheTime) {
 
 TEST_F(People, TheLoginNameIsTheNameAndIsAskedForOnce) {
     ASSERT_EQ(::setenv("LOGNAME", "carla", 1), 0);
-    window = std::make_unique<app::MainWindow>(*settings, app::WindowOptions{"", true});
+    window = app::makeMainWindow(*settings, app::WindowOptions{"", true});
     window->show();
     EXPECT_EQ(bench().document.rater(), "carla");
     auto* ask = window->findChild<widgets::NameBar*>();
@@ -79,7 +79,7 @@ TEST_F(People, TheLoginNameIsTheNameAndIsAskedForOnce) {
     ask->findChild<QPushButton*>()->click();
     EXPECT_FALSE(ask->isVisible());
     EXPECT_EQ(bench().document.rater(), "Carla M.");
-    window = std::make_unique<app::MainWindow>(*settings, app::WindowOptions{"", true});
+    window = app::makeMainWindow(*settings, app::WindowOptions{"", true});
     EXPECT_EQ(bench().document.rater(), "Carla M.");
     EXPECT_FALSE(window->findChild<widgets::NameBar*>());
 }

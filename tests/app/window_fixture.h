@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/desktop/main_window.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
+#include "app/desktop/window_assembly.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 
@@ -30,7 +30,7 @@ protected:
 
     void start() {
         settings = std::make_unique<QSettings>(path("settings.ini"), QSettings::IniFormat);
-        window = std::make_unique<app::MainWindow>(*settings, app::WindowOptions{"ann", false});
+        window = app::makeMainWindow(*settings, app::WindowOptions{"ann", false});
         window->setGeometry(0, 0, 1366, 768);
         window->show();
         window->activateWindow();

@@ -116,7 +116,7 @@ void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane)
 void Timeline::paintTicks(QPainter& painter) const {
     const QRectF area = track();
     const double step = m_frames > 0 ? area.width() / m_frames : 0;
-    const QColor muted = mixed(palette().color(QPalette::Window), palette().color(QPalette::WindowText), 0.6);
+    const QColor muted = othersColour(palette());
     for (const auto& [frame, names] : m_others)
         painter.fillRect(
             QRectF(area.left() + frame * step, area.center().y() - kLaneGap / 2, std::max(2.0, step), kLaneGap), muted);

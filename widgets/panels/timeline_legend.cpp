@@ -22,6 +22,10 @@ QString lanesText() {
 
 } // namespace
 
+QColor othersColour(const QPalette& palette) {
+    return mixed(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.6);
+}
+
 std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette) {
     const auto text = [](const char* source) { return QCoreApplication::translate("widgets::TimelineLegend", source); };
     return {
@@ -31,6 +35,8 @@ std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette) {
          text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "a joint is bad: large error, outlier, or no 3D point"))},
         {kOccludedColour,
          text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "at its foot: a joint is occluded, its place estimated"))},
+        {othersColour(palette),
+         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "between the lanes: marks of other people"))},
         {palette.color(QPalette::WindowText), text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
         {palette.color(QPalette::Highlight),
          text(QT_TRANSLATE_NOOP("widgets::TimelineLegend",

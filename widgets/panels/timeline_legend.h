@@ -15,6 +15,8 @@ struct TimelineMeaning {
     QColor colour;
     QString text;
 };
+/// Of frames in which other people have marks.
+QColor othersColour(const QPalette& palette);
 std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette);
 /// The same as rich text, for tool tips.
 QString timelineLegendText(const QPalette& palette);

@@ -87,10 +87,10 @@ void Workspaces::build() {
     m_middle->addWidget(m_grid);
     m_middle->addWidget(scrolled(m_inspect, this));
     m_middle->addWidget(scrolled(m_benchmark, this));
-    m_tabs->addTab(m_quality, tr("Quality"));
-    m_tabs->addTab(m_fitting, tr("Fit"));
-    m_tabs->addTab(m_viewPanel, tr("View"));
-    m_tabs->addTab(m_raters, tr("Raters"));
+    m_tabs->addTab(scrolled(m_quality, this), tr("Quality"));
+    m_tabs->addTab(scrolled(m_fitting, this), tr("Fit"));
+    m_tabs->addTab(scrolled(m_viewPanel, this), tr("View"));
+    m_tabs->addTab(scrolled(m_raters, this), tr("Raters"));
     m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
     m_tabs->setDocumentMode(true);
     m_tabs->setFocusPolicy(Qt::NoFocus);
@@ -146,7 +146,7 @@ void Workspaces::connectInspect() {
     connect(&m_workbench.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
     connect(&m_workbench.fits, &FitRunner::failed, this, [this] {
         if (m_kind != Kind::Benchmark)
-            m_tabs->setCurrentWidget(m_fitting); // where the reason stands, and what to do
+            m_tabs->setCurrentIndex(tabOf(m_fitting)); // where the reason stands, and what to do
     });
     connect(&m_masks, &MaskAttacher::failed, m_fitting, &FittingPanel::showMessage);
     lookInspected();
@@ -307,10 +307,11 @@ void Workspaces::showTabs() {
     if (!annotates && !m_annotationTab)
         m_annotationTab = m_tabs->currentWidget();
     for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_raters})
-        m_tabs->setTabVisible(m_tabs->indexOf(panel), annotates);
-    m_tabs->setCurrentWidget(annotates && m_annotationTab ? m_annotationTab
-                             : annotates                  ? m_tabs->currentWidget()
-                                                          : m_fitting);
+        m_tabs->setTabVisible(tabOf(panel), annotates);
+    if (!annotates)
+        m_tabs->setCurrentIndex(tabOf(m_fitting));
+    else if (m_annotationTab)
+        m_tabs->setCurrentWidget(m_annotationTab);
     if (annotates)
         m_annotationTab = nullptr;
 }
@@ -338,7 +339,15 @@ void Workspaces::raisePanel(QWidget* panel) {
     const bool isOfAnnotating = panel == m_quality || panel == m_raters;
     if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
         setCurrent(Kind::Annotate);
-    m_tabs->setCurrentWidget(panel);
+    m_tabs->setCurrentIndex(tabOf(panel));
+}
+
+/// The tab in which a panel scrolls.
+int Workspaces::tabOf(const QWidget* panel) const {
+    int tab = 0;
+    while (tab < m_tabs->count() && !m_tabs->widget(tab)->isAncestorOf(panel))
+        ++tab;
+    return tab;
 }
 
 QWidget* Workspaces::part(const QString& name) const {

@@ -90,6 +90,7 @@ private:
     void showInScene();
     ImagePyramid shownPicture(int camera) const;
     void showTabs();
+    int tabOf(const QWidget* panel) const;
     void takeSequence();
     void showOrder();
     void showFailure(int camera, const QString& message);

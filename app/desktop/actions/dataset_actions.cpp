@@ -92,6 +92,9 @@ bool needsDataset(const QString& actionId) {
 void bindDatasetActions(MainWindow& window) {
     window.actions().bind(
         QStringLiteral("file.new"), [&window] { NewDatasetWindow::open(window, {}); });
+    QObject::connect(
+        &window, &MainWindow::footageDropped, &window,
+        [&window](const QStringList& paths) { NewDatasetWindow::open(window, paths); });
     QObject::connect(&window.workbench(), &widgets::Workbench::ready, &window, [&window] { enableAll(window, true); });
     enableAll(window, false);
     bindFinder(window);

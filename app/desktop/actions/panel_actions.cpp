@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include "app/desktop/actions/own_name.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/preferences_window.h"
 #include "app/desktop/windows/shortcut_window.h"
@@ -166,18 +167,6 @@ void showListMenu(MainWindow& window, const QPoint& position) {
 }
 
 } // namespace
-
-QString ownName(MainWindow& window) {
-    return QString::fromStdString(widgets::ownName(window.workbench().document.rater()));
-}
-
-void keepOwnName(MainWindow& window, const QString& name) {
-    const QString rater = QString::fromStdString(widgets::ownName(name.trimmed().toStdString())).trimmed();
-    if (rater.isEmpty() || rater == ownName(window))
-        return;
-    window.settings().setValue(QStringLiteral("rater"), rater);
-    window.workbench().document.setRater(rater.toStdString());
-}
 
 void bindPanelActions(MainWindow& window) {
     bindNames(window);

@@ -13,7 +13,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "app/desktop/actions/panel_actions.h"
+#include "app/desktop/actions/own_name.h"
 #include "app/desktop/language.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/palettes.h"

@@ -170,7 +170,9 @@ TEST_F(HandFramingTest, TheTitleOfTheViewToClickNextSaysSo) {
         return names;
     };
     EXPECT_TRUE(asking().isEmpty());
-    for (const int camera : {0, 3}) {
+    click(index, 0);
+    EXPECT_TRUE(asking().isEmpty()) << "one click does not tell which view helps most";
+    for (const int camera : {3, 5}) {
         click(index, camera);
         const QString advice = widgets::adviceText(index, bench.reconstructions.selected());
         ASSERT_EQ(asking().size(), 1) << advice.toStdString();

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/window_assembly.h"
+
+#include "app/desktop/actions/annotation_actions.h"
+#include "app/desktop/actions/dataset_actions.h"
+#include "app/desktop/actions/file_actions.h"
+#include "app/desktop/actions/menus.h"
+#include "app/desktop/actions/number_keys.h"
+#include "app/desktop/actions/panel_actions.h"
+#include "app/desktop/actions/people_actions.h"
+#include "app/desktop/actions/window_actions.h"
+#include "app/desktop/windows/preferences_window.h"
+
+namespace app {
+
+std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOptions& options) {
+    auto window = std::make_unique<MainWindow>(settings, options);
+    bindWindowActions(*window);
+    bindAnnotationActions(*window);
+    bindPanelActions(*window);
+    bindFileActions(*window);
+    bindDatasetActions(*window);
+    bindPeopleActions(*window, options.hints && options.rater.empty());
+    new NumberKeys(*window);
+    buildMenus(*window);
+    buildToolbar(*window);
+    applyPreferences(*window);
+    return window;
+}
+
+} // namespace app
