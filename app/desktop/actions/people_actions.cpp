@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QToolButton>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "widgets/panels/name_bar.h"
 #include "widgets/presenters/other_marks.h"
@@ -14,10 +15,6 @@ namespace app {
 namespace {
 
 const QString kRaterSetting = QStringLiteral("rater");
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 /// Puts a bar below the message at the top of the window.
 void addBar(MainWindow& window, QWidget* bar) {
