@@ -79,35 +79,35 @@ std::string optionsHtml(const BenchmarkResults& results) {
     return text + "</tbody>\n</table>\n";
 }
 
-/// What an idea of `best` gains and costs: with it against without it.
-std::string ideaRow(const BenchmarkResults& results, const BestIdea& idea) {
+/// What an option of `best` gains and costs: with it against without it.
+std::string variantRow(const BenchmarkResults& results, const BestVariant& tried) {
     const ErrorStatistics best = errorStatistics(results, "best");
-    const ErrorStatistics variant = errorStatistics(results, idea.variant);
-    std::string row = "<tr>" + htmlTextCell(idea.what) + htmlTextCell(idea.kept ? "part of best" : "left out") +
-                      htmlTextCell(idea.variant);
+    const ErrorStatistics variant = errorStatistics(results, tried.variant);
+    std::string row = "<tr>" + htmlTextCell(tried.what) + htmlTextCell(tried.kept ? "part of best" : "left out") +
+                      htmlTextCell(tried.variant);
     if (best.pairs == 0 || variant.pairs == 0)
         return row + "<td></td><td></td><td></td><td></td></tr>\n";
-    const ErrorStatistics& with = idea.kept ? best : variant;
-    const ErrorStatistics& without = idea.kept ? variant : best;
+    const ErrorStatistics& with = tried.kept ? best : variant;
+    const ErrorStatistics& without = tried.kept ? variant : best;
     return row + htmlNumberCell(variant.meanMm, 3) + htmlNumberCell(variant.worstMm, 2) +
            htmlNumberCell(without.meanMm - with.meanMm, 3) +
            htmlNumberCell(1000 * (with.meanSeconds - without.meanSeconds), 0) + "</tr>\n";
 }
 
-std::string ideasHtml(const BenchmarkResults& results) {
+std::string bestVariantsHtml(const BenchmarkResults& results) {
     const ErrorStatistics best = errorStatistics(results, "best");
-    std::string text = "<h2>What best is made of</h2>\n<p>Each idea switched the other way, alone. Gain: how much "
+    std::string text = "<h2>What best is made of</h2>\n<p>Each option switched the other way, alone. Gain: how much "
                        "lower the mean error is "
-                       "with the idea than without it; cost: how much longer a pair takes with it.";
+                       "with it than without it; cost: how much longer a pair takes with it.";
     if (best.pairs > 0) {
         text += " best itself: " + fixedText(best.meanMm, 3) + " mm, worst pair " + fixedText(best.worstMm, 2) +
                 " mm, " + fixedText(best.meanSeconds, 3) + " s.";
     }
-    text += "</p>\n<table>\n<thead><tr><th>idea</th><th>verdict</th><th>tried</th><th>mm</th><th>worst, "
+    text += "</p>\n<table>\n<thead><tr><th>option</th><th>verdict</th><th>tried</th><th>mm</th><th>worst, "
             "mm</th><th>gain, mm</th>"
             "<th>cost, ms</th></tr></thead>\n<tbody>\n";
-    for (const BestIdea& idea : bestIdeas())
-        text += ideaRow(results, idea);
+    for (const BestVariant& tried : bestVariants())
+        text += variantRow(results, tried);
     return text + "</tbody>\n</table>\n";
 }
 
@@ -199,7 +199,7 @@ std::string reportHtml(const ReportContent& content) {
         text += findingsHtml(content);
     text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr, "nothing is computed twice");
     if (content.sweep)
-        text += optionsHtml(*content.results) + ideasHtml(*content.results);
+        text += optionsHtml(*content.results) + bestVariantsHtml(*content.results);
     return text + worstHtml(content) + "</body>\n</html>\n";
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/fitting/method_name.h"
+#include "core/fitting/method_options.h"
 #include "core/text/number_text.h"
 
 namespace core {
@@ -23,6 +24,19 @@ SweepSeries series(const std::string& name, const std::string& method, const std
 void addOnce(std::vector<std::string>& methods, const std::string& method) {
     if (std::find(methods.begin(), methods.end(), method) == methods.end())
         methods.push_back(method);
+}
+
+OpenOption openOption(std::string_view key, const std::string& method, const std::vector<std::string>& values) {
+    const MethodOption& option = methodOption(key);
+    OpenOption open{std::string(key),
+                    std::string(option.meaning),
+                    std::string(option.defaultText),
+                    std::string(option.source),
+                    method,
+                    {}};
+    for (const std::string& value : values)
+        open.variants.push_back(method + ":" + std::string(key) + "=" + value);
+    return open;
 }
 
 } // namespace
@@ -67,83 +81,30 @@ std::vector<SweepFigure> sweepFigures(Schedule schedule) {
 
 std::vector<OpenOption> openOptions() {
     return {
-        {"schedule",
-         "a first phase moves only the six rigid degrees of freedom of each hand",
-         "rigid",
-         "ours; paper: no such phase",
-         "dch-thres",
-         {"dch-thres:schedule=paper"}},
-        {"epsilon",
-         "epsilon of approxPolyDP for phi(q), px",
-         "1.25",
-         "ours; the paper names approxPolyDP, no epsilon",
-         "dch-thres",
-         {"dch-thres:epsilon=0.75", "dch-thres:epsilon=1", "dch-thres:epsilon=1.5", "dch-thres:epsilon=2"}},
-        {"tangent",
-         "phi(q) from polygon segments or from a chord of +-7 px",
-         "polygon",
-         "paper: a line representation",
-         "dch-thres",
-         {"dch-thres:tangent=chord"}},
-        {"iterations",
-         "most iterations of a fit",
-         "25",
-         "ours; the paper gives none",
-         "dch-thres",
-         {"dch-thres:iterations=10", "dch-thres:iterations=50"}},
-        {"damping",
-         "damping relative to the diagonal of the normal matrix",
-         "0.001",
-         "ours; the paper gives none",
-         "dch-thres",
-         {"dch-thres:damping=0.0001", "dch-thres:damping=0.01", "dch-thres:damping=0.1"}},
-        {"gate",
-         "longest distance of a match, px",
-         "60 for Quant and Quant2, none for the others",
-         "ours; the paper names no gate",
-         "dch-quant",
-         {"dch-quant:gate=20", "dch-quant:gate=40", "dch-quant:gate=120", "dch-quant:gate=1e6"}},
-        {"centre",
-         "where orientation bins are centred: on the x axis, or half a bin beside it",
-         "0",
-         "ours; the paper says nothing",
-         "dch-quant",
-         {"dch-quant:centre=0.5"}},
-        {"centre (DT3)", "the same for DT3", "0", "ours; the paper says nothing", "dch-dt3", {"dch-dt3:centre=0.5"}},
-        {"weights",
-         "weigh the two matches of Quant2 by how near their bins are",
-         "0",
-         "ours; paper: equal weights",
-         "dch-quant2",
-         {"dch-quant2:weights=1"}},
-        {"truncate",
-         "K of Stenger's truncated penalty, px^2",
-         "none",
-         "Stenger et al. 2006",
-         "ch",
-         {"ch:truncate=100", "ch:truncate=400", "ch:truncate=3600"}},
-        {"backend",
-         "DT3 by a tensor or by direct search: equal matches",
-         "direct",
-         "ours; paper: a tensor",
-         "dch-dt3",
-         {"dch-dt3:backend=tensor"}},
+        openOption("schedule", "dch-thres", {"paper"}),
+        openOption("epsilon", "dch-thres", {"0.75", "1", "1.5", "2"}),
+        openOption("tangent", "dch-thres", {"chord"}),
+        openOption("iterations", "dch-thres", {"10", "50"}),
+        openOption("damping", "dch-thres", {"0.0001", "0.01", "0.1"}),
+        openOption("gate", "dch-quant", {"20", "40", "120", "1e6"}),
+        openOption("centre", "dch-quant", {"0.5"}),
+        openOption("centre", "dch-dt3", {"0.5"}),
+        openOption("weights", "dch-quant2", {"1"}),
+        openOption("truncate", "ch", {"100", "400", "3600"}),
+        openOption("backend", "dch-dt3", {"tensor"}),
     };
 }
 
-std::vector<BestIdea> bestIdeas() {
-    return {
-        {"the palm finds its place before the fingers move", true, "best:palm=0"},
-        {"coarse levels of the mesh first", true, "best:coarse=0"},
-        {"tau anneals from 45 deg to 22.5", true, "best:wide=0"},
-        {"the distance along the outline counts a tenth", true, "best:across=0"},
-        {"a weak pull of the angles to those of the start", true, "best:prior=0"},
-        {"other starts where silhouettes are left unexplained", true, "best:restarts=0"},
-        {"last iterations on the full mesh", true, "best:polish=0"},
-        {"contour points pull the model, too", false, "best:both=1"},
-        {"only contour points within tau are searched", false, "best:within=1"},
-        {"Cauchy weights, 5 mm", false, "best:robust=5"},
-    };
+std::vector<BestVariant> bestVariants() {
+    std::vector<BestVariant> variants;
+    for (const char* const key :
+         {"palm", "coarse", "wide", "across", "prior", "restarts", "polish", "both", "within", "robust"}) {
+        const MethodOption& option = methodOption(key);
+        const bool kept = option.defaultText == "1";
+        const std::string value = kept ? "0" : option.key == "robust" ? "5" : "1";
+        variants.push_back({std::string(option.meaning), kept, "best:" + std::string(key) + "=" + value});
+    }
+    return variants;
 }
 
 std::vector<std::string> sweepMethods() {
@@ -163,8 +124,8 @@ std::vector<std::string> sweepMethods() {
     for (const OpenOption& option : openOptions())
         for (const std::string& variant : option.variants)
             addOnce(methods, withOptions(variant, {}));
-    for (const BestIdea& idea : bestIdeas())
-        addOnce(methods, idea.variant);
+    for (const BestVariant& variant : bestVariants())
+        addOnce(methods, variant.variant);
     return methods;
 }
 

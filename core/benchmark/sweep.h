@@ -43,16 +43,16 @@ struct OpenOption {
 };
 std::vector<OpenOption> openOptions();
 
-/// One idea of `best`, and the method in which it is switched the other way.
-struct BestIdea {
+/// One option of `best`, and the method in which it is switched the other way.
+struct BestVariant {
     std::string what;
-    bool kept = true;    ///< part of `best`; else it was tried and left out
-    std::string variant; ///< `best` without it, or with it if it is not part of it
+    bool kept = true;    ///< on in `best`; else it was tried and left out
+    std::string variant; ///< `best` without it, or with it if it is off by default
 };
-std::vector<BestIdea> bestIdeas();
+std::vector<BestVariant> bestVariants();
 
 /// Everything that `--sweep figures` runs, without repetition: plain methods and best, figures under both schedules,
-/// open options under the default one, and the ideas of `best` one by one.
+/// open options under the default one, and the variants of `best` one by one.
 std::vector<std::string> sweepMethods();
 
 /// A method's name with options added, in the canonical form: withOptions("dch-thres", {"tau=45"}).

@@ -9,7 +9,7 @@ namespace core {
 
 namespace {
 
-constexpr double kShareInPalmMm = 14;  ///< how much farther than the nearest ray another ray still has a say
+constexpr double kShareInPalmMm = 14;  ///< how much farther than the nearest ray another ray still has a share
 constexpr double kShareInFingerMm = 2; ///< the same beyond the webs
 constexpr int kSmoothings = 4;
 constexpr int kMaxBones = 5;

@@ -34,9 +34,9 @@ struct Dt3Tensor {
 };
 
 /// Exact transforms per bin, then relaxation around the circle of bins: 1.5 laps forward and 1.5 back, so that every
-/// bin has heard of every other one on both ways; distance and argmin travel together. Contour points count at their
-/// nearest pixel, those outside the region are left out. Throws Error(Unsupported) if the contour has 65535 points or
-/// more.
+/// bin is reached from every other one in both directions; distance and argmin travel together. Contour points count at
+/// their nearest pixel, those outside the region are left out. Throws Error(Unsupported) if the contour has 65535
+/// points or more.
 Dt3Tensor computeDt3Tensor(const OrientedContour& contour, const OrientationBins& bins, double lambdaPxPerRad,
                            const cv::Rect& region);
 

@@ -215,6 +215,9 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     return record;
 }
 
+// (H + mu diag(H) + F) s = -(g + f): F and f hold the prior on the angles' distance from the start, the pull back to
+// the limits, and floors for what no camera sees. s is bounded so that no angle leaves its limits by more than the
+// slack.
 Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                                        const IterationSettings& settings) const {
     const Skeleton& skeleton = m_hands.models[hand].skeleton;

@@ -112,7 +112,7 @@ void HandLinearisation::accumulate(const std::vector<RayCorrespondence>& corresp
     };
     for (const RayCorrespondence& c : correspondences) {
         const Eigen::Vector3d offset = c.point - c.rayPoint;
-        // Two orthonormal rows perpendicular to the ray: across the outline and along it.
+        // n across the outline and d x n along it; a normal along the ray leaves the choice of n open.
         Eigen::Vector3d across = c.normal - c.normal.dot(c.rayDirection) * c.rayDirection;
         if (across.squaredNorm() < 1e-12)
             across = c.rayDirection.unitOrthogonal();

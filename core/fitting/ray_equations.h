@@ -11,7 +11,8 @@
 
 namespace core {
 
-/// A point on an edge of a hand's surface and the projection ray that it should lie on.
+/// A point v on an edge of a hand's surface and the projection ray (d, m = c x d) that it should lie on: the residual
+/// is v x d - m, whose length is the distance of v from the ray (docs/method.md, "Pose from matches").
 struct RayCorrespondence {
     int vertexA = 0; ///< indices into the surface
     int vertexB = 0;
@@ -24,7 +25,11 @@ struct RayCorrespondence {
     double tangentWeight = 1;     ///< extra factor on the part of the distance along the outline; 1 = the full distance
 };
 
-/// H s = -g of sum_i w_i |v_i(s) x d_i - m_i|^2 / 2 with exp(theta xi) ~ I + theta xi about the current pose.
+/// H s = -g, the minimum of sum_i w_i |v_i(s) x d_i - m_i|^2 / 2 with v_i(s) linearised at the current pose: H = J^T J,
+/// g = J^T r. v x d - m has rank 2, so J and r have two rows per correspondence, along two unit vectors perpendicular
+/// to d: n across the outline, the normalised part of the surface normal perpendicular to d, and d x n along it,
+///     r = (sqrt(w) n . (v - c), sqrt(w t) (d x n) . (v - c)),
+/// t = tangentWeight. With t = 1 the sum of squares is that of the three rows of the cross product.
 struct NormalEquations {
     Eigen::MatrixXd hessian;
     Eigen::VectorXd gradient;
@@ -36,8 +41,9 @@ struct NormalEquations {
 };
 
 /// What the Jacobians of one hand in one pose need: bone transforms and degree-of-freedom axes.
-/// Column of dof k with axis w_k through q_k: w_k x (S_k - a_k q_k), S_k = sum over bones below k of a_vj T_j v, a_k =
-/// the sum of their weights.
+/// The derivative of v by degree of freedom k with the current axis w_k through q_k is w_k x (S_k - a_k q_k), S_k = sum
+/// over the bones b below k of a_vb T_b v, a_k = the sum of their weights a_vb. Exact for a point fixed on the surface;
+/// that the rim wanders over the surface as the hand turns is left out, the rim is extracted again after the step.
 class HandLinearisation {
 public:
     HandLinearisation(const HandModel& hand, const SkinnedSurface& surface, const Pose& pose);
@@ -54,6 +60,7 @@ private:
     };
     void carry(int vertexA, int vertexB, double t, Carried& carried) const;
     void addVertex(int vertex, double factor, Carried& carried) const;
+    /// row[k] = scale * direction . (w_k x (S_k - a_k q_k)); for the translations, scale * direction * a_0.
     void writeRow(const Carried& carried, const Eigen::Vector3d& direction, double scale, double* row) const;
 
     const SkinnedSurface& m_surface;

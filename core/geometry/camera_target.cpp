@@ -27,6 +27,8 @@ AxisEquations axisEquations(const std::vector<Camera>& cameras) {
 } // namespace
 
 std::optional<Eigen::Vector3d> commonTarget(const std::vector<Camera>& cameras) {
+    if (cameras.empty())
+        return std::nullopt;
     const AxisEquations equations = axisEquations(cameras);
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(equations.normal);
     constexpr double kLeastSpread = 1e-4; // smallest eigenvalue per camera of axes about half a degree apart

@@ -17,7 +17,7 @@ enum class Side { Left, Right };
 std::string_view sideName(Side side); ///< "left", "right"
 std::optional<Side> sideFromName(std::string_view name);
 
-/// A rigid part of the hand. Its origin is the joint `name` (wrist, index_mcp, ..., see design).
+/// A rigid part of the hand. Its origin is the joint `name` (wrist, thumb_cmc, index_mcp, index_pip, ...).
 struct Bone {
     std::string name;
     int parent = -1;                 ///< index of the parent, smaller than the own index; -1 for the root (index 0)

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <deque>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +15,13 @@
 #include "core/annotation/annotation_set.h"
 #include "core/annotation/edit.h"
 #include "core/io/store/annotation_store.h"
+#include "widgets/document/edit_target.h"
 
 namespace widgets {
 
 /// The annotations of the open sequence, their history and their file. Every edit is in the file before push() returns;
 /// the history of an earlier run can be undone and redone as if it had been made now. It knows no view and no model.
-class AnnotationDocument : public QObject {
+class AnnotationDocument : public QObject, private EditTarget {
     Q_OBJECT
 
 public:
@@ -49,7 +49,7 @@ public:
 
     bool isReadOnly() const { return m_store && m_store->isReadOnly(); }
     /// Name under which marks are made; never empty.
-    const std::string& rater() const { return m_rater; }
+    const std::string& rater() const override { return m_rater; }
     void setRater(const std::string& rater);
 
     /// Makes an edit: one undo step, in the file at once. Empty edits do nothing; a read-only document refuses and says
@@ -94,13 +94,11 @@ signals:
     void refused(const QString& message);
 
 private:
-    friend class EditCommand;
-    using StoreCall = std::function<void(core::AnnotationStore&)>;
     enum class Direction { Forward, Back };
 
     void restoreHistory(const core::AnnotationHistory& history);
     void applyToSet(const core::Edit& edit);
-    void perform(const core::Edit& edit, StoreCall call);
+    void perform(const core::Edit& edit, StoreCall call) override;
     void writePending();
 
     std::unique_ptr<core::AnnotationStore> m_store;

@@ -7,13 +7,13 @@
 
 namespace widgets {
 
-class AnnotationDocument;
+class EditTarget;
 
 /// The one undo command: an edit of the annotations, whatever it does.
 class EditCommand : public QUndoCommand {
 public:
     /// Commands of the same non-negative `joins` that follow each other become one step.
-    EditCommand(AnnotationDocument& document, core::Edit edit, int joins = -1, bool amends = false);
+    EditCommand(EditTarget& target, core::Edit edit, int joins = -1, bool amends = false);
 
     void undo() override;
     void redo() override;
@@ -23,7 +23,7 @@ public:
     const core::Edit& edit() const { return m_edit; }
 
 private:
-    AnnotationDocument& m_document;
+    EditTarget& m_target;
     core::Edit m_edit;
     int m_joins;
     bool m_amends;

@@ -9,16 +9,9 @@
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
-
-namespace {
-
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
-} // namespace
 
 RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
     : QWidget(parent)
@@ -121,11 +114,12 @@ void RatersPanel::showPair() {
         return;
     const core::RaterComparison& pair = comparisons[static_cast<std::size_t>(index)];
     QStringList parts{
-        tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(number(pair.clickRmsPx, 2))};
+        tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(localNumber(pair.clickRmsPx, 2))};
     for (const std::string& rater : {pair.first, pair.second}) {
         const auto sigma = m_workbench.raters.sigmaPx().find(rater);
         if (sigma != m_workbench.raters.sigmaPx().end())
-            parts << tr("%1 scatters by %2 px per axis").arg(QString::fromStdString(rater), number(sigma->second, 2));
+            parts << tr("%1 scatters by %2 px per axis")
+                         .arg(QString::fromStdString(rater), localNumber(sigma->second, 2));
     }
     m_clicks->setText(parts.join(QStringLiteral("; ")));
 }
@@ -139,11 +133,12 @@ void RatersPanel::showConsensus() {
         return;
     QString text =
         tr("All raters together: %1 \u00b1 %2 mm, from %n click(s).", nullptr, static_cast<int>(all.clicks.size()))
-            .arg(jointText(m_workbench.selection.joint()), number(core::sigmaMm(all.result.point->covariance), 2));
+            .arg(jointText(m_workbench.selection.joint()), localNumber(core::sigmaMm(all.result.point->covariance), 2));
     const auto& own = m_workbench.reconstructions.selected().result.point;
     if (own)
-        text += QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.")
-                                       .arg(number((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
+        text +=
+            QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.")
+                                   .arg(localNumber((own->pointInWorld - all.result.point->pointInWorld).norm(), 2));
     m_consensus->setText(text);
 }
 

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include "widgets/text/edit_text.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
@@ -13,10 +14,6 @@ namespace {
 
 QString text(const char* source, int count = -1) {
     return QCoreApplication::translate("widgets::Advice", source, nullptr, count);
-}
-
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
 }
 
 } // namespace
@@ -91,7 +88,7 @@ QString placedInWords(const core::JointReconstruction& found) {
 
 QString curveGapText(const core::CurveGap& gap) {
     return text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve"))
-        .arg(number(gap.px, 1), QString::fromStdString(gap.curveOf));
+        .arg(localNumber(gap.px, 1), QString::fromStdString(gap.curveOf));
 }
 
 QString summaryText(const core::JointId& joint, const core::JointReconstruction& found) {
@@ -99,9 +96,9 @@ QString summaryText(const core::JointId& joint, const core::JointReconstruction&
         jointText(joint),
         text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
     if (found.hasPoint()) {
-        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(number(found.result.point->rmsPx, 2))
+        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(localNumber(found.result.point->rmsPx, 2))
               << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm"))
-                     .arg(number(core::sigmaMm(found.result.point->covariance), 2));
+                     .arg(localNumber(core::sigmaMm(found.result.point->covariance), 2));
     }
     return parts.join(QStringLiteral("  \u00b7  "));
 }
@@ -132,7 +129,7 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         return text(QT_TRANSLATE_NOOP("widgets::Advice",
                                       "Accept the remaining views with Space, or mark them as not placeable."));
     return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
-        .arg(next, number(found.nextViews.front().predictedSigmaMm, 2));
+        .arg(next, localNumber(found.nextViews.front().predictedSigmaMm, 2));
 }
 
 std::string advisedCamera(const core::JointReconstruction& found) {

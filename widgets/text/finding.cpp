@@ -8,6 +8,7 @@
 #include <QLocale>
 
 #include "widgets/text/advice.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
@@ -32,10 +33,6 @@ void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, con
     }
 }
 
-QString number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
-}
-
 QString noPointText(const core::CurveGap& gap) {
     return text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: click in %1 is %2"))
         .arg(QString::fromStdString(gap.camera), curveGapText(gap));
@@ -49,16 +46,16 @@ QString textOf(const core::QualityFinding& found) {
             return noPointText({found.camera, found.curveOf, size, {}, {}});
         return found.camera.empty() ? text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point from its clicks"))
                                     : text(QT_TRANSLATE_NOOP("widgets::Finding", "click in %1 is %2 px off"))
-                                          .arg(QString::fromStdString(found.camera), number(size, 1));
+                                          .arg(QString::fromStdString(found.camera), localNumber(size, 1));
     case core::QualityKind::BoneLength:
         return (found.value > 0 ? text(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % longer than usual"))
                                 : text(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % shorter than usual")))
-            .arg(number(size, 0));
+            .arg(localNumber(size, 0));
     case core::QualityKind::JointAngle:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "bent %1\u00b0 beyond its limit")).arg(number(size, 0));
+        return text(QT_TRANSLATE_NOOP("widgets::Finding", "bent %1\u00b0 beyond its limit")).arg(localNumber(size, 0));
     case core::QualityKind::FingerOrder:
         return text(QT_TRANSLATE_NOOP("widgets::Finding", "fingers exchanged? %1 mm out of order"))
-            .arg(number(size, 1));
+            .arg(localNumber(size, 1));
     case core::QualityKind::HandMixUp:
         return text(QT_TRANSLATE_NOOP("widgets::Finding", "left and right exchanged?"));
     case core::QualityKind::SharedPixel:
@@ -68,7 +65,7 @@ QString textOf(const core::QualityFinding& found) {
         break;
     }
     return text(QT_TRANSLATE_NOOP("widgets::Finding", "mark is %1 px outside the picture of %2"))
-        .arg(number(size, 0), QString::fromStdString(found.camera));
+        .arg(localNumber(size, 0), QString::fromStdString(found.camera));
 }
 
 /// How bad a doubt is, in units of its limit.

@@ -5,6 +5,7 @@
 
 #include <QLocale>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/actions/second_round.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/range_window.h"
@@ -16,10 +17,6 @@ namespace app {
 namespace {
 
 using widgets::Direction;
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 /// Makes the edit, or says why there is nothing to do.
 void pushOrSay(MainWindow& window, const core::Edit& edit, const QString& otherwise) {

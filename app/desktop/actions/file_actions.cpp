@@ -9,18 +9,16 @@
 #include <QDir>
 #include <QFileDialog>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/annotation_format_text.h"
 #include "app/desktop/windows/export_window.h"
 #include "core/io/formats/annotation_formats.h"
+#include "widgets/text/local_text.h"
 
 namespace app {
 
 namespace {
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 /// A filter of a file dialog, and the ending that a name without one gets; empty for folders.
 struct FileKind {
@@ -81,10 +79,6 @@ QString sequenceName(MainWindow& window) {
     return sequence ? QString::fromStdString(sequence->name) : QStringLiteral("handlens");
 }
 
-QString text(std::string_view kind) {
-    return QString::fromUtf8(kind.data(), static_cast<int>(kind.size()));
-}
-
 /// First what kind of file, then where to. The kind is remembered.
 void exportAnnotations(MainWindow& window) {
     const QString setting = QStringLiteral("exportKind");
@@ -104,7 +98,7 @@ void importAnnotations(MainWindow& window) {
     const FormatChoice choice = importChoice();
     askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
                [&window, choice](const QString& path, std::size_t kind) {
-                   window.workbench().files.importFrom(text(choice.kinds[kind]), path);
+                   window.workbench().files.importFrom(widgets::toQString(choice.kinds[kind]), path);
                });
 }
 

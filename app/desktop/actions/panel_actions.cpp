@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMessageBox>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/actions/own_name.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/preferences_window.h"
@@ -15,10 +16,6 @@
 namespace app {
 
 namespace {
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 void bindNames(MainWindow& window) {
     window.actions().bind(

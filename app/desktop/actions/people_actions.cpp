@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QToolButton>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/actions/footage_notice.h"
 #include "app/desktop/main_window.h"
 #include "widgets/panels/name_bar.h"
@@ -15,10 +16,6 @@ namespace app {
 namespace {
 
 const QString kRaterSetting = QStringLiteral("rater");
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 /// Puts a bar below the message at the top of the window.
 void addBar(MainWindow& window, QWidget* bar) {

@@ -4,6 +4,7 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 
 namespace app {
@@ -11,10 +12,6 @@ namespace app {
 namespace {
 
 constexpr double kShare = 0.1;
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 void showPanel(MainWindow& window) {
     window.workspaces().raisePanel(window.workspaces().ratersPanel());

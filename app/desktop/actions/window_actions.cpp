@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QUndoStack>
 
+#include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/palettes.h"
 #include "widgets/session/navigation.h"
@@ -17,10 +18,6 @@ namespace {
 
 using widgets::Direction;
 using widgets::Workspaces;
-
-QString id(const char* text) {
-    return QString::fromLatin1(text);
-}
 
 void bindFile(MainWindow& window) {
     Actions& actions = window.actions();

@@ -3,6 +3,8 @@
 
 #include <QJsonArray>
 
+#include "widgets/text/local_text.h"
+
 namespace app {
 
 namespace {
@@ -47,7 +49,7 @@ QJsonObject jointJson(const core::JointReconstruction& found) {
     object[QStringLiteral("rmsPx")] = point ? QJsonValue(point->rmsPx) : QJsonValue();
     object[QStringLiteral("views")] = views;
     object[QStringLiteral("unplaceable")] = unplaceable;
-    object[QStringLiteral("status")] = QString::fromUtf8(core::statusName(found.status).data());
+    object[QStringLiteral("status")] = widgets::toQString(core::statusName(found.status));
     if (!point)
         object[QStringLiteral("reason")] = QString::fromStdString(std::string(core::failureText(found.result.failure)));
     return object;

@@ -16,6 +16,7 @@
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
 #include "core/numeric/median.h"
+#include "widgets/text/local_text.h"
 
 namespace app {
 
@@ -223,7 +224,7 @@ QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
     const core::JointId joint = jointField(step);
     widgets::Workbench& bench = m_window.workbench();
     QJsonObject answer = jointJson(bench.reconstructions.compute(bench.selection.frame(), joint));
-    answer[QStringLiteral("hand")] = QString::fromUtf8(core::sideName(joint.hand).data());
+    answer[QStringLiteral("hand")] = widgets::toQString(core::sideName(joint.hand));
     answer[QStringLiteral("joint")] = QString::fromStdString(joint.joint);
     answer[QStringLiteral("frame")] = bench.selection.frame();
     return answer;
@@ -241,7 +242,7 @@ QJsonObject ScriptSteps::printResults() {
         row[QStringLiteral("errorMm")] = method.errorMm;
         row[QStringLiteral("iterations")] = static_cast<int>(method.result.history.size());
         row[QStringLiteral("seconds")] = method.result.seconds;
-        row[QStringLiteral("termination")] = QString::fromUtf8(core::terminationName(method.result.termination).data());
+        row[QStringLiteral("termination")] = widgets::toQString(core::terminationName(method.result.termination));
         rows.append(row);
     }
     return {{QStringLiteral("start"), outcome->request.start},

@@ -10,16 +10,13 @@
 #include "app/desktop/windows/annotation_format_text.h"
 #include "core/io/formats/annotation_formats.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/local_text.h"
 
 namespace app {
 
 namespace {
 
 constexpr int kTextWidth = 340; // logical pixels
-
-QString text(std::string_view kind) {
-    return QString::fromUtf8(kind.data(), static_cast<int>(kind.size()));
-}
 
 QLabel* wrappedLabel(QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -43,8 +40,8 @@ ExportWindow::ExportWindow(const QString& kind, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     for (const core::AnnotationFormat& format : core::annotationFormats()) {
         auto* item = new QListWidgetItem(annotationFormatText(format.kind).name, m_kinds);
-        item->setData(Qt::UserRole, text(format.kind));
-        if (text(format.kind) == kind)
+        item->setData(Qt::UserRole, widgets::toQString(format.kind));
+        if (widgets::toQString(format.kind) == kind)
             m_kinds->setCurrentItem(item);
     }
     if (!m_kinds->currentItem())

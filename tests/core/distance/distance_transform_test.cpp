@@ -119,12 +119,16 @@ TEST(DistanceTransform, OfABinAnswersWithinThatBinBetweenPixelsAndOutsideTheRegi
     const OrientedContour contour = gridContour(crossingHandsMask(90, 70));
     const OrientationBins bins(8, true);
     const auto transforms = computeBinTransforms(contour, bins, cv::Rect(0, 0, 90, 70));
+    int answers = 0;
     for (int bin = 0; bin < bins.count(); ++bin) {
         for (double x = -20.3; x < 110; x += 7.7) {
             for (double y = -20.6; y < 90; y += 6.3) {
                 const auto match = nearestFromBinTransforms(transforms, contour, bins, bin, {x, y});
                 const auto exact = nearestPointInBin(contour, bins, bin, {x, y});
-                ASSERT_TRUE(match && exact);
+                ASSERT_EQ(match.has_value(), exact.has_value());
+                if (!exact)
+                    continue;
+                ++answers;
                 EXPECT_EQ(bins.binOf(contour.angleRad[static_cast<std::size_t>(match->index)]), bin);
                 EXPECT_DOUBLE_EQ(match->distancePx, distancePx(contour, match->index, {x, y}));
                 const bool inside = x > -0.5 && x < 89.5 && y > -0.5 && y < 69.5;
@@ -132,6 +136,7 @@ TEST(DistanceTransform, OfABinAnswersWithinThatBinBetweenPixelsAndOutsideTheRegi
             }
         }
     }
+    EXPECT_GT(answers, 500);
 }
 
 TEST(DistanceTransform, OfAnEmptyBinHasNoAnswer) {

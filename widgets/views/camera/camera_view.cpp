@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QKeyEvent>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSvgGenerator>
@@ -22,7 +21,6 @@ namespace {
 
 constexpr double kHalfWorld = 1e6;    // the scene reaches this far, so that the scroll bars never interfere
 constexpr double kGreatestScale = 64; // screen px per image px
-constexpr double kZoomPerStep = 1.25; // per notch of the wheel
 constexpr double kHitScreenPx = 9;
 constexpr double kKeptInSightScreenPx = 40;
 const QPointF kHalfPixel(0.5, 0.5); // from image pixels to the scene
@@ -33,7 +31,7 @@ CameraView::CameraView(QWidget* parent)
     : QGraphicsView(parent)
     , m_scene(std::make_unique<QGraphicsScene>())
     , m_items(std::make_unique<CameraViewItems>(*m_scene))
-    , m_mouse(std::make_unique<CameraViewMouse>(*this))
+    , m_mouse(makeMouse())
     , m_meshPainter(std::make_unique<MeshLayerPainter>())
     , m_titleBar(new ViewTitleBar(this))
     , m_messageBar(new MessageBar(this))
@@ -309,65 +307,6 @@ void CameraView::showEvent(QShowEvent* event) {
     QGraphicsView::showEvent(event);
     layOut();
     requestMeshPicture();
-}
-
-void CameraView::mousePressEvent(QMouseEvent* event) {
-    m_mouse->press(*event);
-}
-
-void CameraView::mouseMoveEvent(QMouseEvent* event) {
-    m_mouse->move(*event);
-    if (m_loupeShown)
-        moveLoupe(event->localPos());
-}
-
-void CameraView::mouseReleaseEvent(QMouseEvent* event) {
-    m_mouse->release(*event);
-}
-void CameraView::mouseDoubleClickEvent(QMouseEvent* event) {
-    m_mouse->doubleClick(*event);
-}
-
-void CameraView::wheelEvent(QWheelEvent* event) {
-    constexpr double kAnglePerStep = 120;
-    zoomAt(event->position(), std::pow(kZoomPerStep, event->angleDelta().y() / kAnglePerStep));
-    if (m_loupeShown)
-        moveLoupe(event->position());
-    event->accept();
-}
-
-/// The menu opens when the right button is released (CameraViewMouse); the menu key asks for it in the middle of the
-/// view.
-void CameraView::contextMenuEvent(QContextMenuEvent* event) {
-    if (event->reason() == QContextMenuEvent::Keyboard) {
-        const QPoint middle = viewport()->rect().center();
-        emit contextMenuRequested(viewportToImage(middle), markAt(middle).value_or(core::JointId{}),
-                                  viewport()->mapToGlobal(middle));
-    }
-    event->accept();
-}
-
-void CameraView::keyPressEvent(QKeyEvent* event) {
-    if (event->key() != Qt::Key_Escape || !m_mouse->cancel())
-        event->ignore(); // keys are the window's
-}
-
-void CameraView::keyReleaseEvent(QKeyEvent* event) {
-    event->ignore();
-}
-
-bool CameraView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
-        m_mouse->isDragging()) {
-        event->accept(); // Escape ends the drag before it means anything else
-        return true;
-    }
-    return QGraphicsView::event(event);
-}
-
-void CameraView::focusOutEvent(QFocusEvent* event) {
-    m_mouse->cancel();
-    QGraphicsView::focusOutEvent(event);
 }
 
 void CameraView::changeEvent(QEvent* event) {

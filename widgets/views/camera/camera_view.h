@@ -156,7 +156,7 @@ protected:
     bool viewportEvent(QEvent* event) override;
 
 private:
-    friend class CameraViewMouse;
+    std::unique_ptr<CameraViewMouse> makeMouse();
     QSizeF imageSize() const;
     double fittingScale(const QSizeF& size) const;
     void showWholeImage();

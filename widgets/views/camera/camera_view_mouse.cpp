@@ -2,8 +2,7 @@
 #include "widgets/views/camera/camera_view_mouse.h"
 
 #include <cmath>
-
-#include "widgets/views/camera/camera_view.h"
+#include <utility>
 
 namespace widgets {
 
@@ -24,14 +23,13 @@ void CameraViewMouse::press(const QMouseEvent& event) {
     m_pressedAt = m_lastAt = event.localPos();
     m_lastClickPlaced = false;
     if (m_button == Qt::LeftButton && (event.modifiers() & Qt::AltModifier)) {
-        if (const auto joint = m_view.markAt(m_pressedAt))
-            emit m_view.markSelected(*joint);
+        if (const auto joint = m_surface.markAt(m_pressedAt))
+            emit markSelected(*joint);
         m_state = State::Ignoring;
     } else if (m_button == Qt::LeftButton) {
         m_state = State::Pressed;
     } else if (m_button == Qt::MiddleButton) {
-        m_state = State::Panning;
-        m_view.viewport()->setCursor(Qt::ClosedHandCursor);
+        startPanning();
     } else {
         m_state = m_button == Qt::RightButton ? State::RightPressed : State::Ignoring;
     }
@@ -40,31 +38,35 @@ void CameraViewMouse::press(const QMouseEvent& event) {
 void CameraViewMouse::move(const QMouseEvent& event) {
     const QPointF position = event.localPos();
     if (m_state == State::Pressed && distance(position, m_pressedAt) > kClickScreenPx)
-        begin(event);
+        begin();
     continueDrag(position);
-    emit m_view.pointerMoved(m_view.viewportToImage(position));
+    emit pointerMoved(m_surface.toImage(position));
 }
 
 /// The press has become a drag: of a mark if one lies under it, else of the image.
-void CameraViewMouse::begin(const QMouseEvent&) {
-    const auto joint = m_placingEnabled ? m_view.markAt(m_pressedAt) : std::nullopt;
+void CameraViewMouse::begin() {
+    const auto joint = m_placingEnabled ? m_surface.markAt(m_pressedAt) : std::nullopt;
     if (!joint) {
-        m_state = State::Panning;
-        m_view.viewport()->setCursor(Qt::ClosedHandCursor);
+        startPanning();
         return;
     }
     m_state = State::DraggingMark;
     m_dragged = *joint;
-    const QPointF markPx = m_view.markPosition(*joint);
-    m_grabOffsetPx = markPx - m_view.viewportToImage(m_pressedAt);
-    emit m_view.markDragStarted(m_dragged, markPx);
+    const QPointF markPx = m_surface.markPosition(*joint);
+    m_grabOffsetPx = markPx - m_surface.toImage(m_pressedAt);
+    emit markDragStarted(m_dragged, markPx);
+}
+
+void CameraViewMouse::startPanning() {
+    m_state = State::Panning;
+    emit panningStarted();
 }
 
 void CameraViewMouse::continueDrag(QPointF position) {
     if (m_state == State::DraggingMark)
-        emit m_view.markDragged(m_dragged, m_view.viewportToImage(position) + m_grabOffsetPx);
+        emit markDragged(m_dragged, m_surface.toImage(position) + m_grabOffsetPx);
     else if (m_state == State::Panning)
-        m_view.panBy(position - m_lastAt);
+        emit panned(position - m_lastAt);
     m_lastAt = position;
 }
 
@@ -72,16 +74,15 @@ void CameraViewMouse::release(const QMouseEvent& event) {
     if (event.button() != m_button)
         return;
     const State state = std::exchange(m_state, State::Idle);
-    m_view.updateCursor();
+    emit ended();
     if (state == State::Pressed && m_placingEnabled) {
         m_lastClickPlaced = true;
-        emit m_view.pointPlaced(m_view.viewportToImage(m_pressedAt));
+        emit pointPlaced(m_surface.toImage(m_pressedAt));
     } else if (state == State::DraggingMark) {
-        emit m_view.markDropped(m_dragged, m_view.viewportToImage(event.localPos()) + m_grabOffsetPx);
+        emit markDropped(m_dragged, m_surface.toImage(event.localPos()) + m_grabOffsetPx);
     } else if (state == State::RightPressed) {
-        const auto joint = m_view.markAt(m_pressedAt);
-        emit m_view.contextMenuRequested(m_view.viewportToImage(m_pressedAt), joint.value_or(core::JointId{}),
-                                         event.globalPos());
+        const auto joint = m_surface.markAt(m_pressedAt);
+        emit contextMenuRequested(m_surface.toImage(m_pressedAt), joint.value_or(core::JointId{}), event.globalPos());
     }
 }
 
@@ -93,8 +94,8 @@ void CameraViewMouse::doubleClick(const QMouseEvent& event) {
     m_button = Qt::LeftButton;
     m_state = State::Ignoring;
     if (std::exchange(m_lastClickPlaced, false))
-        emit m_view.pointWithdrawn();
-    emit m_view.maximiseRequested();
+        emit pointWithdrawn();
+    emit maximiseRequested();
 }
 
 bool CameraViewMouse::cancel() {
@@ -102,9 +103,9 @@ bool CameraViewMouse::cancel() {
     if (state == State::Idle)
         return false;
     m_state = State::Ignoring;
-    m_view.updateCursor();
+    emit ended();
     if (state == State::DraggingMark)
-        emit m_view.markDragCancelled(m_dragged);
+        emit markDragCancelled(m_dragged);
     return state == State::DraggingMark;
 }
 
