@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 files=("$@")
 if ((${#files[@]} == 0)); then
-  mapfile -t files < <(find core/numeric core/processor core/text core/geometry/camera_ring.cpp core/distance/envelope.cpp -name '*.cpp' 2>/dev/null | sort)
+  mapfile -t files < <(find core/numeric core/processor core/text -name '*.cpp' 2>/dev/null | sort)
 fi
 exec "${CLANG_TIDY:-clang-tidy}" --quiet --warnings-as-errors='*' "${files[@]}" -- \
   -std=c++20 -I. -isystem /usr/include/eigen3 -isystem /usr/include/opencv4

@@ -60,8 +60,10 @@ std::string gnuplotPlot(const std::vector<PlotLine>& lines) {
         data += "EOD\n";
         const std::string title =
             lines[i].name.empty() ? std::string("notitle") : "title " + gnuplotQuoted(lines[i].name);
-        plot += (i == 0 ? "plot " : ", ") + block + " using 1:2 with " + lines[i].style + " lw 2 lc rgb '" +
-                lines[i].colour + "' " + title;
+        plot += (i == 0 ? "plot " : ", ") + block;
+        plot += " using 1:2 with " + lines[i].style;
+        plot += " lw 2 lc rgb '" + lines[i].colour + "' ";
+        plot += title;
     }
     return data + plot + "\n";
 }
