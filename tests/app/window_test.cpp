@@ -238,7 +238,7 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
             return sum / std::max(1, count);
         };
         const double right = difference(camera, 20);
-        EXPECT_LT(right, 0.5 * difference(camera, 21)) << "the current frame";
+        EXPECT_LT(right, 0.75 * difference(camera, 21)) << "the current frame";
         EXPECT_LT(right, 0.5 * difference(camera - 1, 20)) << "the view that was there before";
     }
     EXPECT_TRUE(grid.view(0)->message().isEmpty());

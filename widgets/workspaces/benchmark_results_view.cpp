@@ -33,6 +33,8 @@ BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
     , m_curves(new CurvePlot(this))
     , m_jointMethod(new QComboBox(this))
     , m_jointErrors(new JointErrorDiagram(this)) {
+    m_summaryTable->setObjectName(QStringLiteral("benchmarkSummary"));
+    m_pairTable->setObjectName(QStringLiteral("benchmarkPairs"));
     m_summaryTable->setModel(m_summary);
     m_summaryTable->setItemDelegateForColumn(0, new MethodDelegate(SummaryModel::ValueRole, m_summaryTable));
     m_sortedPairs->setSourceModel(m_pairs);

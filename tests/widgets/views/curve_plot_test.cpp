@@ -127,7 +127,7 @@ TEST_F(CurvePlotTest, AClickOnAnAxisOfIterationsIsAWholeOne) {
     plot.setSettings(settings);
     plot.setCurves({line(Qt::red, 0, 5)}); // from 0 to 10
     QSignalSpy clicked(&plot, &CurvePlot::xClicked);
-    for (int x = 60; x < 400; x += 17)
+    for (int x = 20; x < 420; x += 5)
         test::click(&plot, {double(x), 100});
     ASSERT_GT(clicked.count(), 15);
     std::set<double> found;
