@@ -26,6 +26,10 @@ struct Codec {
     std::vector<std::string> containers;
 };
 
+void PrintTo(const Codec& codec, std::ostream* stream) {
+    *stream << codec.name;
+}
+
 std::vector<Codec> codecs() {
     // What ffmpeg writes as HEVC in AVI nobody can read.
     Codec h264{"h264", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}},
