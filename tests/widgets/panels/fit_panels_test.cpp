@@ -40,7 +40,9 @@ protected:
         bench.benchmarks.run(benchmark.request());
         settle();
     }
-    QTableView& table(const char* name) { return *benchmark.findChild<QTableView*>(QString::fromLatin1(name)); }
+    QTableView& benchmarkTable(const char* name) {
+        return *benchmark.findChild<QTableView*>(QString::fromLatin1(name));
+    }
     QLineEdit& differences() {
         const auto fields = benchmark.findChildren<QLineEdit*>();
         return **std::find_if(fields.begin(), fields.end(),
@@ -240,7 +242,7 @@ TEST_F(FitPanelsTest, BenchmarkRowsAreShownWhileItRuns) {
         if (!bench.benchmarks.isRunning() || !bench.benchmarks.results())
             return;
         rows.push_back(bench.benchmarks.results()->rows.size());
-        tableShown = tableShown || table("benchmarkSummary").isVisible();
+        tableShown = tableShown || benchmarkTable("benchmarkSummary").isVisible();
     });
     bench.benchmarks.run(benchmark.request());
     settle();
@@ -278,8 +280,8 @@ TEST_F(FitPanelsTest, SavedResultsAreTheCommandsAndOpenAgain) {
     ASSERT_EQ(opened.count(), 1);
     EXPECT_TRUE(opened[0][1].toString().isEmpty()) << opened[0][1].toString().toStdString();
     EXPECT_EQ(bench.benchmarks.results()->rows, found.rows);
-    EXPECT_TRUE(table("benchmarkSummary").isVisible());
-    EXPECT_EQ(table("benchmarkSummary").model()->rowCount(), 3) << "start, ch, dch-thres";
+    EXPECT_TRUE(benchmarkTable("benchmarkSummary").isVisible());
+    EXPECT_EQ(benchmarkTable("benchmarkSummary").model()->rowCount(), 3) << "start, ch, dch-thres";
 }
 
 TEST_F(FitPanelsTest, SavingReplacesNoOtherResults) {
@@ -303,7 +305,7 @@ TEST_F(FitPanelsTest, APairOpensWithAllOfItsMethods) {
     QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened,
                      [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
     QTest::qWait(20); // laid out
-    QTableView& pairs = table("benchmarkPairs");
+    QTableView& pairs = benchmarkTable("benchmarkPairs");
     const QPoint first = pairs.visualRect(pairs.model()->index(0, 0)).center();
     QTest::mouseClick(pairs.viewport(), Qt::LeftButton, {}, first);
     QTest::mouseDClick(pairs.viewport(), Qt::LeftButton, {}, first);
