@@ -61,9 +61,8 @@ std::string gnuplotPlot(const std::vector<PlotLine>& lines) {
         const std::string title =
             lines[i].name.empty() ? std::string("notitle") : "title " + gnuplotQuoted(lines[i].name);
         plot += (i == 0 ? "plot " : ", ") + block;
-        plot += " using 1:2 with " + lines[i].style;
-        plot += " lw 2 lc rgb '" + lines[i].colour + "' ";
-        plot += title;
+        plot.append(" using 1:2 with ").append(lines[i].style);
+        plot.append(" lw 2 lc rgb '").append(lines[i].colour).append("' ").append(title);
     }
     return data + plot + "\n";
 }

@@ -8,6 +8,6 @@ trap 'rm -rf "$work"' EXIT
 "$programs/handlens-batch" demo --out "$work/demo"
 for script in "$here"/*.jsonl; do
   cp -r "$work/demo" "$work/dataset" # every script starts without annotations
-  "$programs/handlens" "$work/dataset" --language en --offscreen --script "$script" --out "$here"
+  "$programs/handlens" "$work/dataset" --language en --rater ann --offscreen --script "$script" --out "$here"
   rm -rf "$work/dataset"
 done

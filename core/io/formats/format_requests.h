@@ -51,6 +51,11 @@ void addMark(ImportRequest& job, int frame, const JointId& joint, const std::str
 void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
               const std::optional<double>& likelihood = std::nullopt);
 
+/// Likelihoods in tables of labels, such as our own: a mark whose place is estimated is half as likely as one that is
+/// seen.
+inline constexpr double kVisibleLikelihood = 1.0;
+inline constexpr double kOccludedLikelihood = 0.5;
+
 /// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.
 std::vector<std::filesystem::path> viewFiles(const std::filesystem::path& path, const std::string& extension);
 /// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMetresPerMm = 1e-3;
 
-std::string frameFileName(int frame) {
+std::string jsonFileName(int frame) {
     const std::string digits = std::to_string(frame);
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits + ".json";
 }
@@ -61,8 +61,8 @@ void writeFreiHand(const ExportRequest& job) {
                 const std::string sequence = job.sequence.name + "_" + std::string(sideName(hand));
                 for (const char* kind : {"xyz", "calib"})
                     ensureFolder(folder.path() / kind / sequence);
-                writeJsonFile(folder.path() / "xyz" / sequence / frameFileName(frame), *joints);
-                writeJsonFile(folder.path() / "calib" / sequence / frameFileName(frame), calib);
+                writeJsonFile(folder.path() / "xyz" / sequence / jsonFileName(frame), *joints);
+                writeJsonFile(folder.path() / "calib" / sequence / jsonFileName(frame), calib);
             }
         }
     }

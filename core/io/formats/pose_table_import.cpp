@@ -17,11 +17,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Likelihoods of a table of labels, such as our own: there a mark whose place is estimated is half as likely as one
-// that is seen.
-constexpr double kVisibleLikelihood = 1.0;
-constexpr double kOccludedLikelihood = 0.5;
-
 constexpr std::string_view kFrameColumn = "frame_idx";
 
 /// Where one body part's values stand in a row; -1 = there is no such column.

@@ -11,10 +11,6 @@ namespace core {
 
 namespace {
 
-// A mark whose place is estimated is half as likely as one that is seen.
-constexpr double kVisibleLikelihood = 1.0;
-constexpr double kOccludedLikelihood = 0.5;
-
 /// The joints that have a name in the map, with that name.
 std::vector<std::pair<std::string, JointId>> namedJoints(const ExportRequest& job) {
     std::vector<std::pair<std::string, JointId>> joints;
