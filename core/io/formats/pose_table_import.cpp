@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/error.h"
+#include "core/io/dataset/instants.h"
 #include "core/io/files/csv_text.h"
 #include "core/io/formats/format_requests.h"
 #include "core/io/formats/label_videos.h"
@@ -153,6 +154,19 @@ std::optional<Mark> markOf(const PoseTable& table, std::size_t line, const std::
                                                                               : MarkState::Occluded};
 }
 
+/// Pictures are numbered as the sequence's frames are: where its footage is numbered otherwise, that has to be said.
+void remarkShift(ImportRequest& job, const std::string& camera) {
+    for (const ViewSource& view : job.sequence.views) {
+        const bool isShifted =
+            view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
+        if (view.camera == camera && isShifted) {
+            job.notes.remark("the footage of " + camera +
+                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
+                             "sequence, not of the video");
+        }
+    }
+}
+
 /// Whose view a row is of; nothing, and it is counted, if the row is not of this sequence.
 std::optional<std::string> cameraOfRow(ImportRequest& job, const PoseTable& table, const std::string& picture) {
     const std::string video = videoOfPicture(picture);
@@ -171,6 +185,7 @@ std::optional<std::string> cameraOfRow(ImportRequest& job, const PoseTable& tabl
         job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
         return std::nullopt;
     }
+    remarkShift(job, found->camera);
     return found->camera;
 }
 

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "core/io/formats/annotation_formats.h"
+#include "tests/core/io/formats/annotation_formats_fixture.h"
 
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/files/csv_text.h"
 #include "core/io/files/json_file.h"
 #include "core/io/files/text_file.h"
 #include "core/io/formats/coco_annotations.h"
-#include "tests/support/clicks.h"
-#include "tests/support/ring_dataset.h"
-#include "tests/support/temporary_folder.h"
 
 namespace {
 
@@ -27,68 +23,7 @@ using core::Placement;
 using core::Side;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-core::AnnotationImportOptions importBy(const std::string& rater) {
-    core::AnnotationImportOptions options;
-    options.rater = rater;
-    return options;
-}
-
-class AnnotationFormats : public testing::Test {
-protected:
-    const core::Sequence& sequence() const { return m_dataset.sequences[0]; }
-    core::ImportedAnnotations import(const std::string& kind, const fs::path& path) {
-        return core::importAnnotations(m_dataset, sequence(), kind, path, m_import);
-    }
-    core::ImportedAnnotations importSample(const std::string& kind, const std::string& name) {
-        return import(kind, fs::path(HANDLENS_TEST_DATA) / "annotations" / name);
-    }
-    fs::path exported(const std::string& kind) {
-        const fs::path path = m_folder / (kind + std::to_string(m_exports++));
-        core::exportAnnotations(m_dataset, sequence(), m_set, kind, path, m_export);
-        return path;
-    }
-    void click(int frame, const JointId& joint, const Vector3d& point, double sigmaPx = 1.0) {
-        test::clickEverywhere(m_set, m_dataset.cameras, frame, "ann", joint, point, sigmaPx, &m_random);
-    }
-    std::optional<Mark> mark(const AnnotationSet& set, int frame, const JointId& joint, const std::string& camera) {
-        return core::markAt(set, {frame, m_import.rater, joint, camera});
-    }
-    core::TriangulatedPoint point(int frame, const JointId& joint) {
-        return *core::reconstruct(m_set, m_dataset.cameras, frame, "ann", joint).result.point;
-    }
-    /// All 21 joints of both hands in a few frames.
-    void clickHands() {
-        for (const int frame : {0, 7, 41}) {
-            for (const Side hand : {Side::Left, Side::Right}) {
-                for (std::size_t i = 0; i < kJoints.size(); ++i) {
-                    click(frame, {hand, kJoints[i]},
-                          {(hand == Side::Left ? -60.0 : 40.0) + 3.0 * static_cast<double>(i),
-                           5.0 * static_cast<double>(i % 5), 0.5 * frame});
-                }
-            }
-        }
-    }
-    /// Marks come in three kinds.
-    void varyStates(bool withAuto) {
-        for (auto& [key, mark] : m_set.marks) {
-            mark.state = m_random() % 4 ? MarkState::Visible : MarkState::Occluded;
-            mark.placement = withAuto && m_random() % 4 == 0 ? Placement::Auto : Placement::Manual;
-        }
-    }
-
-    const std::vector<std::string> kJoints{
-        "wrist",     "thumb_cmc", "thumb_mcp",  "thumb_ip",   "thumb_tip",  "index_mcp",  "index_pip",
-        "index_dip", "index_tip", "middle_mcp", "middle_pip", "middle_dip", "middle_tip", "ring_mcp",
-        "ring_pip",  "ring_dip",  "ring_tip",   "little_mcp", "little_pip", "little_dip", "little_tip"};
-    test::TemporaryFolder m_folder;
-    core::Dataset m_dataset = test::ringDataset();
-    AnnotationSet m_set;
-    core::AnnotationExportOptions m_export;
-    core::AnnotationImportOptions m_import = importBy("ann");
-    std::mt19937_64 m_random = test::randomFor("AnnotationFormats");
-    int m_exports = 0;
-};
+using test::AnnotationFormats;
 
 // ---- the authors' files
 
@@ -197,67 +132,6 @@ TEST_F(AnnotationFormats, CocoCheckerFindsEveryFault) {
     refused("images", [](auto& d) { d.erase("images"); });
 }
 
-// ---- DeepLabCut, Lightning Pose, Anipose 2D
-
-TEST_F(AnnotationFormats, DeepLabCutMissingCellsAndForeignBodyParts) {
-    m_import.videos = {"take1"};
-    const auto got = importSample("deeplabcut", "deeplabcut");
-    EXPECT_EQ(got.set.marks.size(), 2u);
-    EXPECT_EQ(mark(got.set, 7, {Side::Left, "index_mcp"}, "cam1")->px, Vector2d(512.25, 733.5));
-    EXPECT_EQ(mark(got.set, 12, {Side::Right, "wrist"}, "cam1")->px, Vector2d(81.125, 904));
-    ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_NE(got.warnings[0].find("tail"), std::string::npos);
-}
-
-TEST_F(AnnotationFormats, LightningPoseHasThreeIndexColumnsAndCamerasAreMatchedByWholeName) {
-    m_dataset = test::ringDataset(11);
-    m_dataset.sequences[0].name = "take1";
-    const auto got = importSample("deeplabcut", "lightning-pose").set;
-    EXPECT_EQ(got.marks.size(), 2u);
-    EXPECT_EQ(mark(got, 3, {Side::Left, "index_mcp"}, "cam1")->px, Vector2d(1.5, 2.5));
-    EXPECT_EQ(mark(got, 3, {Side::Left, "index_mcp"}, "cam10")->px, Vector2d(7.5, 8.5));
-}
-
-TEST_F(AnnotationFormats, Anipose2dHasLikelihoodsAndSeveralWaysToSayMissing) {
-    const auto got = importSample("anipose2d", "anipose/cam2.csv").set;
-    EXPECT_EQ(got.marks.size(), 3u);
-    EXPECT_EQ(*mark(got, 0, {Side::Left, "index_mcp"}, "cam2"),
-              (Mark{{100.5, 200.25}, Placement::Proposed, MarkState::Visible, 0.99}));
-    EXPECT_EQ(mark(got, 1, {Side::Left, "index_mcp"}, "cam2")->likelihood, 0.3);
-    EXPECT_EQ(mark(got, 2, {Side::Right, "wrist"}, "cam2")->px, Vector2d(5, 6));
-}
-
-TEST_F(AnnotationFormats, WhatANetworkGuessedIsProposedAndUnlikelyGuessesCanBeLeftOut) {
-    for (const char* name : {"likelihood", "score", "confidence"}) {
-        std::ofstream(m_folder / "cam0.csv")
-            << "scorer,net,net,net\nbodyparts,left_wrist,left_wrist,left_wrist\ncoords,x,y," << name
-            << "\n0,10,20,0.003\n1,30,40,0.97\n";
-        m_import.minLikelihood.reset();
-        const auto all = import("deeplabcut", m_folder / "cam0.csv").set;
-        ASSERT_EQ(all.marks.size(), 2u) << name;
-        EXPECT_EQ(*mark(all, 0, {Side::Left, "wrist"}, "cam0"),
-                  (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.003}));
-        EXPECT_FALSE(all.marks.begin()->second.isEvidence());
-        m_import.minLikelihood = 0.5;
-        const auto likely = import("deeplabcut", m_folder / "cam0.csv");
-        ASSERT_EQ(likely.set.marks.size(), 1u);
-        EXPECT_EQ(likely.set.marks.begin()->second.likelihood, 0.97);
-        EXPECT_NE(likely.warnings.back().find("likelihood below 0.5 (1 times)"), std::string::npos)
-            << likely.warnings.back();
-    }
-}
-
-TEST_F(AnnotationFormats, SleapTablesAreProposalsWhoseTracksAreHands) {
-    std::ofstream(m_folder / "cam0.csv") << "track,frame_idx,instance.score,wrist.x,wrist.y,wrist.score,right_index_"
-                                            "mcp.x,right_index_mcp.y,right_index_mcp.score\n"
-                                            "left,7,0.8,10,20,0.75,,,\n,8,0.8,,,,30,40,0.5\n";
-    const auto got = import("anipose2d", m_folder / "cam0.csv").set;
-    EXPECT_EQ(got.marks.size(), 2u);
-    EXPECT_EQ(*mark(got, 7, {Side::Left, "wrist"}, "cam0"),
-              (Mark{{10, 20}, Placement::Proposed, MarkState::Visible, 0.75}));
-    EXPECT_EQ(mark(got, 8, {Side::Right, "index_mcp"}, "cam0")->likelihood, 0.5);
-}
-
 TEST_F(AnnotationFormats, CocoAnnotationsWithAScoreAreProposals) {
     click(3, {Side::Left, "wrist"}, {1, 2, 3});
     const fs::path file = exported("coco");
@@ -268,84 +142,6 @@ TEST_F(AnnotationFormats, CocoAnnotationsWithAScoreAreProposals) {
     EXPECT_EQ(mark(got, 3, {Side::Left, "wrist"}, "cam0")->placement, Placement::Proposed);
     EXPECT_EQ(mark(got, 3, {Side::Left, "wrist"}, "cam0")->likelihood, 0.25);
     EXPECT_EQ(mark(got, 3, {Side::Left, "wrist"}, "cam1")->placement, Placement::Manual);
-}
-
-/// Labels of two videos of a sequence's cameras, and of two others, in one table.
-TEST_F(AnnotationFormats, OnlyRowsOfThisSequencesVideosAreTaken) {
-    m_dataset.sequences[0].views = {{"cam0", core::ViewKind::Video, "../footage/left.mp4", 0},
-                                    {"cam1", core::ViewKind::Images, "../footage/right/{frame:06}.png", 0}};
-    const std::string head = "scorer,a,a\nbodyparts,left_wrist,left_wrist\ncoords,x,y\n";
-    const auto write = [&](const std::string& rows) { std::ofstream(m_folder / "cam2.csv") << head << rows; };
-    write("labeled-data/left/img1.png,1,2\nlabeled-data\\right\\img2.png,3,4\nlabeled-data/01/img3.png,5,6\n"
-          "labeled-data/01-cam3/img4.png,7,8\nimg5.png,9,10\nlabeled-data/02_cam0/img1.png,0.5,1\nlabeled-data/monday/"
-          "img1.png,1,1\n"
-          "labeled-data/monday/img2.png,1,1\n");
-    const auto got = import("deeplabcut", m_folder / "cam2.csv");
-    EXPECT_EQ(got.set.marks.size(), 5u);
-    const std::pair<int, const char*> places[] = {{1, "cam0"}, {2, "cam1"}, {3, "cam2"}, {4, "cam3"}, {5, "cam2"}};
-    for (const auto& [frame, camera] : places)
-        EXPECT_TRUE(mark(got.set, frame, {Side::Left, "wrist"}, camera)) << frame;
-    ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_EQ(got.warnings[0], "3 rows of other videos left out: 02_cam0, monday; choose a video with --video");
-    EXPECT_EQ(got.otherVideos, (std::vector<std::string>{"02_cam0", "monday"}));
-    m_import.videos = {"02"};
-    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam2.csv").set, 1, {Side::Left, "wrist"}, "cam0")->px,
-              Vector2d(0.5, 1));
-    std::ofstream(m_folder / "cam2.csv")
-        << "scorer,,,a,a\nbodyparts,,,left_wrist,left_wrist\ncoords,,,x,y\nlabeled-data,monday,img1.png,1,2\n";
-    m_import.videos.clear();
-    EXPECT_TRUE(import("deeplabcut", m_folder / "cam2.csv").set.marks.empty())
-        << "nor the only video, if it is another";
-}
-
-TEST_F(AnnotationFormats, SemicolonsAndDecimalCommasAreRead) {
-    std::ofstream(m_folder / "cam0.csv")
-        << "scorer;a;a\nbodyparts;left_wrist;left_wrist\ncoords;x;y\nimg7.png;1,5;2,25\n";
-    EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam0.csv").set, 7, {Side::Left, "wrist"}, "cam0")->px,
-              Vector2d(1.5, 2.25));
-    std::ofstream(m_folder / "marks.csv") << "sequence;frame;rater;hand;joint;camera;x_px;y_px;state;placement\r\n"
-                                             "01;4;ann;left;wrist;cam0;10,25;20,5;visible;manual\r\n";
-    EXPECT_EQ(mark(import("csv-marks", m_folder / "marks.csv").set, 4, {Side::Left, "wrist"}, "cam0")->px,
-              Vector2d(10.25, 20.5));
-}
-
-TEST_F(AnnotationFormats, MarksOutsideThePictureAreExportedAsNotVisible) {
-    const JointId joint{Side::Left, "wrist"};
-    click(3, joint, {1, 2, 3});
-    m_set.marks[{3, "ann", joint, "cam1"}].px = {-30, 50};
-    const auto coco = core::readJsonFile(exported("coco"));
-    for (const auto& annotation : coco["annotations"]) {
-        const bool isCam1 = annotation["image_id"] == 2;
-        EXPECT_EQ(annotation["keypoints"][2], isCam1 ? 1 : 2) << annotation["image_id"];
-    }
-    EXPECT_EQ(core::readCsv(exported("deeplabcut") / "cam1" / "CollectedData_ann.csv")[3][1], "");
-    EXPECT_EQ(core::readCsv(exported("anipose2d") / "cam1.csv")[6][3], "0.5");
-}
-
-TEST_F(AnnotationFormats, PoseTablesComeBackExactly) {
-    clickHands();
-    m_set.marks.erase({7, "ann", {Side::Left, "wrist"}, "cam4"});
-    EXPECT_EQ(import("deeplabcut", exported("deeplabcut")).set, m_set);
-    varyStates(false);
-    EXPECT_EQ(import("anipose2d", exported("anipose2d")).set, m_set);
-}
-
-TEST_F(AnnotationFormats, PoseTablesThatAreWrongAreRefused) {
-    const auto refused = [&](const std::string& text) {
-        std::ofstream(m_folder / "cam0.csv") << text;
-        EXPECT_THROW(import("deeplabcut", m_folder / "cam0.csv"), core::Error) << text;
-    };
-    const std::string head = "scorer,a,a\nbodyparts,left_wrist,left_wrist\ncoords,x,y\n";
-    refused("");
-    refused("x,y\n1,2\n");
-    refused(head + "img7.png,1,two\n");
-    refused(head + "picture.png,1,2\n");
-    refused(head + "img7.png,1,2\nimg7.png,1,2\n");
-    refused(head + "\"img7.png,1,2\n");
-    std::ofstream(m_folder / "view.csv") << head << "img7.png,1,2\n";
-    EXPECT_THROW(import("deeplabcut", m_folder / "view.csv"), core::Error); // which camera?
-    m_import.camera = "cam5";
-    EXPECT_TRUE(mark(import("deeplabcut", m_folder / "view.csv").set, 7, {Side::Left, "wrist"}, "cam5"));
 }
 
 // ---- Anipose 3D
