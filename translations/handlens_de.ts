@@ -28,10 +28,6 @@
         <translation>An&amp;passen</translation>
     </message>
     <message>
-        <source>&amp;Compare</source>
-        <translation>&amp;Vergleichen</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -74,10 +70,6 @@
     <message>
         <source>The name that your marks are kept under</source>
         <translation>Der Name, unter dem Ihre Marken gespeichert werden</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts...</source>
-        <translation>&amp;Tastenkürzel...</translation>
     </message>
     <message>
         <source>&amp;Inspect</source>
@@ -599,6 +591,169 @@
         <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
         <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter, wo das Format Bewerter nennt, sonst Ihre</translation>
     </message>
+    <message>
+        <source>&amp;Raters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mar&amp;ks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D s&amp;cene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Joint and view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Li&amp;st of joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a &amp;new dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a calibration and videos or folders of images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language, your name, keys, colours, memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the &amp;shortcuts...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fra&amp;me the hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zooms every view to the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other people&apos;s marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What others have marked in this sequence, muted; it cannot be changed here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which hand is &amp;left and which right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L and R beside the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;eft hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the right hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives this sequence the silhouettes of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next &amp;method in the 3D scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run or stop the &amp;benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::ExportWindow</name>
+    <message>
+        <source>Export annotations</source>
+        <translation type="unfinished">Annotationen exportieren</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Holds&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Read by&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Written are&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose where...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everybody&apos;s annotations of this sequence, with their names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own annotations of this sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -649,6 +804,130 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – ein neuer Ordner (*)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handlens and scripts of your own (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only proposals, notes and the list of undo steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The programs of the method&apos;s authors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks per picture and hand, each visible, occluded or missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints, cameras, who clicked and who accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as a table per camera with a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and aniposelib (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and states: occluded marks look like visible ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints with error and number of cameras, a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and what reads its results (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints as moving markers, a row per frame of the sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for InterHand2.6M (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for FreiHAND or HanCo (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves and the cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and the cameras</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -867,6 +1146,355 @@
         <source>report</source>
         <translation>bericht</translation>
     </message>
+    <message>
+        <source>Where are the videos and images now? Folders below are looked through, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the missing footage lies in that folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more: see handlens-batch check</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>About the footage: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attach a folder of masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else has marks in this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would replace %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin the second round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished">Weiter</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program opened %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1 holds nothing that is not there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results saved in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::NewDatasetWindow</name>
+    <message>
+        <source>Make a dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: as usual for its kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video or image folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty folder for the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add videos...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a folder of images...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of numbered images of one camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos of the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the videos or image folders, and choose the camera of each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two pieces of footage are given to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the sequence a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder for the dataset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The footage is looked at...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::PreferencesWindow</name>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation type="unfinished">Ihr Name</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the four hints at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -903,37 +1531,29 @@
     </message>
 </context>
 <context>
+    <name>app::ShortcutPage</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished">Suchen</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation type="unfinished">Alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation type="unfinished">Doppelklick auf ein Tastenkürzel, um es zu ändern.</translation>
+    </message>
+</context>
+<context>
     <name>app::ShortcutWindow</name>
     <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
-    <message>
-        <source>Search</source>
-        <translation>Suchen</translation>
-    </message>
-    <message>
-        <source>Reset all</source>
-        <translation>Alle zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Double-click a shortcut to change it.</source>
-        <translation>Doppelklick auf ein Tastenkürzel, um es zu ändern.</translation>
-    </message>
 </context>
 <context>
     <name>widgets::Advice</name>
-    <message numerus="yes">
-        <source>%n view(s)</source>
-        <translation>
-            <numerusform>%n Ansicht</numerusform>
-            <numerusform>%n Ansichten</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 px</source>
         <translation>%1 px</translation>
@@ -945,10 +1565,6 @@
     <message>
         <source>Choose a joint on the left.</source>
         <translation>Links ein Gelenk wählen.</translation>
-    </message>
-    <message>
-        <source>A joint needs at least two cameras.</source>
-        <translation>Ein Gelenk braucht mindestens zwei Kameras.</translation>
     </message>
     <message>
         <source>Click %1 in any view.</source>
@@ -1001,6 +1617,36 @@
     <message>
         <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
         <translation>Als Nächstes in %1 klicken (→ %2 mm) oder mit Leertaste übernehmen.</translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px off %2&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n view(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras with a picture.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1090,6 +1736,26 @@
         <source>Every view that sees %1 has a mark of it.</source>
         <translation>Jede Ansicht, die %1 sieht, hat schon eine Marke davon.</translation>
     </message>
+    <message>
+        <source>Nothing was placed: %1 has no picture of this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was placed: this is outside the picture of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark is at the edge of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPage</name>
@@ -1118,30 +1784,6 @@
         <translation>Seed</translation>
     </message>
     <message>
-        <source>Double-click a pair to inspect it</source>
-        <translation>Doppelklick auf ein Paar, um es zu untersuchen</translation>
-    </message>
-    <message>
-        <source>Share of pairs below each error</source>
-        <translation>Anteil der Paare unter jedem Fehler</translation>
-    </message>
-    <message>
-        <source>Error, mm</source>
-        <translation>Fehler, mm</translation>
-    </message>
-    <message>
-        <source>Pairs, %</source>
-        <translation>Paare, %</translation>
-    </message>
-    <message>
-        <source>Run the benchmark to compare the methods.</source>
-        <translation>Benchmark starten, um die Methoden zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>Error per joint</source>
-        <translation>Fehler je Gelenk</translation>
-    </message>
-    <message>
         <source>Choose at least one method and one sequence.</source>
         <translation>Mindestens eine Methode und eine Sequenz wählen.</translation>
     </message>
@@ -1152,10 +1794,6 @@
     <message>
         <source>Run</source>
         <translation>Starten</translation>
-    </message>
-    <message>
-        <source>start</source>
-        <translation>Start</translation>
     </message>
     <message>
         <source>“%1” is not a number of frames.</source>
@@ -1177,6 +1815,61 @@
         <source>Setup</source>
         <translation>Aufbau</translation>
     </message>
+    <message>
+        <source>Save results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the results in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the results of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkResultsView</name>
+    <message>
+        <source>Double-click a pair to inspect it with every method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation type="unfinished">Anteil der Paare unter jedem Fehler</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation type="unfinished">Fehler, mm</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation type="unfinished">Paare, %</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation type="unfinished">Benchmark starten, um die Methoden zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation type="unfinished">Fehler je Gelenk</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished">Start</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkRunner</name>
@@ -1188,12 +1881,43 @@
         <source>%1 of %2 fits</source>
         <translation>%1 von %2 Anpassungen</translation>
     </message>
+    <message>
+        <source>This folder holds the results of another benchmark. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder already holds a file %1. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no results to save yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the benchmark first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These results are not of the open dataset, or it has changed since: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This benchmark is not finished: %n fit(s) are in.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
         <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1321,16 +2045,71 @@
         <translation>Zuletzt geöffnete Datensätze</translation>
     </message>
     <message>
-        <source>Open a dataset, drop its folder here, or try the demo.</source>
-        <translation>Datensatz öffnen, seinen Ordner hierher ziehen oder die Demo ausprobieren.</translation>
-    </message>
-    <message>
         <source>Open a dataset...</source>
         <translation>Datensatz öffnen...</translation>
     </message>
     <message>
         <source>Try the demo</source>
         <translation>Demo ausprobieren</translation>
+    </message>
+    <message>
+        <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Finding</name>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>kein 3D-Punkt: %1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>Fehler von %1 px</translation>
+    </message>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation>Klick in %1 liegt %2 px daneben</translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation>kein 3D-Punkt aus den Klicks</translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation>Knochen %1 % länger als üblich</translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation>Knochen %1 % kürzer als üblich</translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation>%1° über die Grenze gebeugt</translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation>Finger vertauscht? %1 mm falsch gereiht</translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation>links und rechts vertauscht?</translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation>in %1 auf demselben Pixel wie ein anderes Gelenk</translation>
+    </message>
+    <message>
+        <source>no 3D point: click in %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark is %1 px outside the picture of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1380,6 +2159,10 @@
     <message>
         <source>This sequence has no recorded motion to draw silhouettes from.</source>
         <translation>Diese Sequenz hat keine aufgezeichnete Bewegung, aus der Silhouetten zu zeichnen wären.</translation>
+    </message>
+    <message>
+        <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1440,6 +2223,21 @@
         <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
         <translation>Bild, von dessen Pose die Anpassung ausgeht: die aufgezeichnete oder, wenn es keine gibt, das Handmodell seiner Marken</translation>
     </message>
+    <message>
+        <source>Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FootageFinder</name>
+    <message>
+        <source>not found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::FramesBar</name>
@@ -1455,12 +2253,40 @@
         <source>Frame </source>
         <translation>Bild </translation>
     </message>
+    <message>
+        <source>What the colours of the timeline mean</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::HandDiagram</name>
     <message>
         <source>Joints of both hands</source>
         <translation>Gelenke beider Hände</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandFraming</name>
+    <message>
+        <source>L</source>
+        <comment>left hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandModelFit</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation>Dieser Datensatz hat keine Handmodelle.</translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation>Das Handmodell braucht drei Gelenke einer Hand, die einen 3D-Punkt haben und nicht auf einer Linie liegen.</translation>
     </message>
 </context>
 <context>
@@ -1474,16 +2300,16 @@
         <translation>Die Leertaste übernimmt eine vorplatzierte Marke, X löscht eine Marke, Strg+Z nimmt alles zurück.</translation>
     </message>
     <message>
-        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
-        <translation>Das Mausrad zoomt, die mittlere Taste verschiebt, ein Doppelklick füllt das Fenster mit einer Ansicht.</translation>
-    </message>
-    <message>
         <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
         <translation>A und D gehen durch die Bilder, W und S durch die Gelenke; F1 zeigt alle Tasten.</translation>
     </message>
     <message>
-        <source>Got it</source>
-        <translation>Verstanden</translation>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Got it (Esc)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1497,10 +2323,6 @@
         <translation>Kamerazeilen, ab der aktuellen Kamera</translation>
     </message>
     <message>
-        <source>Fit a pair of frames: F</source>
-        <translation>Pose an ein Bildpaar anpassen: F</translation>
-    </message>
-    <message>
         <source>Iteration</source>
         <translation>Iteration</translation>
     </message>
@@ -1511,10 +2333,6 @@
     <message>
         <source>Cost, mm²</source>
         <translation>Kosten, mm²</translation>
-    </message>
-    <message>
-        <source>Fit the current frame (F) to see the methods side by side.</source>
-        <translation>Pose an das aktuelle Bild anpassen (F), um die Methoden nebeneinander zu sehen.</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
@@ -1533,8 +2351,28 @@
         <translation>Iteration %1 von %2</translation>
     </message>
     <message>
-        <source>recorded</source>
-        <translation>aufgezeichnet</translation>
+        <source>Fit this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the methods chosen under Fit, from the pose of some frames before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing that the error could be measured against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the current frame to see the methods side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1588,10 +2426,6 @@
         <translation>Gelenk, in der Reihenfolge der Bearbeitung</translation>
     </message>
     <message>
-        <source>Views with a click of yours</source>
-        <translation>Ansichten mit einem Klick von Ihnen</translation>
-    </message>
-    <message>
         <source>Root mean square distance from click to reprojection, over the views used</source>
         <translation>Quadratisches Mittel (RMS) des Abstands vom Klick zur Rückprojektion, über die verwendeten Ansichten</translation>
     </message>
@@ -1600,8 +2434,55 @@
         <translation>Unsicherheit des 3D-Gelenks (Standardabweichung)</translation>
     </message>
     <message>
-        <source>Done: every view is placed or cannot be placed</source>
-        <translation>Fertig: in jeder Ansicht platziert oder nicht platzierbar</translation>
+        <source>bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed marks with a likelihood of %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views that you clicked + views that you accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkLegend</name>
+    <message>
+        <source>clicked: the 3D joint follows from these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted as it was placed for you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed: nobody&apos;s label yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>occluded, estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the other views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square: right hand; round: left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the marks mean</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1618,6 +2499,33 @@
         <source>%1 px</source>
         <translation>%1 px</translation>
     </message>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off %1&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click here next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MaskAttacher</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation type="unfinished">Zuerst einen Datensatz öffnen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MessageBar</name>
@@ -1627,14 +2535,14 @@
     </message>
 </context>
 <context>
-    <name>widgets::HandModelFit</name>
+    <name>widgets::NameBar</name>
     <message>
-        <source>This dataset has no hand models.</source>
-        <translation>Dieser Datensatz hat keine Handmodelle.</translation>
+        <source>Use this name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
-        <translation>Das Handmodell braucht drei Gelenke einer Hand, die einen 3D-Punkt haben und nicht auf einer Linie liegen.</translation>
+        <source>Your marks are kept under your &amp;name:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1642,6 +2550,27 @@
     <message>
         <source>Note on this frame</source>
         <translation>Notiz zu diesem Bild</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OtherMarks</name>
+    <message>
+        <source>%1 has %2 in %3 of this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1705,48 +2634,13 @@
         <source>Save picture...</source>
         <translation>Grafik speichern...</translation>
     </message>
-</context>
-<context>
-    <name>widgets::Finding</name>
     <message>
-        <source>no 3D point: %1</source>
-        <translation>kein 3D-Punkt: %1</translation>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>error of %1 px</source>
-        <translation>Fehler von %1 px</translation>
-    </message>
-    <message>
-        <source>click in %1 is %2 px off</source>
-        <translation>Klick in %1 liegt %2 px daneben</translation>
-    </message>
-    <message>
-        <source>no 3D point from its clicks</source>
-        <translation>kein 3D-Punkt aus den Klicks</translation>
-    </message>
-    <message>
-        <source>bone %1 % longer than usual</source>
-        <translation>Knochen %1 % länger als üblich</translation>
-    </message>
-    <message>
-        <source>bone %1 % shorter than usual</source>
-        <translation>Knochen %1 % kürzer als üblich</translation>
-    </message>
-    <message>
-        <source>bent %1° beyond its limit</source>
-        <translation>%1° über die Grenze gebeugt</translation>
-    </message>
-    <message>
-        <source>fingers exchanged? %1 mm out of order</source>
-        <translation>Finger vertauscht? %1 mm falsch gereiht</translation>
-    </message>
-    <message>
-        <source>left and right exchanged?</source>
-        <translation>links und rechts vertauscht?</translation>
-    </message>
-    <message>
-        <source>on the same pixel as another joint in %1</source>
-        <translation>in %1 auf demselben Pixel wie ein anderes Gelenk</translation>
+        <source>The picture is in the clipboard.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1766,13 +2660,6 @@
     <message>
         <source>No frame of this sequence has marks yet.</source>
         <translation>Noch kein Bild dieser Sequenz hat Marken.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) with marks.</source>
-        <translation>
-            <numerusform>%n Bild mit Marken.</numerusform>
-            <numerusform>%n Bilder mit Marken.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Joints: %1 done, %2 partial, %3 bad.</source>
@@ -1797,6 +2684,24 @@
     <message>
         <source>Where to look for doubts</source>
         <translation>Wo nach Zweifelhaftem gesucht wird</translation>
+    </message>
+    <message>
+        <source>No frame has marks of yours (%1) yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n proposed mark(s) wait to be checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks of %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2817,17 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScenePanel</name>
+    <message>
+        <source>Whose pose stands in the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SceneView</name>
     <message>
         <source>The 3D scene needs OpenGL, which this display does not have.</source>
@@ -1978,6 +2894,29 @@
     </message>
 </context>
 <context>
+    <name>widgets::StoreText</name>
+    <message>
+        <source>opened for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SummaryModel</name>
     <message>
         <source>start</source>
@@ -2003,6 +2942,14 @@
         <source>All, mm</source>
         <translation>Alle, mm</translation>
     </message>
+    <message>
+        <source>Pairs that are finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Timeline</name>
@@ -2017,6 +2964,45 @@
     <message>
         <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
         <translation>%1: %2 fertig, %3 teilweise, %4 schlecht, %5 verdeckt</translation>
+    </message>
+    <message>
+        <source>Marks of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TimelineLegend</name>
+    <message>
+        <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every joint is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some joints have marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint is bad: large error, outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at its foot: a joint is occluded, its place estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the lanes: marks of other people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick above: a note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick below: a test frame of the benchmark; the line: the current frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2079,6 +3065,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::WorkWords</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+    </message>
+    <message>
+        <source>Fit the current frame: F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished">Start</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation type="unfinished">Bild %1 aus Bild %2</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure the error against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose methods and sequences, then Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Workspaces</name>
     <message>
         <source>Quality</source>
@@ -2099,6 +3120,14 @@
     <message>
         <source>Raters</source>
         <translation>Bewerter</translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find...</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -28,10 +28,6 @@
         <translation>Π&amp;ροσαρμογή</translation>
     </message>
     <message>
-        <source>&amp;Compare</source>
-        <translation>Σύ&amp;γκριση</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Βοήθεια</translation>
     </message>
@@ -86,10 +82,6 @@
     <message>
         <source>The name that your marks are kept under</source>
         <translation>Το όνομα με το οποίο φυλάσσονται τα σημάδια σας</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts...</source>
-        <translation>Σ&amp;υντομεύσεις...</translation>
     </message>
     <message>
         <source>&amp;Inspect</source>
@@ -599,6 +591,169 @@
         <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
         <translation>Γράφει τους σχολιασμούς αυτής της ακολουθίας: όλων, όπου η μορφή ονομάζει αξιολογητές, αλλιώς τους δικούς σας</translation>
     </message>
+    <message>
+        <source>&amp;Raters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mar&amp;ks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D s&amp;cene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Joint and view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Li&amp;st of joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a &amp;new dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a calibration and videos or folders of images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language, your name, keys, colours, memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the &amp;shortcuts...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fra&amp;me the hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zooms every view to the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other people&apos;s marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What others have marked in this sequence, muted; it cannot be changed here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which hand is &amp;left and which right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L and R beside the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;eft hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the right hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives this sequence the silhouettes of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next &amp;method in the 3D scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run or stop the &amp;benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::ExportWindow</name>
+    <message>
+        <source>Export annotations</source>
+        <translation type="unfinished">Εξαγωγή επισημειώσεων</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Holds&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Read by&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Written are&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose where...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everybody&apos;s annotations of this sequence, with their names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own annotations of this sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -649,6 +804,130 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – νέος φάκελος (*)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handlens and scripts of your own (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only proposals, notes and the list of undo steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The programs of the method&apos;s authors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks per picture and hand, each visible, occluded or missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints, cameras, who clicked and who accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as a table per camera with a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and aniposelib (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and states: occluded marks look like visible ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints with error and number of cameras, a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and what reads its results (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints as moving markers, a row per frame of the sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for InterHand2.6M (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for FreiHAND or HanCo (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves and the cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and the cameras</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -867,6 +1146,355 @@
         <source>report</source>
         <translation>αναφορά</translation>
     </message>
+    <message>
+        <source>Where are the videos and images now? Folders below are looked through, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the missing footage lies in that folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more: see handlens-batch check</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>About the footage: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attach a folder of masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else has marks in this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would replace %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin the second round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished">Επόμενη</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program opened %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1 holds nothing that is not there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results saved in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::NewDatasetWindow</name>
+    <message>
+        <source>Make a dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: as usual for its kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video or image folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty folder for the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add videos...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a folder of images...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of numbered images of one camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos of the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the videos or image folders, and choose the camera of each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two pieces of footage are given to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the sequence a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder for the dataset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The footage is looked at...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::PreferencesWindow</name>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation type="unfinished">Το όνομά σας</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the four hints at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -903,26 +1531,25 @@
     </message>
 </context>
 <context>
+    <name>app::ShortcutPage</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished">Αναζήτηση</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation type="unfinished">Επαναφορά όλων</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation type="unfinished">Διπλό κλικ σε μια συντόμευση για να την αλλάξετε.</translation>
+    </message>
+</context>
+<context>
     <name>app::ShortcutWindow</name>
     <message>
         <source>Shortcuts</source>
         <translation>Συντομεύσεις</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>Αναζήτηση</translation>
-    </message>
-    <message>
-        <source>Reset all</source>
-        <translation>Επαναφορά όλων</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Κλείσιμο</translation>
-    </message>
-    <message>
-        <source>Double-click a shortcut to change it.</source>
-        <translation>Διπλό κλικ σε μια συντόμευση για να την αλλάξετε.</translation>
     </message>
 </context>
 <context>
@@ -947,13 +1574,6 @@
         <source>views disagree</source>
         <translation>οι προβολές δεν συμφωνούν</translation>
     </message>
-    <message numerus="yes">
-        <source>%n view(s)</source>
-        <translation>
-            <numerusform>%n προβολή</numerusform>
-            <numerusform>%n προβολές</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 px</source>
         <translation>%1 px</translation>
@@ -965,10 +1585,6 @@
     <message>
         <source>Choose a joint on the left.</source>
         <translation>Επιλέξτε μια άρθρωση στα αριστερά.</translation>
-    </message>
-    <message>
-        <source>A joint needs at least two cameras.</source>
-        <translation>Μια άρθρωση χρειάζεται τουλάχιστον δύο κάμερες.</translation>
     </message>
     <message>
         <source>Click %1 in any view.</source>
@@ -1001,6 +1617,36 @@
     <message>
         <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
         <translation>Επόμενο κλικ στην %1 (→ %2 mm) ή αποδοχή με το Space.</translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px off %2&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n view(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras with a picture.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1090,6 +1736,26 @@
         <source>Every view that sees %1 has a mark of it.</source>
         <translation>Κάθε όψη που βλέπει το %1 έχει ήδη σημάδι του.</translation>
     </message>
+    <message>
+        <source>Nothing was placed: %1 has no picture of this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was placed: this is outside the picture of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark is at the edge of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPage</name>
@@ -1134,30 +1800,6 @@
         <translation>Σπόρος</translation>
     </message>
     <message>
-        <source>Double-click a pair to inspect it</source>
-        <translation>Διπλό κλικ σε ένα ζεύγος για εξέταση</translation>
-    </message>
-    <message>
-        <source>Share of pairs below each error</source>
-        <translation>Ποσοστό ζευγών κάτω από κάθε σφάλμα</translation>
-    </message>
-    <message>
-        <source>Error, mm</source>
-        <translation>Σφάλμα, mm</translation>
-    </message>
-    <message>
-        <source>Pairs, %</source>
-        <translation>Ζεύγη, %</translation>
-    </message>
-    <message>
-        <source>Run the benchmark to compare the methods.</source>
-        <translation>Εκτελέστε τη συγκριτική δοκιμή για να συγκρίνετε τις μεθόδους.</translation>
-    </message>
-    <message>
-        <source>Error per joint</source>
-        <translation>Σφάλμα ανά άρθρωση</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of frames.</source>
         <translation>Το «%1» δεν είναι πλήθος καρέ.</translation>
     </message>
@@ -1174,8 +1816,59 @@
         <translation>Εκτέλεση</translation>
     </message>
     <message>
+        <source>Save results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the results in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the results of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkResultsView</name>
+    <message>
+        <source>Double-click a pair to inspect it with every method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation type="unfinished">Ποσοστό ζευγών κάτω από κάθε σφάλμα</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation type="unfinished">Σφάλμα, mm</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation type="unfinished">Ζεύγη, %</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation type="unfinished">Εκτελέστε τη συγκριτική δοκιμή για να συγκρίνετε τις μεθόδους.</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation type="unfinished">Σφάλμα ανά άρθρωση</translation>
+    </message>
+    <message>
         <source>start</source>
-        <translation>αρχή</translation>
+        <translation type="unfinished">αρχή</translation>
     </message>
 </context>
 <context>
@@ -1188,12 +1881,43 @@
         <source>%1 of %2 fits</source>
         <translation>%1 από %2 προσαρμογές</translation>
     </message>
+    <message>
+        <source>This folder holds the results of another benchmark. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder already holds a file %1. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no results to save yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the benchmark first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These results are not of the open dataset, or it has changed since: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This benchmark is not finished: %n fit(s) are in.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
         <translation>καμπύλες</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1321,16 +2045,71 @@
         <translation>Πρόσφατα σύνολα δεδομένων</translation>
     </message>
     <message>
-        <source>Open a dataset, drop its folder here, or try the demo.</source>
-        <translation>Ανοίξτε ένα σύνολο δεδομένων, σύρετε τον φάκελό του εδώ ή δοκιμάστε την επίδειξη.</translation>
-    </message>
-    <message>
         <source>Open a dataset...</source>
         <translation>Άνοιγμα συνόλου δεδομένων...</translation>
     </message>
     <message>
         <source>Try the demo</source>
         <translation>Δοκιμή της επίδειξης</translation>
+    </message>
+    <message>
+        <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Finding</name>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation>το κλικ στην %1 αποκλίνει %2 px</translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation>χωρίς σημείο 3D από τα κλικ της</translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation>οστό %1 % μακρύτερο από το σύνηθες</translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation>οστό %1 % κοντύτερο από το σύνηθες</translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation>κάμψη %1° πέρα από το όριο</translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation>μπερδεμένα δάχτυλα; %1 mm εκτός σειράς</translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation>μπερδεμένα αριστερό και δεξί;</translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation>στο ίδιο πίξελ με άλλη άρθρωση στην %1</translation>
+    </message>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>χωρίς σημείο 3D: %1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>σφάλμα %1 px</translation>
+    </message>
+    <message>
+        <source>no 3D point: click in %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark is %1 px outside the picture of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1380,6 +2159,10 @@
     <message>
         <source>Choose at least one method.</source>
         <translation>Επιλέξτε τουλάχιστον μία μέθοδο.</translation>
+    </message>
+    <message>
+        <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1440,6 +2223,21 @@
         <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
         <translation>Καρέ από του οποίου την πόζα ξεκινά η προσαρμογή: η καταγεγραμμένη ή, χωρίς αυτήν, το μοντέλο χεριού των σημαδιών του</translation>
     </message>
+    <message>
+        <source>Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FootageFinder</name>
+    <message>
+        <source>not found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::FramesBar</name>
@@ -1455,12 +2253,40 @@
         <source>Frame </source>
         <translation>Καρέ </translation>
     </message>
+    <message>
+        <source>What the colours of the timeline mean</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::HandDiagram</name>
     <message>
         <source>Joints of both hands</source>
         <translation>Αρθρώσεις και των δύο χεριών</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandFraming</name>
+    <message>
+        <source>L</source>
+        <comment>left hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandModelFit</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation>Αυτό το σύνολο δεδομένων δεν έχει μοντέλα χεριών.</translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation>Το μοντέλο χεριού χρειάζεται τρεις αρθρώσεις ενός χεριού που έχουν σημείο 3D και δεν είναι στην ίδια ευθεία.</translation>
     </message>
 </context>
 <context>
@@ -1474,16 +2300,16 @@
         <translation>Το Space αποδέχεται ένα προτεινόμενο σημάδι, το X διαγράφει ένα σημάδι, το Ctrl+Z αναιρεί οτιδήποτε.</translation>
     </message>
     <message>
-        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
-        <translation>Ο τροχός κάνει ζουμ, το μεσαίο κουμπί μετακινεί, το διπλό κλικ γεμίζει το παράθυρο με μία προβολή.</translation>
-    </message>
-    <message>
         <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
         <translation>Τα A και D αλλάζουν καρέ, τα W και S άρθρωση· το F1 δείχνει όλα τα πλήκτρα.</translation>
     </message>
     <message>
-        <source>Got it</source>
-        <translation>Το κατάλαβα</translation>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Got it (Esc)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1497,10 +2323,6 @@
         <translation>Σειρές καμερών, από την τρέχουσα και μετά</translation>
     </message>
     <message>
-        <source>Fit a pair of frames: F</source>
-        <translation>Προσαρμογή σε ζεύγος καρέ: F</translation>
-    </message>
-    <message>
         <source>Iteration</source>
         <translation>Επανάληψη</translation>
     </message>
@@ -1511,10 +2333,6 @@
     <message>
         <source>Cost, mm²</source>
         <translation>Κόστος, mm²</translation>
-    </message>
-    <message>
-        <source>Fit the current frame (F) to see the methods side by side.</source>
-        <translation>Κάντε προσαρμογή στο τρέχον καρέ (F) για να δείτε τις μεθόδους δίπλα δίπλα.</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
@@ -1533,8 +2351,28 @@
         <translation>Επανάληψη %1 από %2</translation>
     </message>
     <message>
-        <source>recorded</source>
-        <translation>καταγεγραμμένη</translation>
+        <source>Fit this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the methods chosen under Fit, from the pose of some frames before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing that the error could be measured against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the current frame to see the methods side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1588,10 +2426,6 @@
         <translation>Άρθρωση, με τη σειρά που εργάζεστε</translation>
     </message>
     <message>
-        <source>Views with a click of yours</source>
-        <translation>Προβολές με δικό σας κλικ</translation>
-    </message>
-    <message>
         <source>Root mean square distance from click to reprojection, over the views used</source>
         <translation>Μέση τετραγωνική απόσταση (RMS) του κλικ από την επαναπροβολή, στις προβολές που χρησιμοποιούνται</translation>
     </message>
@@ -1600,8 +2434,55 @@
         <translation>Αβεβαιότητα της άρθρωσης 3D (τυπική απόκλιση)</translation>
     </message>
     <message>
-        <source>Done: every view is placed or cannot be placed</source>
-        <translation>Έτοιμη: σε κάθε προβολή έχει τοποθετηθεί ή δεν τοποθετείται</translation>
+        <source>bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed marks with a likelihood of %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views that you clicked + views that you accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkLegend</name>
+    <message>
+        <source>clicked: the 3D joint follows from these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted as it was placed for you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed: nobody&apos;s label yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>occluded, estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the other views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square: right hand; round: left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the marks mean</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1618,6 +2499,33 @@
         <source>%1 px</source>
         <translation>%1 px</translation>
     </message>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off %1&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click here next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MaskAttacher</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation type="unfinished">Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MessageBar</name>
@@ -1627,14 +2535,14 @@
     </message>
 </context>
 <context>
-    <name>widgets::HandModelFit</name>
+    <name>widgets::NameBar</name>
     <message>
-        <source>This dataset has no hand models.</source>
-        <translation>Αυτό το σύνολο δεδομένων δεν έχει μοντέλα χεριών.</translation>
+        <source>Use this name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
-        <translation>Το μοντέλο χεριού χρειάζεται τρεις αρθρώσεις ενός χεριού που έχουν σημείο 3D και δεν είναι στην ίδια ευθεία.</translation>
+        <source>Your marks are kept under your &amp;name:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1642,6 +2550,27 @@
     <message>
         <source>Note on this frame</source>
         <translation>Σημείωση για αυτό το καρέ</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OtherMarks</name>
+    <message>
+        <source>%1 has %2 in %3 of this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1705,48 +2634,13 @@
         <source>Save picture...</source>
         <translation>Αποθήκευση εικόνας...</translation>
     </message>
-</context>
-<context>
-    <name>widgets::Finding</name>
     <message>
-        <source>click in %1 is %2 px off</source>
-        <translation>το κλικ στην %1 αποκλίνει %2 px</translation>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no 3D point from its clicks</source>
-        <translation>χωρίς σημείο 3D από τα κλικ της</translation>
-    </message>
-    <message>
-        <source>bone %1 % longer than usual</source>
-        <translation>οστό %1 % μακρύτερο από το σύνηθες</translation>
-    </message>
-    <message>
-        <source>bone %1 % shorter than usual</source>
-        <translation>οστό %1 % κοντύτερο από το σύνηθες</translation>
-    </message>
-    <message>
-        <source>bent %1° beyond its limit</source>
-        <translation>κάμψη %1° πέρα από το όριο</translation>
-    </message>
-    <message>
-        <source>fingers exchanged? %1 mm out of order</source>
-        <translation>μπερδεμένα δάχτυλα; %1 mm εκτός σειράς</translation>
-    </message>
-    <message>
-        <source>left and right exchanged?</source>
-        <translation>μπερδεμένα αριστερό και δεξί;</translation>
-    </message>
-    <message>
-        <source>on the same pixel as another joint in %1</source>
-        <translation>στο ίδιο πίξελ με άλλη άρθρωση στην %1</translation>
-    </message>
-    <message>
-        <source>no 3D point: %1</source>
-        <translation>χωρίς σημείο 3D: %1</translation>
-    </message>
-    <message>
-        <source>error of %1 px</source>
-        <translation>σφάλμα %1 px</translation>
+        <source>The picture is in the clipboard.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1779,13 +2673,6 @@
         <source>No frame of this sequence has marks yet.</source>
         <translation>Κανένα καρέ αυτής της ακολουθίας δεν έχει ακόμα σημάδια.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s) with marks.</source>
-        <translation>
-            <numerusform>%n καρέ με σημάδια.</numerusform>
-            <numerusform>%n καρέ με σημάδια.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Joints: %1 done, %2 partial, %3 bad.</source>
         <translation>Αρθρώσεις: %1 έτοιμες, %2 μερικές, %3 προβληματικές.</translation>
@@ -1797,6 +2684,24 @@
     <message>
         <source>Where to look for doubts</source>
         <translation>Πού αναζητούνται αμφιβολίες</translation>
+    </message>
+    <message>
+        <source>No frame has marks of yours (%1) yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n proposed mark(s) wait to be checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks of %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1912,6 +2817,17 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScenePanel</name>
+    <message>
+        <source>Whose pose stands in the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SceneView</name>
     <message>
         <source>The 3D scene needs OpenGL, which this display does not have.</source>
@@ -1978,6 +2894,29 @@
     </message>
 </context>
 <context>
+    <name>widgets::StoreText</name>
+    <message>
+        <source>opened for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SummaryModel</name>
     <message>
         <source>start</source>
@@ -2003,6 +2942,14 @@
         <source>All, mm</source>
         <translation>Όλα, mm</translation>
     </message>
+    <message>
+        <source>Pairs that are finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Timeline</name>
@@ -2017,6 +2964,45 @@
     <message>
         <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
         <translation>%1: %2 έτοιμες, %3 μερικές, %4 προβληματικές, %5 κρυμμένες</translation>
+    </message>
+    <message>
+        <source>Marks of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TimelineLegend</name>
+    <message>
+        <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every joint is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some joints have marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint is bad: large error, outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at its foot: a joint is occluded, its place estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the lanes: marks of other people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick above: a note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick below: a test frame of the benchmark; the line: the current frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2079,6 +3065,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::WorkWords</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+    </message>
+    <message>
+        <source>Fit the current frame: F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished">αρχή</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation type="unfinished">Καρέ %1 από το καρέ %2</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure the error against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose methods and sequences, then Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Workspaces</name>
     <message>
         <source>Quality</source>
@@ -2099,6 +3120,14 @@
     <message>
         <source>All views are hidden: tick one under View, Cameras.</source>
         <translation>Όλες οι προβολές είναι κρυμμένες: επιλέξτε μία στην καρτέλα «Όψη», «Κάμερες».</translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find...</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

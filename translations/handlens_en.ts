@@ -17,14 +17,66 @@
             <numerusform>The hand model meets %n marked joints within %1 mm.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more: see handlens-batch check</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::Advice</name>
     <message numerus="yes">
-        <source>%n view(s)</source>
-        <translation>
-            <numerusform>%n view</numerusform>
-            <numerusform>%n views</numerusform>
+        <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n view(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkRunner</name>
+    <message numerus="yes">
+        <source>This benchmark is not finished: %n fit(s) are in.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -88,12 +140,36 @@
     </message>
 </context>
 <context>
+    <name>widgets::OtherMarks</name>
+    <message numerus="yes">
+        <source>%n mark(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::QualityPanel</name>
     <message numerus="yes">
-        <source>%n frame(s) with marks.</source>
-        <translation>
-            <numerusform>%n frame with marks.</numerusform>
-            <numerusform>%n frames with marks.</numerusform>
+        <source>%n proposed mark(s) wait to be checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks of %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

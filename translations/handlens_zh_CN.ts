@@ -28,10 +28,6 @@
         <translation>拟合(&amp;I)</translation>
     </message>
     <message>
-        <source>&amp;Compare</source>
-        <translation>比较(&amp;C)</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>帮助(&amp;H)</translation>
     </message>
@@ -86,10 +82,6 @@
     <message>
         <source>The name that your marks are kept under</source>
         <translation>您的标记以此名字保存</translation>
-    </message>
-    <message>
-        <source>&amp;Shortcuts...</source>
-        <translation>快捷键(&amp;S)...</translation>
     </message>
     <message>
         <source>&amp;Inspect</source>
@@ -599,6 +591,169 @@
         <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
         <translation>写出此序列的标注：格式能记录标注者时写出所有人的标注，否则写出您的标注</translation>
     </message>
+    <message>
+        <source>&amp;Raters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One &amp;view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mar&amp;ks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D s&amp;cene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Joint and view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nudge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Li&amp;st of joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a &amp;new dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of a calibration and videos or folders of images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Language, your name, keys, colours, memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the &amp;shortcuts...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fra&amp;me the hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zooms every view to the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other people&apos;s marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What others have marked in this sequence, muted; it cannot be changed here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which hand is &amp;left and which right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L and R beside the hands, where they are known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L&amp;eft hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks and mesh of the right hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives this sequence the silhouettes of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next &amp;method in the 3D scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run or stop the &amp;benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save the benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open a benchmark&apos;s results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::ExportWindow</name>
+    <message>
+        <source>Export annotations</source>
+        <translation type="unfinished">导出标注</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Holds&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Read by&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Written are&lt;/b&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose where...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everybody&apos;s annotations of this sequence, with their names</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your own annotations of this sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::FileActions</name>
@@ -649,6 +804,130 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – 新文件夹 (*)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Handlens and scripts of your own (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only proposals, notes and the list of undo steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The programs of the method&apos;s authors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks per picture and hand, each visible, occluded or missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints, cameras, who clicked and who accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as a table per camera with a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and aniposelib (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and states: occluded marks look like visible ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints with error and number of cameras, a row per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose and what reads its results (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints as moving markers, a row per frame of the sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for InterHand2.6M (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Loaders written for FreiHAND or HanCo (JSON)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks themselves and the cameras; it cannot be imported again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D joints and the cameras</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -865,6 +1144,350 @@
         <source>report</source>
         <translation>报告</translation>
     </message>
+    <message>
+        <source>Where are the videos and images now? Folders below are looked through, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing of the missing footage lies in that folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more: see handlens-batch check</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>About the footage: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Attach a folder of masks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The name that your marks are kept under (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nobody else has marks in this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of %1</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 would replace %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep what is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was imported.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin the second round</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished">下一个</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No program opened %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was changed: %1 holds nothing that is not there already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results saved in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::NewDatasetWindow</name>
+    <message>
+        <source>Make a dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: as usual for its kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>unit: metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video or image folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder of the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An empty folder for the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add videos...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a folder of images...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Footage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of numbered images of one camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos of the cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the videos or image folders, and choose the camera of each.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two pieces of footage are given to %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the sequence a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a folder for the dataset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The footage is looked at...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::PreferencesWindow</name>
+    <message>
+        <source>Preferences</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation type="unfinished">您的名字</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another language is used from the next start on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory for pictures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Your marks are kept under this name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the four hints at the next start</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::RangeWindow</name>
@@ -901,26 +1524,25 @@
     </message>
 </context>
 <context>
+    <name>app::ShortcutPage</name>
+    <message>
+        <source>Search</source>
+        <translation type="unfinished">搜索</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation type="unfinished">全部重置</translation>
+    </message>
+    <message>
+        <source>Double-click a shortcut to change it.</source>
+        <translation type="unfinished">双击快捷键即可更改。</translation>
+    </message>
+</context>
+<context>
     <name>app::ShortcutWindow</name>
     <message>
         <source>Shortcuts</source>
         <translation>快捷键</translation>
-    </message>
-    <message>
-        <source>Search</source>
-        <translation>搜索</translation>
-    </message>
-    <message>
-        <source>Reset all</source>
-        <translation>全部重置</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>关闭</translation>
-    </message>
-    <message>
-        <source>Double-click a shortcut to change it.</source>
-        <translation>双击快捷键即可更改。</translation>
     </message>
 </context>
 <context>
@@ -945,12 +1567,6 @@
         <source>views disagree</source>
         <translation>视图之间不一致</translation>
     </message>
-    <message numerus="yes">
-        <source>%n view(s)</source>
-        <translation>
-            <numerusform>%n 个视图</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 px</source>
         <translation>%1 px</translation>
@@ -962,10 +1578,6 @@
     <message>
         <source>Choose a joint on the left.</source>
         <translation>请在左侧选择一个关节。</translation>
-    </message>
-    <message>
-        <source>A joint needs at least two cameras.</source>
-        <translation>一个关节至少需要两台相机。</translation>
     </message>
     <message>
         <source>Click %1 in any view.</source>
@@ -998,6 +1610,34 @@
     <message>
         <source>Click in %1 next (→ %2 mm), or accept with Space.</source>
         <translation>接下来在 %1 中点击（→ %2 mm），或按空格键接受。</translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 px off %2&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n view(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A joint needs at least two cameras with a picture.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1087,6 +1727,26 @@
         <source>Every view that sees %1 has a mark of it.</source>
         <translation>每个能看到 %1 的视图都已有其标记。</translation>
     </message>
+    <message>
+        <source>Nothing was placed: %1 has no picture of this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was placed: this is outside the picture of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no mark of %1 in this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mark is at the edge of the picture.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPage</name>
@@ -1131,30 +1791,6 @@
         <translation>随机种子</translation>
     </message>
     <message>
-        <source>Double-click a pair to inspect it</source>
-        <translation>双击帧对进行检视</translation>
-    </message>
-    <message>
-        <source>Share of pairs below each error</source>
-        <translation>误差低于各值的帧对占比</translation>
-    </message>
-    <message>
-        <source>Error, mm</source>
-        <translation>误差 (mm)</translation>
-    </message>
-    <message>
-        <source>Pairs, %</source>
-        <translation>帧对 (%)</translation>
-    </message>
-    <message>
-        <source>Run the benchmark to compare the methods.</source>
-        <translation>运行基准测试以比较各方法。</translation>
-    </message>
-    <message>
-        <source>Error per joint</source>
-        <translation>各关节误差</translation>
-    </message>
-    <message>
         <source>“%1” is not a number of frames.</source>
         <translation>“%1”不是有效的帧数。</translation>
     </message>
@@ -1171,8 +1807,59 @@
         <translation>运行</translation>
     </message>
     <message>
+        <source>Save results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open results...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder that was saved here or written by handlens-batch benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the results in a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the results of a folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkResultsView</name>
+    <message>
+        <source>Double-click a pair to inspect it with every method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of pairs below each error</source>
+        <translation type="unfinished">误差低于各值的帧对占比</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation type="unfinished">误差 (mm)</translation>
+    </message>
+    <message>
+        <source>Pairs, %</source>
+        <translation type="unfinished">帧对 (%)</translation>
+    </message>
+    <message>
+        <source>Run the benchmark to compare the methods.</source>
+        <translation type="unfinished">运行基准测试以比较各方法。</translation>
+    </message>
+    <message>
+        <source>Error per joint</source>
+        <translation type="unfinished">各关节误差</translation>
+    </message>
+    <message>
         <source>start</source>
-        <translation>起始</translation>
+        <translation type="unfinished">起始</translation>
     </message>
 </context>
 <context>
@@ -1185,12 +1872,42 @@
         <source>%1 of %2 fits</source>
         <translation>已完成 %1/%2 次拟合</translation>
     </message>
+    <message>
+        <source>This folder holds the results of another benchmark. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This folder already holds a file %1. Choose another one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no results to save yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the benchmark first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These results are not of the open dataset, or it has changed since: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This benchmark is not finished: %n fit(s) are in.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
         <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Logarithmic axis</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1310,16 +2027,71 @@
         <translation>最近的数据集</translation>
     </message>
     <message>
-        <source>Open a dataset, drop its folder here, or try the demo.</source>
-        <translation>打开数据集，将其文件夹拖放到此处，或试用演示。</translation>
-    </message>
-    <message>
         <source>Open a dataset...</source>
         <translation>打开数据集...</translation>
     </message>
     <message>
         <source>Try the demo</source>
         <translation>试用演示</translation>
+    </message>
+    <message>
+        <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a dataset...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::Finding</name>
+    <message>
+        <source>click in %1 is %2 px off</source>
+        <translation>%1 中的点击偏离 %2 px</translation>
+    </message>
+    <message>
+        <source>no 3D point from its clicks</source>
+        <translation>其点击无法得出 3D 点</translation>
+    </message>
+    <message>
+        <source>bone %1 % longer than usual</source>
+        <translation>骨骼比通常长 %1 %</translation>
+    </message>
+    <message>
+        <source>bone %1 % shorter than usual</source>
+        <translation>骨骼比通常短 %1 %</translation>
+    </message>
+    <message>
+        <source>bent %1° beyond its limit</source>
+        <translation>弯曲超出极限 %1°</translation>
+    </message>
+    <message>
+        <source>fingers exchanged? %1 mm out of order</source>
+        <translation>手指互换？顺序错位 %1 mm</translation>
+    </message>
+    <message>
+        <source>left and right exchanged?</source>
+        <translation>左右手互换？</translation>
+    </message>
+    <message>
+        <source>on the same pixel as another joint in %1</source>
+        <translation>在 %1 中与另一关节位于同一像素</translation>
+    </message>
+    <message>
+        <source>no 3D point: %1</source>
+        <translation>没有 3D 点：%1</translation>
+    </message>
+    <message>
+        <source>error of %1 px</source>
+        <translation>误差 %1 px</translation>
+    </message>
+    <message>
+        <source>no 3D point: click in %1 is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mark is %1 px outside the picture of %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1369,6 +2141,10 @@
     <message>
         <source>Choose at least one method.</source>
         <translation>请至少选择一种方法。</translation>
+    </message>
+    <message>
+        <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1429,6 +2205,21 @@
         <source>Frame whose pose the fit starts from: the recorded one or, without, the hand model of its marks</source>
         <translation>拟合起始姿态所在的帧：已记录的姿态；若没有，则为由其标记得到的手部模型</translation>
     </message>
+    <message>
+        <source>Attach masks...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FootageFinder</name>
+    <message>
+        <source>not found: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::FramesBar</name>
@@ -1444,12 +2235,40 @@
         <source>Frame </source>
         <translation>帧 </translation>
     </message>
+    <message>
+        <source>What the colours of the timeline mean</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::HandDiagram</name>
     <message>
         <source>Joints of both hands</source>
         <translation>双手关节</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandFraming</name>
+    <message>
+        <source>L</source>
+        <comment>left hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R</source>
+        <comment>right hand, one letter beside it</comment>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HandModelFit</name>
+    <message>
+        <source>This dataset has no hand models.</source>
+        <translation>此数据集没有手部模型。</translation>
+    </message>
+    <message>
+        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
+        <translation>手部模型需要同一只手上三个具有 3D 点且不共线的关节。</translation>
     </message>
 </context>
 <context>
@@ -1463,16 +2282,16 @@
         <translation>空格键接受预置标记，X 删除标记，Ctrl+Z 可撤销任何操作。</translation>
     </message>
     <message>
-        <source>The wheel zooms, the middle button moves, a double click fills the window with one view.</source>
-        <translation>滚轮缩放，中键平移，双击使一个视图占满窗口。</translation>
-    </message>
-    <message>
         <source>A and D step through the frames, W and S through the joints; F1 shows every key.</source>
         <translation>A 和 D 逐帧切换，W 和 S 切换关节；F1 显示所有按键。</translation>
     </message>
     <message>
-        <source>Got it</source>
-        <translation>知道了</translation>
+        <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Got it (Esc)</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1486,10 +2305,6 @@
         <translation>从当前相机开始显示的相机行数</translation>
     </message>
     <message>
-        <source>Fit a pair of frames: F</source>
-        <translation>拟合一个帧对：F</translation>
-    </message>
-    <message>
         <source>Iteration</source>
         <translation>迭代</translation>
     </message>
@@ -1500,10 +2315,6 @@
     <message>
         <source>Cost, mm²</source>
         <translation>代价 (mm²)</translation>
-    </message>
-    <message>
-        <source>Fit the current frame (F) to see the methods side by side.</source>
-        <translation>拟合当前帧 (F) 以并排查看各方法。</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
@@ -1522,8 +2333,28 @@
         <translation>第 %1 次迭代，共 %2 次</translation>
     </message>
     <message>
-        <source>recorded</source>
-        <translation>记录</translation>
+        <source>Fit this frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With the methods chosen under Fit, from the pose of some frames before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing that the error could be measured against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit the current frame to see the methods side by side.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1577,10 +2408,6 @@
         <translation>关节，按您的标注顺序排列</translation>
     </message>
     <message>
-        <source>Views with a click of yours</source>
-        <translation>有您点击的视图数</translation>
-    </message>
-    <message>
         <source>Root mean square distance from click to reprojection, over the views used</source>
         <translation>所用视图中点击与重投影之间的均方根距离</translation>
     </message>
@@ -1589,8 +2416,55 @@
         <translation>3D 关节的不确定度（标准差）</translation>
     </message>
     <message>
-        <source>Done: every view is placed or cannot be placed</source>
-        <translation>完成：每个视图均已放置或无法放置</translation>
+        <source>bad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed marks with a likelihood of %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views that you clicked + views that you accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MarkLegend</name>
+    <message>
+        <source>clicked: the 3D joint follows from these</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted as it was placed for you</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed: nobody&apos;s label yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>occluded, estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>contradicts the other views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>square: right hand; round: left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the marks mean</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1607,6 +2481,33 @@
         <source>%1 px</source>
         <translation>%1 px</translation>
     </message>
+    <message>
+        <source>no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off %1&apos;s curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>click here next</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MaskAttacher</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation type="unfinished">请先打开一个数据集。</translation>
+    </message>
 </context>
 <context>
     <name>widgets::MessageBar</name>
@@ -1616,14 +2517,14 @@
     </message>
 </context>
 <context>
-    <name>widgets::HandModelFit</name>
+    <name>widgets::NameBar</name>
     <message>
-        <source>This dataset has no hand models.</source>
-        <translation>此数据集没有手部模型。</translation>
+        <source>Use this name</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The hand model needs three joints of a hand that have a 3D point and are not on a line.</source>
-        <translation>手部模型需要同一只手上三个具有 3D 点且不共线的关节。</translation>
+        <source>Your marks are kept under your &amp;name:</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1631,6 +2532,25 @@
     <message>
         <source>Note on this frame</source>
         <translation>本帧备注</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::OtherMarks</name>
+    <message>
+        <source>%1 has %2 in %3 of this sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1694,48 +2614,13 @@
         <source>Save picture...</source>
         <translation>保存图片...</translation>
     </message>
-</context>
-<context>
-    <name>widgets::Finding</name>
     <message>
-        <source>click in %1 is %2 px off</source>
-        <translation>%1 中的点击偏离 %2 px</translation>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>no 3D point from its clicks</source>
-        <translation>其点击无法得出 3D 点</translation>
-    </message>
-    <message>
-        <source>bone %1 % longer than usual</source>
-        <translation>骨骼比通常长 %1 %</translation>
-    </message>
-    <message>
-        <source>bone %1 % shorter than usual</source>
-        <translation>骨骼比通常短 %1 %</translation>
-    </message>
-    <message>
-        <source>bent %1° beyond its limit</source>
-        <translation>弯曲超出极限 %1°</translation>
-    </message>
-    <message>
-        <source>fingers exchanged? %1 mm out of order</source>
-        <translation>手指互换？顺序错位 %1 mm</translation>
-    </message>
-    <message>
-        <source>left and right exchanged?</source>
-        <translation>左右手互换？</translation>
-    </message>
-    <message>
-        <source>on the same pixel as another joint in %1</source>
-        <translation>在 %1 中与另一关节位于同一像素</translation>
-    </message>
-    <message>
-        <source>no 3D point: %1</source>
-        <translation>没有 3D 点：%1</translation>
-    </message>
-    <message>
-        <source>error of %1 px</source>
-        <translation>误差 %1 px</translation>
+        <source>The picture is in the clipboard.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1768,12 +2653,6 @@
         <source>No frame of this sequence has marks yet.</source>
         <translation>此序列中还没有带标记的帧。</translation>
     </message>
-    <message numerus="yes">
-        <source>%n frame(s) with marks.</source>
-        <translation>
-            <numerusform>%n 帧带有标记。</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Joints: %1 done, %2 partial, %3 bad.</source>
         <translation>关节：%1 个完成，%2 个部分完成，%3 个有问题。</translation>
@@ -1785,6 +2664,22 @@
     <message>
         <source>Where to look for doubts</source>
         <translation>在何处查找疑点</translation>
+    </message>
+    <message>
+        <source>No frame has marks of yours (%1) yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n proposed mark(s) wait to be checked.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) with marks of %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1898,6 +2793,17 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScenePanel</name>
+    <message>
+        <source>Whose pose stands in the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SceneView</name>
     <message>
         <source>The 3D scene needs OpenGL, which this display does not have.</source>
@@ -1960,6 +2866,29 @@
     </message>
 </context>
 <context>
+    <name>widgets::StoreText</name>
+    <message>
+        <source>opened for reading only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened by another window (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::SummaryModel</name>
     <message>
         <source>start</source>
@@ -1985,6 +2914,14 @@
         <source>All, mm</source>
         <translation>全部 (mm)</translation>
     </message>
+    <message>
+        <source>Pairs that are finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::Timeline</name>
@@ -1999,6 +2936,45 @@
     <message>
         <source>%1: %2 done, %3 partial, %4 bad, %5 occluded</source>
         <translation>%1手：%2 个完成，%3 个部分完成，%4 个有问题，%5 个遮挡</translation>
+    </message>
+    <message>
+        <source>Marks of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::TimelineLegend</name>
+    <message>
+        <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every joint is done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>some joints have marks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a joint is bad: large error, outlier, or no 3D point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at its foot: a joint is occluded, its place estimated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>between the lanes: marks of other people</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick above: a note</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tick below: a test frame of the benchmark; the line: the current frame</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2061,6 +3037,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::WorkWords</name>
+    <message>
+        <source>%1 %2 mm</source>
+        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+    </message>
+    <message>
+        <source>Fit the current frame: F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation type="unfinished">起始</translation>
+    </message>
+    <message>
+        <source>%1 failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 from frame %2</source>
+        <translation type="unfinished">第 %1 帧，起始于第 %2 帧</translation>
+    </message>
+    <message>
+        <source>There is nothing to measure the error against.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose methods and sequences, then Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::Workspaces</name>
     <message>
         <source>Quality</source>
@@ -2081,6 +3092,14 @@
     <message>
         <source>All views are hidden: tick one under View, Cameras.</source>
         <translation>所有视图均已隐藏：请在“视图”的“相机”中勾选一个。</translation>
+    </message>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find...</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -12,7 +12,6 @@
 
 namespace {
 
-namespace fs = std::filesystem;
 using core::JointId;
 using core::Mark;
 using core::MarkState;
