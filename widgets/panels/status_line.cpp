@@ -71,6 +71,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     connect(&m_document, &AnnotationDocument::saved, this, &StatusLine::refreshSaved);
     connect(&m_document, &AnnotationDocument::saveFailed, this, &StatusLine::refreshSaved);
     hideWork();
+    refresh();
     refreshSaved();
 }
 
