@@ -593,166 +593,166 @@
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Personen</translation>
     </message>
     <message>
         <source>One &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine An&amp;sicht</translation>
     </message>
     <message>
         <source>Mar&amp;ks</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Marken</translation>
     </message>
     <message>
         <source>&amp;Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Netz</translation>
     </message>
     <message>
         <source>3D s&amp;cene</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-S&amp;zene</translation>
     </message>
     <message>
         <source>&amp;Joint and view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Gelenk und Ansicht</translation>
     </message>
     <message>
         <source>&amp;Nudge</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Verschieben</translation>
     </message>
     <message>
         <source>Li&amp;st of joints</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Liste der Gelenke</translation>
     </message>
     <message>
         <source>Make a &amp;new dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neuen Datensatz anlegen...</translation>
     </message>
     <message>
         <source>Of a calibration and videos or folders of images</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer Kalibrierung und Videos oder Bilderordnern</translation>
     </message>
     <message>
         <source>&amp;Preferences...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen...</translation>
     </message>
     <message>
         <source>Language, your name, keys, colours, memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache, Ihr Name, Tasten, Farben, Speicher</translation>
     </message>
     <message>
         <source>Change the &amp;shortcuts...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tastenkürzel ändern...</translation>
     </message>
     <message>
         <source>Fra&amp;me the hands</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hände einpassen</translation>
     </message>
     <message>
         <source>Zooms every view to the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>Zoomt jede Ansicht auf die Hände, wo sie bekannt sind</translation>
     </message>
     <message>
         <source>Other people&apos;s marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken anderer Personen</translation>
     </message>
     <message>
         <source>What others have marked in this sequence, muted; it cannot be changed here</source>
-        <translation type="unfinished"></translation>
+        <translation>Was andere in dieser Sequenz markiert haben, gedämpft; hier nicht änderbar</translation>
     </message>
     <message>
         <source>Which hand is &amp;left and which right</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Hand &amp;links und welche rechts ist</translation>
     </message>
     <message>
         <source>L and R beside the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>L und R neben den Händen, wo sie bekannt sind</translation>
     </message>
     <message>
         <source>L&amp;eft hand</source>
-        <translation type="unfinished"></translation>
+        <translation>L&amp;inke Hand</translation>
     </message>
     <message>
         <source>Marks and mesh of the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken und Netz der linken Hand</translation>
     </message>
     <message>
         <source>Ri&amp;ght hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Re&amp;chte Hand</translation>
     </message>
     <message>
         <source>Marks and mesh of the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken und Netz der rechten Hand</translation>
     </message>
     <message>
         <source>&amp;Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Werkzeugleiste</translation>
     </message>
     <message>
         <source>&amp;Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Masken zuordnen...</translation>
     </message>
     <message>
         <source>Gives this sequence the silhouettes of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt dieser Sequenz die Silhouetten eines Ordners</translation>
     </message>
     <message>
         <source>Next &amp;method in the 3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes &amp;Verfahren in der 3D-Szene</translation>
     </message>
     <message>
         <source>Run or stop the &amp;benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Benchmark starten oder anhalten</translation>
     </message>
     <message>
         <source>&amp;Save the benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse des Benchmarks &amp;speichern...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen, Paare und ein Bericht, in einem Ordner</translation>
     </message>
     <message>
         <source>&amp;Open a benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse eines Benchmarks ö&amp;ffnen...</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner, der hier gespeichert oder von handlens-batch benchmark geschrieben wurde</translation>
     </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
     <message>
         <source>Export annotations</source>
-        <translation type="unfinished">Annotationen exportieren</translation>
+        <translation>Annotationen exportieren</translation>
     </message>
     <message>
         <source>&lt;b&gt;Holds&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Enthält&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Read by&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Gelesen von&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Nicht enthalten&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Written are&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Geschrieben werden&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Choose where...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ort wählen...</translation>
     </message>
     <message>
         <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Annotationen aller Personen in dieser Sequenz, mit Namen</translation>
     </message>
     <message>
         <source>Your own annotations of this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre eigenen Annotationen dieser Sequenz</translation>
     </message>
 </context>
 <context>
@@ -807,127 +807,127 @@
     </message>
     <message>
         <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke mit ihrer Unsicherheit, jede Marke mit Zustand und Fehler, von allen Personen, und die Kameras.</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Handlens und eigene Skripte (JSON)</translation>
     </message>
     <message>
         <source>Only proposals, notes and the list of undo steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Vorschläge, Notizen und die Liste der Bearbeitungsschritte</translation>
     </message>
     <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken in ganzen Pixeln, ein Ordner je Kamera und eine Textdatei je Bild.</translation>
     </message>
     <message>
         <source>The programs of the method&apos;s authors</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Programme der Autoren des Verfahrens</translation>
     </message>
     <message>
         <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Bruchteile von Pixeln, 3D-Gelenke, Gelenke über die 14 einer Hand hinaus; verdeckt und fehlend sind beide 0 0</translation>
     </message>
     <message>
         <source>Marks per picture and hand, each visible, occluded or missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken je Bild und Hand, jeweils sichtbar, verdeckt oder fehlend.</translation>
     </message>
     <message>
         <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>MMPose, Detectron2, CVAT, FiftyOne und die meisten Trainingsprogramme (JSON)</translation>
     </message>
     <message>
         <source>3D joints, cameras, who clicked and who accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke, Kameras, wer geklickt und wer übernommen hat</translation>
     </message>
     <message>
         <source>Marks as a table per camera with a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken als Tabelle je Kamera mit einer Zeile je Bild.</translation>
     </message>
     <message>
         <source>Anipose and aniposelib (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose und aniposelib (CSV)</translation>
     </message>
     <message>
         <source>3D joints and states: occluded marks look like visible ones</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke und Zustände: verdeckte Marken sehen wie sichtbare aus</translation>
     </message>
     <message>
         <source>3D joints with error and number of cameras, a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke mit Fehler und Zahl der Kameras, eine Zeile je Bild.</translation>
     </message>
     <message>
         <source>Anipose and what reads its results (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose und Programme, die seine Ergebnisse lesen (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken selbst, Unsicherheiten und Kameras</translation>
     </message>
     <message>
         <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken als eine CollectedData-Tabelle je Kamera, eine Zeile je annotiertem Bild.</translation>
     </message>
     <message>
         <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</translation>
     </message>
     <message>
         <source>3D joints as moving markers, a row per frame of the sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke als bewegte Marker, eine Zeile je Bild der Sequenz.</translation>
     </message>
     <message>
         <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenSim, Mokka, Visual3D und andere Bewegungsprogramme</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken selbst, Unsicherheiten und Kameras; kann nicht wieder importiert werden</translation>
     </message>
     <message>
         <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke beider Hände in der Reihenfolge jenes Datensatzes, und die Kameras.</translation>
     </message>
     <message>
         <source>Loaders written for InterHand2.6M (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lader für InterHand2.6M (JSON)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken selbst, Unsicherheiten und Verzeichnung; kann nicht wieder importiert werden</translation>
     </message>
     <message>
         <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>21 Gelenke einer Hand in Metern und die Kameras, eine Datei je Bild und Hand.</translation>
     </message>
     <message>
         <source>Loaders written for FreiHAND or HanCo (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lader für FreiHAND oder HanCo (JSON)</translation>
     </message>
     <message>
         <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je 3D-Gelenk: Millimeter, Unsicherheit, Fehler, Zustand, von allen Personen.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellenprogramme, R, pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken selbst und die Kameras; kann nicht wieder importiert werden</translation>
     </message>
     <message>
         <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile je Marke: Pixel, Zustand, wie sie gesetzt wurde, von allen Personen; auch Vorschläge.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellenprogramme, R, pandas und Handlens (CSV)</translation>
     </message>
     <message>
         <source>3D joints and the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>3D-Gelenke und die Kameras</translation>
     </message>
 </context>
 <context>
@@ -1148,352 +1148,352 @@
     </message>
     <message>
         <source>Where are the videos and images now? Folders below are looked through, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo sind die Videos und Bilder jetzt? Auch Unterordner werden durchsucht.</translation>
     </message>
     <message>
         <source>Nothing of the missing footage lies in that folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Ordner liegt nichts von den fehlenden Aufnahmen.</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Aufnahme gefunden; der Datensatz merkt sich den neuen Ort.</numerusform>
+            <numerusform>%n Aufnahmen gefunden; der Datensatz merkt sich die neuen Orte.</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for footage</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen werden gesucht</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert in %1</translation>
     </message>
     <message numerus="yes">
         <source>and %n more: see handlens-batch check</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>und %n weiterer: siehe handlens-batch check</numerusform>
+            <numerusform>und %n weitere: siehe handlens-batch check</numerusform>
         </translation>
     </message>
     <message>
         <source>About the footage: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu den Aufnahmen: %1</translation>
     </message>
     <message>
         <source>Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>Werkzeugleiste</translation>
     </message>
     <message>
         <source>Attach a folder of masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Ordner mit Masken zuordnen</translation>
     </message>
     <message>
         <source>The name that your marks are kept under (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name, unter dem Ihre Marken gespeichert werden (%1)</translation>
     </message>
     <message>
         <source>Your name: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Name: %1</translation>
     </message>
     <message>
         <source>Nobody else has marks in this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niemand sonst hat Marken in dieser Sequenz.</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) of %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Marke von %1</numerusform>
+            <numerusform>%n Marken von %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Notiz</numerusform>
+            <numerusform>%n Notizen</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> und </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bildern</numerusform>
         </translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>%1 would replace %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 würde %2 ersetzen.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersetzen</translation>
     </message>
     <message>
         <source>Keep what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorhandenes behalten</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 importieren</translation>
     </message>
     <message>
         <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat Marken von %2, aber keine dieser Sequenz. Trotzdem importieren?</translation>
     </message>
     <message>
         <source>Nothing was imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde importiert.</translation>
     </message>
     <message>
         <source>Go on with the second round? Your first marks are hidden until you end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wiederholungsrunde fortsetzen? Ihre ersten Marken bleiben verborgen, bis Sie sie beenden.</translation>
     </message>
     <message>
         <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Wiederholungsrunde beginnen? Ein zufälliges Zehntel Ihrer fertigen Gelenke wird noch einmal abgefragt, um zu messen, wie genau Sie sich wiederholen. Ihre ersten Marken bleiben erhalten und sind verborgen, bis Sie die Runde beenden.</translation>
     </message>
     <message>
         <source>Begin the second round</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholungsrunde beginnen</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht jetzt</translation>
     </message>
     <message>
         <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederholungsrunde: Ihre ersten Marken sind verborgen. %1 von %2 Gelenken.</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Weiter</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nicht bekannt, wo die Hände sind: erst einige Gelenke markieren, dann einpassen.</translation>
     </message>
     <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild %1 gibt es nicht: Sequenz „%2“ hat die Bilder 0-%3. Das letzte wird gezeigt.</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>No program opened %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Programm hat %1 geöffnet.</translation>
     </message>
     <message>
         <source>Nothing was changed: %1 holds nothing that is not there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde geändert: %1 enthält nichts, was nicht schon da ist.</translation>
     </message>
     <message>
         <source>Results saved in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse gespeichert in %1</translation>
     </message>
 </context>
 <context>
     <name>app::NewDatasetWindow</name>
     <message>
         <source>Make a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Datensatz anlegen</translation>
     </message>
     <message>
         <source>unit: as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit: wie für die Art üblich</translation>
     </message>
     <message>
         <source>unit: millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit: Millimeter</translation>
     </message>
     <message>
         <source>unit: centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit: Zentimeter</translation>
     </message>
     <message>
         <source>unit: metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Einheit: Meter</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Video oder Bilderordner</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kalibrierung und die Videos (oder Ordner nummerierter Bilder) ihrer Kameras. Nichts wird kopiert: Die Aufnahmen bleiben, wo sie sind.</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Sequenz</translation>
     </message>
     <message>
         <source>Folder of the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner des Datensatzes</translation>
     </message>
     <message>
         <source>An empty folder for the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein leerer Ordner für den Datensatz</translation>
     </message>
     <message>
         <source>Make the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Datensatz anlegen</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished"></translation>
+        <translation>Videos hinzufügen...</translation>
     </message>
     <message>
         <source>Add a folder of images...</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilderordner hinzufügen...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Footage</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufnahmen</translation>
     </message>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen...</translation>
     </message>
     <message>
         <source>A folder of numbered images of one camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner nummerierter Bilder einer Kamera</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Videos der Kameras</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht verwendet</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie die Kalibrierung der Kameras.</translation>
     </message>
     <message>
         <source>Add the videos or image folders, and choose the camera of each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie Videos oder Bilderordner hinzu und wählen Sie zu jedem die Kamera.</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sind zwei Aufnahmen zugeordnet.</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie der Sequenz einen Namen.</translation>
     </message>
     <message>
         <source>Choose a folder for the dataset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie einen Ordner für den Datensatz.</translation>
     </message>
     <message>
         <source>The footage is looked at...</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahmen werden angesehen...</translation>
     </message>
 </context>
 <context>
     <name>app::PreferencesWindow</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Allgemein</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Your name</source>
-        <translation type="unfinished">Ihr Name</translation>
+        <translation>Ihr Name</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Sprache</translation>
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Sprache gilt ab dem nächsten Start.</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>Memory for pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Speicher für Bilder</translation>
     </message>
     <message>
         <source>Hints</source>
-        <translation type="unfinished"></translation>
+        <translation>Hinweise</translation>
     </message>
     <message>
         <source>Your marks are kept under this name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Marken werden unter diesem Namen gespeichert.</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie das System</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>So viel Speicher halten die letzten Bilder: Zurückblättern braucht dann kein Lesen.</translation>
     </message>
     <message>
         <source>Show the four hints at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>Die vier Hinweise beim nächsten Start zeigen</translation>
     </message>
 </context>
 <context>
@@ -1534,15 +1534,15 @@
     <name>app::ShortcutPage</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished">Suchen</translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished">Alle zurücksetzen</translation>
+        <translation>Alle zurücksetzen</translation>
     </message>
     <message>
         <source>Double-click a shortcut to change it.</source>
-        <translation type="unfinished">Doppelklick auf ein Tastenkürzel, um es zu ändern.</translation>
+        <translation>Doppelklick auf ein Kürzel ändert es.</translation>
     </message>
 </context>
 <context>
@@ -1620,33 +1620,33 @@
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein 3D-Punkt: Der Klick in %1 liegt %2.</translation>
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein 3D-Punkt: Der Klick in %1 liegt %2, der in %3 %4.</translation>
     </message>
     <message numerus="yes">
         <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 geklickt, %2 übernommen, %3 vorgeschlagen; %n Ansicht hat ein Bild</numerusform>
+            <numerusform>%1 geklickt, %2 übernommen, %3 vorgeschlagen; %n Ansichten haben ein Bild</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 px off %2&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 px neben der Kurve von %2</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 von %n Ansicht</numerusform>
+            <numerusform>%1 von %n Ansichten</numerusform>
         </translation>
     </message>
     <message>
         <source>A joint needs at least two cameras with a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gelenk braucht mindestens zwei Kameras mit einem Bild.</translation>
     </message>
 </context>
 <context>
@@ -1738,23 +1738,23 @@
     </message>
     <message>
         <source>Nothing was placed: %1 has no picture of this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gesetzt: %1 hat kein Bild zu diesem Zeitpunkt.</translation>
     </message>
     <message>
         <source>Nothing was placed: this is outside the picture of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts wurde gesetzt: Das liegt außerhalb des Bildes von %1.</translation>
     </message>
     <message>
         <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild ist nichts zu übernehmen: Kein Gelenk mit 3D-Punkt hat noch eine Ansicht, die es sieht.</translation>
     </message>
     <message>
         <source>There is no mark of %1 in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild gibt es keine Marke von %1.</translation>
     </message>
     <message>
         <source>The mark is at the edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marke ist am Rand des Bildes.</translation>
     </message>
 </context>
 <context>
@@ -1817,58 +1817,58 @@
     </message>
     <message>
         <source>Save results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse speichern...</translation>
     </message>
     <message>
         <source>Open results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse öffnen...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen, Paare und ein Bericht, wie handlens-batch benchmark sie schreibt</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner, der hier gespeichert oder von handlens-batch benchmark geschrieben wurde</translation>
     </message>
     <message>
         <source>Save the results in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse in einem Ordner speichern</translation>
     </message>
     <message>
         <source>Open the results of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse eines Ordners öffnen</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkResultsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick auf ein Paar zeigt es mit allen Verfahren</translation>
     </message>
     <message>
         <source>Share of pairs below each error</source>
-        <translation type="unfinished">Anteil der Paare unter jedem Fehler</translation>
+        <translation>Anteil der Paare unter jedem Fehler</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Fehler, mm</translation>
+        <translation>Fehler, mm</translation>
     </message>
     <message>
         <source>Pairs, %</source>
-        <translation type="unfinished">Paare, %</translation>
+        <translation>Paare, %</translation>
     </message>
     <message>
         <source>Run the benchmark to compare the methods.</source>
-        <translation type="unfinished">Benchmark starten, um die Methoden zu vergleichen.</translation>
+        <translation>Starten Sie den Benchmark, um die Verfahren zu vergleichen.</translation>
     </message>
     <message>
         <source>Error per joint</source>
-        <translation type="unfinished">Fehler je Gelenk</translation>
+        <translation>Fehler je Gelenk</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Start</translation>
     </message>
 </context>
 <context>
@@ -1883,29 +1883,29 @@
     </message>
     <message>
         <source>This folder holds the results of another benchmark. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Ordner enthält die Ergebnisse eines anderen Benchmarks. Wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>This folder already holds a file %1. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Ordner liegt schon eine Datei %1. Wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>There are no results to save yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keine Ergebnisse zu speichern.</translation>
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halten Sie zuerst den Benchmark an.</translation>
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ergebnisse gehören nicht zum offenen Datensatz, oder er hat sich seither geändert: %1.</translation>
     </message>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Dieser Benchmark ist nicht fertig: %n Anpassung liegt vor.</numerusform>
+            <numerusform>Dieser Benchmark ist nicht fertig: %n Anpassungen liegen vor.</numerusform>
         </translation>
     </message>
 </context>
@@ -1917,7 +1917,7 @@
     </message>
     <message>
         <source>Logarithmic axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Logarithmische Achse</translation>
     </message>
 </context>
 <context>
@@ -2054,11 +2054,11 @@
     </message>
     <message>
         <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen Sie einen Datensatz oder legen Sie einen aus Ihren Videos an: beides hier ablegen. Oder die Demo ansehen.</translation>
     </message>
     <message>
         <source>Make a dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>Datensatz anlegen...</translation>
     </message>
 </context>
 <context>
@@ -2105,11 +2105,11 @@
     </message>
     <message>
         <source>no 3D point: click in %1 is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>kein 3D-Punkt: Klick in %1 liegt %2</translation>
     </message>
     <message>
         <source>mark is %1 px outside the picture of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Marke ist %1 px außerhalb des Bildes von %2</translation>
     </message>
 </context>
 <context>
@@ -2162,7 +2162,7 @@
     </message>
     <message>
         <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Sequenz braucht Silhouetten: Ordnen Sie einen Ordner mit Masken zu oder erzeugen Sie welche.</translation>
     </message>
 </context>
 <context>
@@ -2225,18 +2225,18 @@
     </message>
     <message>
         <source>Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>Masken zuordnen...</translation>
     </message>
     <message>
         <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner mit Masken, weiß, wo die Hände sind: KAMERA/000012.png, KAMERA_000012.png oder ähnlich</translation>
     </message>
 </context>
 <context>
     <name>widgets::FootageFinder</name>
     <message>
         <source>not found: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht gefunden: %1</translation>
     </message>
 </context>
 <context>
@@ -2255,7 +2255,7 @@
     </message>
     <message>
         <source>What the colours of the timeline mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Farben der Zeitleiste bedeuten</translation>
     </message>
 </context>
 <context>
@@ -2270,12 +2270,12 @@
     <message>
         <source>L</source>
         <comment>left hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>L</translation>
     </message>
     <message>
         <source>R</source>
         <comment>right hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>R</translation>
     </message>
 </context>
 <context>
@@ -2305,11 +2305,11 @@
     </message>
     <message>
         <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rad zoomt, die mittlere Taste verschiebt, ein Doppelklick füllt das Fenster mit einer Ansicht; 9 passt die Hände ein, 0 zeigt ganze Bilder.</translation>
     </message>
     <message>
         <source>Got it (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Verstanden (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2352,27 +2352,27 @@
     </message>
     <message>
         <source>Fit this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Bild anpassen</translation>
     </message>
     <message>
         <source>With the methods chosen under Fit, from the pose of some frames before</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit den unter Anpassung gewählten Verfahren, von der Pose einige Bilder davor</translation>
     </message>
     <message>
         <source>There is nothing that the error could be measured against.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts, woran der Fehler gemessen werden könnte.</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassung läuft...</translation>
     </message>
     <message>
         <source>Fit the current frame to see the methods side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Passen Sie das aktuelle Bild an, um die Verfahren nebeneinander zu sehen.</translation>
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Bild zu diesem Zeitpunkt.</translation>
     </message>
 </context>
 <context>
@@ -2435,54 +2435,54 @@
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished"></translation>
+        <translation>schlecht</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgeschlagen</translation>
     </message>
     <message>
         <source>Proposed marks with a likelihood of %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgeschlagene Marken mit einer Wahrscheinlichkeit von %1 bis %2</translation>
     </message>
     <message>
         <source>Views that you clicked + views that you accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Geklickte Ansichten + übernommene Ansichten</translation>
     </message>
     <message>
         <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertig: Jede Ansicht mit Bild ist gesetzt oder nicht setzbar; schlecht: Fehler über der Schwelle, ein Ausreißer oder kein 3D-Punkt</translation>
     </message>
 </context>
 <context>
     <name>widgets::MarkLegend</name>
     <message>
         <source>clicked: the 3D joint follows from these</source>
-        <translation type="unfinished"></translation>
+        <translation>geklickt: Aus diesen folgt das 3D-Gelenk</translation>
     </message>
     <message>
         <source>accepted as it was placed for you</source>
-        <translation type="unfinished"></translation>
+        <translation>übernommen, wie es vorgesetzt war</translation>
     </message>
     <message>
         <source>proposed: nobody&apos;s label yet</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgeschlagen: noch niemandes Marke</translation>
     </message>
     <message>
         <source>occluded, estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>verdeckt, geschätzt</translation>
     </message>
     <message>
         <source>contradicts the other views</source>
-        <translation type="unfinished"></translation>
+        <translation>widerspricht den anderen Ansichten</translation>
     </message>
     <message>
         <source>square: right hand; round: left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Quadrat: rechte Hand; Kreis: linke Hand</translation>
     </message>
     <message>
         <source>What the marks mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Marken bedeuten</translation>
     </message>
 </context>
 <context>
@@ -2501,30 +2501,30 @@
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Bild</translation>
     </message>
     <message>
         <source>off %1&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>neben der Kurve von %1</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>übernommen</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgeschlagen</translation>
     </message>
     <message>
         <source>click here next</source>
-        <translation type="unfinished"></translation>
+        <translation>hier als Nächstes klicken</translation>
     </message>
 </context>
 <context>
     <name>widgets::MaskAttacher</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished">Zuerst einen Datensatz öffnen.</translation>
+        <translation>Öffnen Sie zuerst einen Datensatz.</translation>
     </message>
 </context>
 <context>
@@ -2538,11 +2538,11 @@
     <name>widgets::NameBar</name>
     <message>
         <source>Use this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Namen verwenden</translation>
     </message>
     <message>
         <source>Your marks are kept under your &amp;name:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Marken werden gespeichert unter dem &amp;Namen:</translation>
     </message>
 </context>
 <context>
@@ -2556,20 +2556,20 @@
     <name>widgets::OtherMarks</name>
     <message>
         <source>%1 has %2 in %3 of this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat %2 in %3 dieser Sequenz.</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Marke</numerusform>
+            <numerusform>%n Marken</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild</numerusform>
+            <numerusform>%n Bildern</numerusform>
         </translation>
     </message>
 </context>
@@ -2636,11 +2636,11 @@
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert in %1</translation>
     </message>
     <message>
         <source>The picture is in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ist in der Zwischenablage.</translation>
     </message>
 </context>
 <context>
@@ -2687,20 +2687,20 @@
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch hat kein Bild Marken von Ihnen (%1).</translation>
     </message>
     <message numerus="yes">
         <source>%n proposed mark(s) wait to be checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n vorgeschlagene Marke wartet auf Prüfung.</numerusform>
+            <numerusform>%n vorgeschlagene Marken warten auf Prüfung.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) with marks of %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild mit Marken von %1.</numerusform>
+            <numerusform>%n Bilder mit Marken von %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -2820,11 +2820,11 @@
     <name>widgets::ScenePanel</name>
     <message>
         <source>Whose pose stands in the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Wessen Pose in der Szene steht</translation>
     </message>
     <message>
         <source>Recorded pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgezeichnete Pose</translation>
     </message>
 </context>
 <context>
@@ -2897,23 +2897,23 @@
     <name>widgets::StoreText</name>
     <message>
         <source>opened for reading only</source>
-        <translation type="unfinished"></translation>
+        <translation>nur zum Lesen geöffnet</translation>
     </message>
     <message>
         <source>opened by another window</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem anderen Fenster geöffnet</translation>
     </message>
     <message>
         <source>opened by another window (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>in einem anderen Fenster geöffnet (%1)</translation>
     </message>
     <message>
         <source>the folder is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>der Ordner ist schreibgeschützt</translation>
     </message>
     <message>
         <source>the file is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>die Datei ist schreibgeschützt</translation>
     </message>
 </context>
 <context>
@@ -2944,11 +2944,11 @@
     </message>
     <message>
         <source>Pairs that are finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Fertige Paare</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare</translation>
     </message>
 </context>
 <context>
@@ -2967,42 +2967,42 @@
     </message>
     <message>
         <source>Marks of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Marken von %1</translation>
     </message>
 </context>
 <context>
     <name>widgets::TimelineLegend</name>
     <message>
         <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Obere Spur: linke Hand. Untere Spur: rechte Hand. Je voller ein Balken, desto mehr Gelenke haben Marken.</translation>
     </message>
     <message>
         <source>every joint is done</source>
-        <translation type="unfinished"></translation>
+        <translation>jedes Gelenk ist fertig</translation>
     </message>
     <message>
         <source>some joints have marks</source>
-        <translation type="unfinished"></translation>
+        <translation>einige Gelenke haben Marken</translation>
     </message>
     <message>
         <source>a joint is bad: large error, outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gelenk ist schlecht: großer Fehler, Ausreißer oder kein 3D-Punkt</translation>
     </message>
     <message>
         <source>at its foot: a joint is occluded, its place estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>am Fuß: ein Gelenk ist verdeckt, sein Ort geschätzt</translation>
     </message>
     <message>
         <source>between the lanes: marks of other people</source>
-        <translation type="unfinished"></translation>
+        <translation>zwischen den Spuren: Marken anderer Personen</translation>
     </message>
     <message>
         <source>tick above: a note</source>
-        <translation type="unfinished"></translation>
+        <translation>Strich oben: eine Notiz</translation>
     </message>
     <message>
         <source>tick below: a test frame of the benchmark; the line: the current frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Strich unten: ein Testbild des Benchmarks; die Linie: das aktuelle Bild</translation>
     </message>
 </context>
 <context>
@@ -3068,35 +3068,35 @@
     <name>widgets::WorkWords</name>
     <message>
         <source>%1 %2 mm</source>
-        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+        <translation>%1 %2 mm</translation>
     </message>
     <message>
         <source>Fit the current frame: F</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktuelles Bild anpassen: F</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>%1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fehlgeschlagen</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation type="unfinished">Bild %1 aus Bild %2</translation>
+        <translation>Bild %1 von Bild %2</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nichts, woran der Fehler zu messen wäre.</translation>
     </message>
     <message>
         <source>Choose methods and sequences, then Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren und Sequenzen wählen, dann Starten</translation>
     </message>
     <message>
         <source>%1 pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Paare</translation>
     </message>
 </context>
 <context>
@@ -3123,11 +3123,11 @@
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Bild zu diesem Zeitpunkt.</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen...</translation>
     </message>
 </context>
 </TS>

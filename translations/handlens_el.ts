@@ -593,166 +593,166 @@
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Σχολιαστές</translation>
     </message>
     <message>
         <source>One &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>Μία ό&amp;ψη</translation>
     </message>
     <message>
         <source>Mar&amp;ks</source>
-        <translation type="unfinished"></translation>
+        <translation>Σ&amp;ημάδια</translation>
     </message>
     <message>
         <source>&amp;Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Πλέγμα</translation>
     </message>
     <message>
         <source>3D s&amp;cene</source>
-        <translation type="unfinished"></translation>
+        <translation>Τρισδιάστατη σ&amp;κηνή</translation>
     </message>
     <message>
         <source>&amp;Joint and view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Άρθρωση και όψη</translation>
     </message>
     <message>
         <source>&amp;Nudge</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Μικρομετακίνηση</translation>
     </message>
     <message>
         <source>Li&amp;st of joints</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Λίστα αρθρώσεων</translation>
     </message>
     <message>
         <source>Make a &amp;new dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Νέο σύνολο δεδομένων...</translation>
     </message>
     <message>
         <source>Of a calibration and videos or folders of images</source>
-        <translation type="unfinished"></translation>
+        <translation>Από βαθμονόμηση και βίντεο ή φακέλους εικόνων</translation>
     </message>
     <message>
         <source>&amp;Preferences...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Προτιμήσεις...</translation>
     </message>
     <message>
         <source>Language, your name, keys, colours, memory</source>
-        <translation type="unfinished"></translation>
+        <translation>Γλώσσα, όνομα, πλήκτρα, χρώματα, μνήμη</translation>
     </message>
     <message>
         <source>Change the &amp;shortcuts...</source>
-        <translation type="unfinished"></translation>
+        <translation>Αλλαγή &amp;συντομεύσεων...</translation>
     </message>
     <message>
         <source>Fra&amp;me the hands</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Εστίαση στα χέρια</translation>
     </message>
     <message>
         <source>Zooms every view to the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>Μεγεθύνει κάθε όψη στα χέρια, όπου είναι γνωστά</translation>
     </message>
     <message>
         <source>Other people&apos;s marks</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια άλλων</translation>
     </message>
     <message>
         <source>What others have marked in this sequence, muted; it cannot be changed here</source>
-        <translation type="unfinished"></translation>
+        <translation>Ό,τι σημείωσαν άλλοι σε αυτή την ακολουθία, αχνά· δεν αλλάζει εδώ</translation>
     </message>
     <message>
         <source>Which hand is &amp;left and which right</source>
-        <translation type="unfinished"></translation>
+        <translation>Ποιο χέρι είναι &amp;αριστερό και ποιο δεξί</translation>
     </message>
     <message>
         <source>L and R beside the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>L και R δίπλα στα χέρια, όπου είναι γνωστά</translation>
     </message>
     <message>
         <source>L&amp;eft hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρι&amp;στερό χέρι</translation>
     </message>
     <message>
         <source>Marks and mesh of the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια και πλέγμα του αριστερού χεριού</translation>
     </message>
     <message>
         <source>Ri&amp;ght hand</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Δεξί χέρι</translation>
     </message>
     <message>
         <source>Marks and mesh of the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια και πλέγμα του δεξιού χεριού</translation>
     </message>
     <message>
         <source>&amp;Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Γραμμή εργαλείων</translation>
     </message>
     <message>
         <source>&amp;Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύνδεση &amp;μασκών...</translation>
     </message>
     <message>
         <source>Gives this sequence the silhouettes of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Δίνει στην ακολουθία τις σιλουέτες ενός φακέλου</translation>
     </message>
     <message>
         <source>Next &amp;method in the 3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Επόμενη &amp;μέθοδος στη σκηνή</translation>
     </message>
     <message>
         <source>Run or stop the &amp;benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Έναρξη ή διακοπή &amp;δοκιμής επιδόσεων</translation>
     </message>
     <message>
         <source>&amp;Save the benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Αποθήκευση αποτελεσμάτων δοκιμής...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Πίνακες, ζεύγη και αναφορά, σε φάκελο</translation>
     </message>
     <message>
         <source>&amp;Open a benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Άν&amp;οιγμα αποτελεσμάτων δοκιμής...</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος που αποθηκεύτηκε εδώ ή γράφτηκε από το handlens-batch benchmark</translation>
     </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
     <message>
         <source>Export annotations</source>
-        <translation type="unfinished">Εξαγωγή επισημειώσεων</translation>
+        <translation>Εξαγωγή σχολιασμών</translation>
     </message>
     <message>
         <source>&lt;b&gt;Holds&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Περιέχει&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Read by&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Διαβάζεται από&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Δεν περιέχει&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Written are&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;Γράφονται&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Choose where...</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή θέσης...</translation>
     </message>
     <message>
         <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι σχολιασμοί όλων σε αυτή την ακολουθία, με ονόματα</translation>
     </message>
     <message>
         <source>Your own annotations of this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι δικοί σας σχολιασμοί αυτής της ακολουθίας</translation>
     </message>
 </context>
 <context>
@@ -807,127 +807,127 @@
     </message>
     <message>
         <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D με αβεβαιότητα, κάθε σημάδι με κατάσταση και σφάλμα, όλων, και οι κάμερες.</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Handlens και δικά σας σενάρια (JSON)</translation>
     </message>
     <message>
         <source>Only proposals, notes and the list of undo steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Μόνο προτάσεις, σημειώσεις και η λίστα βημάτων αναίρεσης</translation>
     </message>
     <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια σε ακέραια εικονοστοιχεία, ένας φάκελος ανά κάμερα, ένα αρχείο κειμένου ανά καρέ.</translation>
     </message>
     <message>
         <source>The programs of the method&apos;s authors</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα προγράμματα των δημιουργών της μεθόδου</translation>
     </message>
     <message>
         <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
-        <translation type="unfinished"></translation>
+        <translation>Κλάσματα εικονοστοιχείων, αρθρώσεις 3D, αρθρώσεις πέρα από τις 14· καλυμμένα και απόντα είναι 0 0</translation>
     </message>
     <message>
         <source>Marks per picture and hand, each visible, occluded or missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια ανά εικόνα και χέρι: ορατά, καλυμμένα ή απόντα.</translation>
     </message>
     <message>
         <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>MMPose, Detectron2, CVAT, FiftyOne και τα περισσότερα εργαλεία εκπαίδευσης (JSON)</translation>
     </message>
     <message>
         <source>3D joints, cameras, who clicked and who accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D, κάμερες, ποιος έκανε κλικ και ποιος αποδέχτηκε</translation>
     </message>
     <message>
         <source>Marks as a table per camera with a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια ως πίνακας ανά κάμερα, μία γραμμή ανά καρέ.</translation>
     </message>
     <message>
         <source>Anipose and aniposelib (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose και aniposelib (CSV)</translation>
     </message>
     <message>
         <source>3D joints and states: occluded marks look like visible ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D και καταστάσεις: τα καλυμμένα μοιάζουν ορατά</translation>
     </message>
     <message>
         <source>3D joints with error and number of cameras, a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D με σφάλμα και αριθμό καμερών, μία γραμμή ανά καρέ.</translation>
     </message>
     <message>
         <source>Anipose and what reads its results (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose και όσα διαβάζουν τα αποτελέσματά του (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα ίδια τα σημάδια, οι αβεβαιότητες και οι κάμερες</translation>
     </message>
     <message>
         <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ένας πίνακας CollectedData ανά κάμερα, μία γραμμή ανά σχολιασμένο καρέ.</translation>
     </message>
     <message>
         <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</translation>
     </message>
     <message>
         <source>3D joints as moving markers, a row per frame of the sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D ως κινούμενοι δείκτες, μία γραμμή ανά καρέ.</translation>
     </message>
     <message>
         <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenSim, Mokka, Visual3D και άλλα προγράμματα κίνησης</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα ίδια τα σημάδια, οι αβεβαιότητες και οι κάμερες· δεν εισάγεται ξανά</translation>
     </message>
     <message>
         <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D και των δύο χεριών στη σειρά εκείνου του συνόλου, και οι κάμερες.</translation>
     </message>
     <message>
         <source>Loaders written for InterHand2.6M (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Φορτωτές για το InterHand2.6M (JSON)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα ίδια τα σημάδια, οι αβεβαιότητες και η παραμόρφωση φακού· δεν εισάγεται ξανά</translation>
     </message>
     <message>
         <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>21 αρθρώσεις χεριού σε μέτρα και οι κάμερες, ένα αρχείο ανά καρέ και χέρι.</translation>
     </message>
     <message>
         <source>Loaders written for FreiHAND or HanCo (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Φορτωτές για το FreiHAND ή το HanCo (JSON)</translation>
     </message>
     <message>
         <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μία γραμμή ανά άρθρωση 3D: χιλιοστά, αβεβαιότητα, σφάλμα, κατάσταση, όλων.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Λογιστικά φύλλα, R, pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα ίδια τα σημάδια και οι κάμερες· δεν εισάγεται ξανά</translation>
     </message>
     <message>
         <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μία γραμμή ανά σημάδι: εικονοστοιχείο, κατάσταση, τρόπος τοποθέτησης, όλων· και προτάσεις.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Λογιστικά φύλλα, R, pandas και Handlens (CSV)</translation>
     </message>
     <message>
         <source>3D joints and the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις 3D και οι κάμερες</translation>
     </message>
 </context>
 <context>
@@ -1148,352 +1148,352 @@
     </message>
     <message>
         <source>Where are the videos and images now? Folders below are looked through, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Πού βρίσκονται τώρα τα βίντεο και οι εικόνες; Ελέγχονται και οι υποφάκελοι.</translation>
     </message>
     <message>
         <source>Nothing of the missing footage lies in that folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σε αυτόν τον φάκελο δεν υπάρχει τίποτα από το υλικό που λείπει.</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Βρέθηκε %n υλικό· το σύνολο θυμάται τη νέα θέση.</numerusform>
+            <numerusform>Βρέθηκαν %n υλικά· το σύνολο θυμάται τις νέες θέσεις.</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for footage</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναζήτηση υλικού</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθηκεύτηκε στο %1</translation>
     </message>
     <message numerus="yes">
         <source>and %n more: see handlens-batch check</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>και %n ακόμη: δείτε handlens-batch check</numerusform>
+            <numerusform>και %n ακόμη: δείτε handlens-batch check</numerusform>
         </translation>
     </message>
     <message>
         <source>About the footage: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Για το υλικό: %1</translation>
     </message>
     <message>
         <source>Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>Γραμμή εργαλείων</translation>
     </message>
     <message>
         <source>Attach a folder of masks</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύνδεση φακέλου μασκών</translation>
     </message>
     <message>
         <source>The name that your marks are kept under (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Το όνομα με το οποίο φυλάσσονται τα σημάδια σας (%1)</translation>
     </message>
     <message>
         <source>Your name: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Το όνομά σας: %1</translation>
     </message>
     <message>
         <source>Nobody else has marks in this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανείς άλλος δεν έχει σημάδια σε αυτή την ακολουθία.</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Εμφάνιση</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) of %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n σημάδι του %1</numerusform>
+            <numerusform>%n σημάδια του %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n σημείωση</numerusform>
+            <numerusform>%n σημειώσεις</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 σε %2</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> και </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n καρέ</numerusform>
+            <numerusform>%n καρέ</numerusform>
         </translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Ακύρωση</translation>
     </message>
     <message>
         <source>%1 would replace %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 θα αντικαθιστούσε %2.</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>Αντικατάσταση</translation>
     </message>
     <message>
         <source>Keep what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>Διατήρηση των υπαρχόντων</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Εισαγωγή %1</translation>
     </message>
     <message>
         <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 έχει σημάδια του %2, αλλά κανένα αυτής της ακολουθίας. Να εισαχθούν ούτως ή άλλως;</translation>
     </message>
     <message>
         <source>Nothing was imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν εισήχθη τίποτα.</translation>
     </message>
     <message>
         <source>Go on with the second round? Your first marks are hidden until you end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Συνέχεια του γύρου επανάληψης; Τα πρώτα σας σημάδια μένουν κρυμμένα ώσπου να τον τελειώσετε.</translation>
     </message>
     <message>
         <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Έναρξη γύρου επανάληψης; Ζητείται ξανά ένα τυχαίο δέκατο των έτοιμων αρθρώσεών σας, για να φανεί πόσο καλά επαναλαμβάνετε. Τα πρώτα σας σημάδια διατηρούνται, κρυμμένα ως το τέλος του γύρου.</translation>
     </message>
     <message>
         <source>Begin the second round</source>
-        <translation type="unfinished"></translation>
+        <translation>Έναρξη γύρου επανάληψης</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>Όχι τώρα</translation>
     </message>
     <message>
         <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Γύρος επανάληψης: τα πρώτα σας σημάδια είναι κρυμμένα. %1 από %2 αρθρώσεις.</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Επόμενη</translation>
+        <translation>Επόμενη</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished"></translation>
+        <translation>Τέλος</translation>
     </message>
     <message>
         <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν είναι ακόμη γνωστό πού είναι τα χέρια: σημειώστε μερικές αρθρώσεις και εστιάστε μετά.</translation>
     </message>
     <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχει καρέ %1: η ακολουθία «%2» έχει τα καρέ 0-%3. Εμφανίζεται το τελευταίο.</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Άνοιγμα</translation>
     </message>
     <message>
         <source>No program opened %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανένα πρόγραμμα δεν άνοιξε το %1.</translation>
     </message>
     <message>
         <source>Nothing was changed: %1 holds nothing that is not there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν άλλαξε τίποτα: το %1 δεν έχει τίποτα καινούργιο.</translation>
     </message>
     <message>
         <source>Results saved in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα αποτελέσματα αποθηκεύτηκαν στο %1</translation>
     </message>
 </context>
 <context>
     <name>app::NewDatasetWindow</name>
     <message>
         <source>Make a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία συνόλου δεδομένων</translation>
     </message>
     <message>
         <source>unit: as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>μονάδα: η συνήθης του είδους</translation>
     </message>
     <message>
         <source>unit: millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>μονάδα: χιλιοστά</translation>
     </message>
     <message>
         <source>unit: centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>μονάδα: εκατοστά</translation>
     </message>
     <message>
         <source>unit: metres</source>
-        <translation type="unfinished"></translation>
+        <translation>μονάδα: μέτρα</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Βίντεο ή φάκελος εικόνων</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Κάμερα</translation>
     </message>
     <message>
         <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μια βαθμονόμηση και τα βίντεο (ή φάκελοι αριθμημένων εικόνων) των καμερών της. Τίποτα δεν αντιγράφεται: το υλικό μένει στη θέση του.</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Η βαθμονόμηση</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>Βαθμονόμηση</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Όνομα της ακολουθίας</translation>
     </message>
     <message>
         <source>Folder of the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος του συνόλου</translation>
     </message>
     <message>
         <source>An empty folder for the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Ένας κενός φάκελος για το σύνολο</translation>
     </message>
     <message>
         <source>Make the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη βίντεο...</translation>
     </message>
     <message>
         <source>Add a folder of images...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη φακέλου εικόνων...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Αφαίρεση</translation>
     </message>
     <message>
         <source>Footage</source>
-        <translation type="unfinished"></translation>
+        <translation>Υλικό</translation>
     </message>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή...</translation>
     </message>
     <message>
         <source>A folder of numbered images of one camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος αριθμημένων εικόνων μίας κάμερας</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>Βίντεο των καμερών</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished"></translation>
+        <translation>δεν χρησιμοποιείται</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε τη βαθμονόμηση των καμερών.</translation>
     </message>
     <message>
         <source>Add the videos or image folders, and choose the camera of each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθέστε βίντεο ή φακέλους εικόνων και επιλέξτε την κάμερα του καθενός.</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Στην %1 δόθηκαν δύο υλικά.</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δώστε όνομα στην ακολουθία.</translation>
     </message>
     <message>
         <source>Choose a folder for the dataset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε φάκελο για το σύνολο.</translation>
     </message>
     <message>
         <source>The footage is looked at...</source>
-        <translation type="unfinished"></translation>
+        <translation>Εξέταση του υλικού...</translation>
     </message>
 </context>
 <context>
     <name>app::PreferencesWindow</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Προτιμήσεις</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>Γενικά</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Πλήκτρα</translation>
     </message>
     <message>
         <source>Your name</source>
-        <translation type="unfinished">Το όνομά σας</translation>
+        <translation>Το όνομά σας</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Γλώσσα</translation>
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Άλλη γλώσσα ισχύει από την επόμενη εκκίνηση.</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Χρώματα</translation>
     </message>
     <message>
         <source>Memory for pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>Μνήμη για εικόνες</translation>
     </message>
     <message>
         <source>Hints</source>
-        <translation type="unfinished"></translation>
+        <translation>Υποδείξεις</translation>
     </message>
     <message>
         <source>Your marks are kept under this name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα σημάδια σας φυλάσσονται με αυτό το όνομα.</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>Όπως το σύστημα</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Σκούρα</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανοιχτά</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι εικόνες των πρόσφατων καρέ κρατιούνται σε τόση μνήμη: η επιστροφή δεν χρειάζεται ανάγνωση.</translation>
     </message>
     <message>
         <source>Show the four hints at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>Εμφάνιση των τεσσάρων υποδείξεων στην επόμενη εκκίνηση</translation>
     </message>
 </context>
 <context>
@@ -1534,15 +1534,15 @@
     <name>app::ShortcutPage</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished">Αναζήτηση</translation>
+        <translation>Αναζήτηση</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished">Επαναφορά όλων</translation>
+        <translation>Επαναφορά όλων</translation>
     </message>
     <message>
         <source>Double-click a shortcut to change it.</source>
-        <translation type="unfinished">Διπλό κλικ σε μια συντόμευση για να την αλλάξετε.</translation>
+        <translation>Διπλό κλικ σε μια συντόμευση για αλλαγή.</translation>
     </message>
 </context>
 <context>
@@ -1620,33 +1620,33 @@
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Χωρίς σημείο 3D: το κλικ στην %1 είναι %2.</translation>
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Χωρίς σημείο 3D: το κλικ στην %1 είναι %2, στην %3 %4.</translation>
     </message>
     <message numerus="yes">
         <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 με κλικ, %2 αποδεκτά, %3 προτεινόμενα· %n όψη έχει εικόνα</numerusform>
+            <numerusform>%1 με κλικ, %2 αποδεκτά, %3 προτεινόμενα· %n όψεις έχουν εικόνα</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 px off %2&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 px μακριά από την καμπύλη της %2</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 από %n όψη</numerusform>
+            <numerusform>%1 από %n όψεις</numerusform>
         </translation>
     </message>
     <message>
         <source>A joint needs at least two cameras with a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μια άρθρωση χρειάζεται τουλάχιστον δύο κάμερες με εικόνα.</translation>
     </message>
 </context>
 <context>
@@ -1738,23 +1738,23 @@
     </message>
     <message>
         <source>Nothing was placed: %1 has no picture of this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν τοποθετήθηκε τίποτα: η %1 δεν έχει εικόνα σε αυτό το καρέ.</translation>
     </message>
     <message>
         <source>Nothing was placed: this is outside the picture of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν τοποθετήθηκε τίποτα: το σημείο είναι έξω από την εικόνα της %1.</translation>
     </message>
     <message>
         <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τίποτα προς αποδοχή σε αυτό το καρέ: καμία άρθρωση με σημείο 3D δεν έχει άλλη όψη που τη βλέπει.</translation>
     </message>
     <message>
         <source>There is no mark of %1 in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχει σημάδι για %1 σε αυτό το καρέ.</translation>
     </message>
     <message>
         <source>The mark is at the edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το σημάδι είναι στην άκρη της εικόνας.</translation>
     </message>
 </context>
 <context>
@@ -1817,58 +1817,58 @@
     </message>
     <message>
         <source>Save results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση αποτελεσμάτων...</translation>
     </message>
     <message>
         <source>Open results...</source>
-        <translation type="unfinished"></translation>
+        <translation>Άνοιγμα αποτελεσμάτων...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Πίνακες, ζεύγη και αναφορά, όπως τα γράφει το handlens-batch benchmark</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος που αποθηκεύτηκε εδώ ή γράφτηκε από το handlens-batch benchmark</translation>
     </message>
     <message>
         <source>Save the results in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση των αποτελεσμάτων σε φάκελο</translation>
     </message>
     <message>
         <source>Open the results of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Άνοιγμα των αποτελεσμάτων ενός φακέλου</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkResultsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method</source>
-        <translation type="unfinished"></translation>
+        <translation>Διπλό κλικ σε ζεύγος για εξέταση με κάθε μέθοδο</translation>
     </message>
     <message>
         <source>Share of pairs below each error</source>
-        <translation type="unfinished">Ποσοστό ζευγών κάτω από κάθε σφάλμα</translation>
+        <translation>Ποσοστό ζευγών κάτω από κάθε σφάλμα</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Σφάλμα, mm</translation>
+        <translation>Σφάλμα, mm</translation>
     </message>
     <message>
         <source>Pairs, %</source>
-        <translation type="unfinished">Ζεύγη, %</translation>
+        <translation>Ζεύγη, %</translation>
     </message>
     <message>
         <source>Run the benchmark to compare the methods.</source>
-        <translation type="unfinished">Εκτελέστε τη συγκριτική δοκιμή για να συγκρίνετε τις μεθόδους.</translation>
+        <translation>Εκτελέστε τη δοκιμή για να συγκρίνετε τις μεθόδους.</translation>
     </message>
     <message>
         <source>Error per joint</source>
-        <translation type="unfinished">Σφάλμα ανά άρθρωση</translation>
+        <translation>Σφάλμα ανά άρθρωση</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">αρχή</translation>
+        <translation>αρχή</translation>
     </message>
 </context>
 <context>
@@ -1883,29 +1883,29 @@
     </message>
     <message>
         <source>This folder holds the results of another benchmark. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο φάκελος έχει αποτελέσματα άλλης δοκιμής. Επιλέξτε άλλον.</translation>
     </message>
     <message>
         <source>This folder already holds a file %1. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο φάκελος έχει ήδη αρχείο %1. Επιλέξτε άλλον.</translation>
     </message>
     <message>
         <source>There are no results to save yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχουν ακόμη αποτελέσματα.</translation>
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σταματήστε πρώτα τη δοκιμή.</translation>
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα αποτελέσματα δεν είναι του ανοιχτού συνόλου, ή αυτό άλλαξε από τότε: %1.</translation>
     </message>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Η δοκιμή δεν τελείωσε: υπάρχει %n προσαρμογή.</numerusform>
+            <numerusform>Η δοκιμή δεν τελείωσε: υπάρχουν %n προσαρμογές.</numerusform>
         </translation>
     </message>
 </context>
@@ -1917,7 +1917,7 @@
     </message>
     <message>
         <source>Logarithmic axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Λογαριθμικός άξονας</translation>
     </message>
 </context>
 <context>
@@ -2054,11 +2054,11 @@
     </message>
     <message>
         <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανοίξτε ένα σύνολο ή φτιάξτε ένα από τα βίντεό σας: αφήστε τα εδώ. Ή δοκιμάστε την επίδειξη.</translation>
     </message>
     <message>
         <source>Make a dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία συνόλου...</translation>
     </message>
 </context>
 <context>
@@ -2105,11 +2105,11 @@
     </message>
     <message>
         <source>no 3D point: click in %1 is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>χωρίς σημείο 3D: το κλικ στην %1 είναι %2</translation>
     </message>
     <message>
         <source>mark is %1 px outside the picture of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>το σημάδι είναι %1 px έξω από την εικόνα της %2</translation>
     </message>
 </context>
 <context>
@@ -2162,7 +2162,7 @@
     </message>
     <message>
         <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η ακολουθία χρειάζεται σιλουέτες: συνδέστε φάκελο μασκών ή φτιάξτε τις.</translation>
     </message>
 </context>
 <context>
@@ -2225,18 +2225,18 @@
     </message>
     <message>
         <source>Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύνδεση μασκών...</translation>
     </message>
     <message>
         <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος μασκών, λευκές όπου είναι τα χέρια: CAMERA/000012.png, CAMERA_000012.png ή παρόμοια</translation>
     </message>
 </context>
 <context>
     <name>widgets::FootageFinder</name>
     <message>
         <source>not found: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>δεν βρέθηκε: %1</translation>
     </message>
 </context>
 <context>
@@ -2255,7 +2255,7 @@
     </message>
     <message>
         <source>What the colours of the timeline mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι σημαίνουν τα χρώματα του χρονολογίου</translation>
     </message>
 </context>
 <context>
@@ -2270,12 +2270,12 @@
     <message>
         <source>L</source>
         <comment>left hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>L</translation>
     </message>
     <message>
         <source>R</source>
         <comment>right hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>R</translation>
     </message>
 </context>
 <context>
@@ -2305,11 +2305,11 @@
     </message>
     <message>
         <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο τροχός μεγεθύνει, το μεσαίο πλήκτρο μετακινεί, το διπλό κλικ γεμίζει το παράθυρο με μία όψη· 9 εστιάζει στα χέρια, 0 δείχνει όλη την εικόνα.</translation>
     </message>
     <message>
         <source>Got it (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>Εντάξει (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2352,27 +2352,27 @@
     </message>
     <message>
         <source>Fit this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή αυτού του καρέ</translation>
     </message>
     <message>
         <source>With the methods chosen under Fit, from the pose of some frames before</source>
-        <translation type="unfinished"></translation>
+        <translation>Με τις μεθόδους που επιλέχθηκαν στην Προσαρμογή, από την πόζα μερικών καρέ πριν</translation>
     </message>
     <message>
         <source>There is nothing that the error could be measured against.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχει τίποτα για να μετρηθεί το σφάλμα.</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή...</translation>
     </message>
     <message>
         <source>Fit the current frame to see the methods side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμόστε το τρέχον καρέ για να δείτε τις μεθόδους δίπλα δίπλα.</translation>
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Καμία εικόνα αυτή τη στιγμή.</translation>
     </message>
 </context>
 <context>
@@ -2435,54 +2435,54 @@
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished"></translation>
+        <translation>κακή</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>πρόταση</translation>
     </message>
     <message>
         <source>Proposed marks with a likelihood of %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Προτεινόμενα σημάδια με πιθανότητα %1 έως %2</translation>
     </message>
     <message>
         <source>Views that you clicked + views that you accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>Όψεις με κλικ + όψεις με αποδοχή</translation>
     </message>
     <message>
         <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>Έτοιμη: κάθε όψη με εικόνα τοποθετήθηκε ή δεν τοποθετείται· κακή: σφάλμα πάνω από το όριο, ακραία τιμή ή χωρίς σημείο 3D</translation>
     </message>
 </context>
 <context>
     <name>widgets::MarkLegend</name>
     <message>
         <source>clicked: the 3D joint follows from these</source>
-        <translation type="unfinished"></translation>
+        <translation>με κλικ: από αυτά προκύπτει η άρθρωση 3D</translation>
     </message>
     <message>
         <source>accepted as it was placed for you</source>
-        <translation type="unfinished"></translation>
+        <translation>αποδεκτό όπως προτοποθετήθηκε</translation>
     </message>
     <message>
         <source>proposed: nobody&apos;s label yet</source>
-        <translation type="unfinished"></translation>
+        <translation>πρόταση: δεν ανήκει ακόμη σε κανέναν</translation>
     </message>
     <message>
         <source>occluded, estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>καλυμμένο, εκτίμηση</translation>
     </message>
     <message>
         <source>contradicts the other views</source>
-        <translation type="unfinished"></translation>
+        <translation>αντιφάσκει με τις άλλες όψεις</translation>
     </message>
     <message>
         <source>square: right hand; round: left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>τετράγωνο: δεξί χέρι· κύκλος: αριστερό</translation>
     </message>
     <message>
         <source>What the marks mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι σημαίνουν τα σημάδια</translation>
     </message>
 </context>
 <context>
@@ -2501,30 +2501,30 @@
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>χωρίς εικόνα</translation>
     </message>
     <message>
         <source>off %1&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>έξω από την καμπύλη της %1</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>αποδεκτό</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>πρόταση</translation>
     </message>
     <message>
         <source>click here next</source>
-        <translation type="unfinished"></translation>
+        <translation>κλικ εδώ μετά</translation>
     </message>
 </context>
 <context>
     <name>widgets::MaskAttacher</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished">Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+        <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
     </message>
 </context>
 <context>
@@ -2538,11 +2538,11 @@
     <name>widgets::NameBar</name>
     <message>
         <source>Use this name</source>
-        <translation type="unfinished"></translation>
+        <translation>Χρήση αυτού του ονόματος</translation>
     </message>
     <message>
         <source>Your marks are kept under your &amp;name:</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα σημάδια σας φυλάσσονται με το &amp;όνομα:</translation>
     </message>
 </context>
 <context>
@@ -2556,20 +2556,20 @@
     <name>widgets::OtherMarks</name>
     <message>
         <source>%1 has %2 in %3 of this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο χρήστης %1 έχει %2 σε %3 αυτής της ακολουθίας.</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n σημάδι</numerusform>
+            <numerusform>%n σημάδια</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n καρέ</numerusform>
+            <numerusform>%n καρέ</numerusform>
         </translation>
     </message>
 </context>
@@ -2636,11 +2636,11 @@
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθηκεύτηκε στο %1</translation>
     </message>
     <message>
         <source>The picture is in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η εικόνα είναι στο πρόχειρο.</translation>
     </message>
 </context>
 <context>
@@ -2687,20 +2687,20 @@
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανένα καρέ δεν έχει ακόμη δικά σας σημάδια (%1).</translation>
     </message>
     <message numerus="yes">
         <source>%n proposed mark(s) wait to be checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n προτεινόμενο σημάδι περιμένει έλεγχο.</numerusform>
+            <numerusform>%n προτεινόμενα σημάδια περιμένουν έλεγχο.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) with marks of %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n καρέ με σημάδια του %1.</numerusform>
+            <numerusform>%n καρέ με σημάδια του %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -2820,11 +2820,11 @@
     <name>widgets::ScenePanel</name>
     <message>
         <source>Whose pose stands in the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>Τίνος η πόζα βρίσκεται στη σκηνή</translation>
     </message>
     <message>
         <source>Recorded pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Καταγεγραμμένη πόζα</translation>
     </message>
 </context>
 <context>
@@ -2897,23 +2897,23 @@
     <name>widgets::StoreText</name>
     <message>
         <source>opened for reading only</source>
-        <translation type="unfinished"></translation>
+        <translation>ανοιχτό μόνο για ανάγνωση</translation>
     </message>
     <message>
         <source>opened by another window</source>
-        <translation type="unfinished"></translation>
+        <translation>ανοιχτό σε άλλο παράθυρο</translation>
     </message>
     <message>
         <source>opened by another window (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>ανοιχτό σε άλλο παράθυρο (%1)</translation>
     </message>
     <message>
         <source>the folder is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>ο φάκελος είναι μόνο για ανάγνωση</translation>
     </message>
     <message>
         <source>the file is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>το αρχείο είναι μόνο για ανάγνωση</translation>
     </message>
 </context>
 <context>
@@ -2944,11 +2944,11 @@
     </message>
     <message>
         <source>Pairs that are finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Ζεύγη που τελείωσαν</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Ζεύγη</translation>
     </message>
 </context>
 <context>
@@ -2967,42 +2967,42 @@
     </message>
     <message>
         <source>Marks of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Σημάδια του %1</translation>
     </message>
 </context>
 <context>
     <name>widgets::TimelineLegend</name>
     <message>
         <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Πάνω λωρίδα: αριστερό χέρι. Κάτω: δεξί. Όσο πιο γεμάτη η μπάρα, τόσο περισσότερες αρθρώσεις έχουν σημάδια.</translation>
     </message>
     <message>
         <source>every joint is done</source>
-        <translation type="unfinished"></translation>
+        <translation>όλες οι αρθρώσεις είναι έτοιμες</translation>
     </message>
     <message>
         <source>some joints have marks</source>
-        <translation type="unfinished"></translation>
+        <translation>μερικές αρθρώσεις έχουν σημάδια</translation>
     </message>
     <message>
         <source>a joint is bad: large error, outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>μια άρθρωση είναι κακή: μεγάλο σφάλμα, ακραία τιμή ή χωρίς σημείο 3D</translation>
     </message>
     <message>
         <source>at its foot: a joint is occluded, its place estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>στη βάση: μια άρθρωση καλύπτεται, η θέση της εκτιμάται</translation>
     </message>
     <message>
         <source>between the lanes: marks of other people</source>
-        <translation type="unfinished"></translation>
+        <translation>ανάμεσα στις λωρίδες: σημάδια άλλων</translation>
     </message>
     <message>
         <source>tick above: a note</source>
-        <translation type="unfinished"></translation>
+        <translation>γραμμή πάνω: σημείωση</translation>
     </message>
     <message>
         <source>tick below: a test frame of the benchmark; the line: the current frame</source>
-        <translation type="unfinished"></translation>
+        <translation>γραμμή κάτω: καρέ δοκιμής· η μεγάλη γραμμή: το τρέχον καρέ</translation>
     </message>
 </context>
 <context>
@@ -3068,35 +3068,35 @@
     <name>widgets::WorkWords</name>
     <message>
         <source>%1 %2 mm</source>
-        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+        <translation>%1 %2 mm</translation>
     </message>
     <message>
         <source>Fit the current frame: F</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή του τρέχοντος καρέ: F</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">αρχή</translation>
+        <translation>αρχή</translation>
     </message>
     <message>
         <source>%1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 απέτυχε</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation type="unfinished">Καρέ %1 από το καρέ %2</translation>
+        <translation>Καρέ %1 από το καρέ %2</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχει τίποτα για να μετρηθεί το σφάλμα.</translation>
     </message>
     <message>
         <source>Choose methods and sequences, then Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε μεθόδους και ακολουθίες, μετά Εκτέλεση</translation>
     </message>
     <message>
         <source>%1 pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ζεύγη</translation>
     </message>
 </context>
 <context>
@@ -3123,11 +3123,11 @@
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Καμία εικόνα αυτή τη στιγμή.</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished"></translation>
+        <translation>Εύρεση...</translation>
     </message>
 </context>
 </TS>

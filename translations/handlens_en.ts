@@ -19,37 +19,37 @@
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n piece of footage found; the dataset keeps the new place.</numerusform>
+            <numerusform>%n pieces of footage found; the dataset keeps the new places.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>and %n more: see handlens-batch check</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>and %n more: see handlens-batch check</numerusform>
+            <numerusform>and %n more: see handlens-batch check</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) of %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n mark of %1</numerusform>
+            <numerusform>%n marks of %1</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
         </translation>
     </message>
 </context>
@@ -57,16 +57,16 @@
     <name>widgets::Advice</name>
     <message numerus="yes">
         <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 clicked, %2 accepted, %3 proposed; %n view has a picture</numerusform>
+            <numerusform>%1 clicked, %2 accepted, %3 proposed; %n views have a picture</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 of %n view</numerusform>
+            <numerusform>%1 of %n views</numerusform>
         </translation>
     </message>
 </context>
@@ -74,9 +74,9 @@
     <name>widgets::BenchmarkRunner</name>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>This benchmark is not finished: %n fit is in.</numerusform>
+            <numerusform>This benchmark is not finished: %n fits are in.</numerusform>
         </translation>
     </message>
 </context>
@@ -143,16 +143,16 @@
     <name>widgets::OtherMarks</name>
     <message numerus="yes">
         <source>%n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n mark</numerusform>
+            <numerusform>%n marks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame</numerusform>
+            <numerusform>%n frames</numerusform>
         </translation>
     </message>
 </context>
@@ -160,16 +160,16 @@
     <name>widgets::QualityPanel</name>
     <message numerus="yes">
         <source>%n proposed mark(s) wait to be checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n proposed mark waits to be checked.</numerusform>
+            <numerusform>%n proposed marks wait to be checked.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) with marks of %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame with marks of %1.</numerusform>
+            <numerusform>%n frames with marks of %1.</numerusform>
         </translation>
     </message>
 </context>

@@ -593,166 +593,166 @@
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation type="unfinished"></translation>
+        <translation>标注者(&amp;R)</translation>
     </message>
     <message>
         <source>One &amp;view</source>
-        <translation type="unfinished"></translation>
+        <translation>单个视图(&amp;V)</translation>
     </message>
     <message>
         <source>Mar&amp;ks</source>
-        <translation type="unfinished"></translation>
+        <translation>标记(&amp;K)</translation>
     </message>
     <message>
         <source>&amp;Mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>网格(&amp;M)</translation>
     </message>
     <message>
         <source>3D s&amp;cene</source>
-        <translation type="unfinished"></translation>
+        <translation>三维场景(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Joint and view</source>
-        <translation type="unfinished"></translation>
+        <translation>关节与视图(&amp;J)</translation>
     </message>
     <message>
         <source>&amp;Nudge</source>
-        <translation type="unfinished"></translation>
+        <translation>微移(&amp;N)</translation>
     </message>
     <message>
         <source>Li&amp;st of joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节列表(&amp;S)</translation>
     </message>
     <message>
         <source>Make a &amp;new dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>新建数据集(&amp;N)...</translation>
     </message>
     <message>
         <source>Of a calibration and videos or folders of images</source>
-        <translation type="unfinished"></translation>
+        <translation>由标定文件和视频或图像文件夹生成</translation>
     </message>
     <message>
         <source>&amp;Preferences...</source>
-        <translation type="unfinished"></translation>
+        <translation>首选项(&amp;P)...</translation>
     </message>
     <message>
         <source>Language, your name, keys, colours, memory</source>
-        <translation type="unfinished"></translation>
+        <translation>语言、姓名、按键、颜色、内存</translation>
     </message>
     <message>
         <source>Change the &amp;shortcuts...</source>
-        <translation type="unfinished"></translation>
+        <translation>更改快捷键(&amp;S)...</translation>
     </message>
     <message>
         <source>Fra&amp;me the hands</source>
-        <translation type="unfinished"></translation>
+        <translation>对准双手(&amp;M)</translation>
     </message>
     <message>
         <source>Zooms every view to the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>在已知双手位置时，将每个视图缩放到双手</translation>
     </message>
     <message>
         <source>Other people&apos;s marks</source>
-        <translation type="unfinished"></translation>
+        <translation>其他人的标记</translation>
     </message>
     <message>
         <source>What others have marked in this sequence, muted; it cannot be changed here</source>
-        <translation type="unfinished"></translation>
+        <translation>其他人在此序列中的标记，淡色显示，此处不可修改</translation>
     </message>
     <message>
         <source>Which hand is &amp;left and which right</source>
-        <translation type="unfinished"></translation>
+        <translation>显示左右手(&amp;L)</translation>
     </message>
     <message>
         <source>L and R beside the hands, where they are known</source>
-        <translation type="unfinished"></translation>
+        <translation>在已知位置时，于手旁显示 L 和 R</translation>
     </message>
     <message>
         <source>L&amp;eft hand</source>
-        <translation type="unfinished"></translation>
+        <translation>左手(&amp;E)</translation>
     </message>
     <message>
         <source>Marks and mesh of the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>左手的标记和网格</translation>
     </message>
     <message>
         <source>Ri&amp;ght hand</source>
-        <translation type="unfinished"></translation>
+        <translation>右手(&amp;G)</translation>
     </message>
     <message>
         <source>Marks and mesh of the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>右手的标记和网格</translation>
     </message>
     <message>
         <source>&amp;Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>工具栏(&amp;T)</translation>
     </message>
     <message>
         <source>&amp;Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>附加掩膜(&amp;A)...</translation>
     </message>
     <message>
         <source>Gives this sequence the silhouettes of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>将文件夹中的轮廓掩膜用于此序列</translation>
     </message>
     <message>
         <source>Next &amp;method in the 3D scene</source>
-        <translation type="unfinished"></translation>
+        <translation>三维场景中的下一方法(&amp;M)</translation>
     </message>
     <message>
         <source>Run or stop the &amp;benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>运行或停止基准测试(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Save the benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>保存基准测试结果(&amp;S)...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>表格、配对和报告，存入一个文件夹</translation>
     </message>
     <message>
         <source>&amp;Open a benchmark&apos;s results...</source>
-        <translation type="unfinished"></translation>
+        <translation>打开基准测试结果(&amp;O)...</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>此处保存的或由 handlens-batch benchmark 写出的文件夹</translation>
     </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
     <message>
         <source>Export annotations</source>
-        <translation type="unfinished">导出标注</translation>
+        <translation>导出标注</translation>
     </message>
     <message>
         <source>&lt;b&gt;Holds&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;内容&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Read by&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;可读取的软件&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Not in it&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;不包含&lt;/b&gt;</translation>
     </message>
     <message>
         <source>&lt;b&gt;Written are&lt;/b&gt;</source>
-        <translation type="unfinished"></translation>
+        <translation>&lt;b&gt;写出的是&lt;/b&gt;</translation>
     </message>
     <message>
         <source>Choose where...</source>
-        <translation type="unfinished"></translation>
+        <translation>选择位置...</translation>
     </message>
     <message>
         <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation type="unfinished"></translation>
+        <translation>此序列中所有人的标注，附姓名</translation>
     </message>
     <message>
         <source>Your own annotations of this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>您自己在此序列中的标注</translation>
     </message>
 </context>
 <context>
@@ -807,127 +807,127 @@
     </message>
     <message>
         <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>三维关节及其不确定度，每个标记的状态和误差，所有人的标注，以及相机。</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>Handlens 和您自己的脚本 (JSON)</translation>
     </message>
     <message>
         <source>Only proposals, notes and the list of undo steps</source>
-        <translation type="unfinished"></translation>
+        <translation>仅不含建议、备注和撤销步骤列表</translation>
     </message>
     <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>整像素标记，每台相机一个文件夹，每帧一个文本文件。</translation>
     </message>
     <message>
         <source>The programs of the method&apos;s authors</source>
-        <translation type="unfinished"></translation>
+        <translation>方法作者的程序</translation>
     </message>
     <message>
         <source>Fractions of pixels, 3D joints, joints beyond the 14 of a hand; occluded and missing are both 0 0</source>
-        <translation type="unfinished"></translation>
+        <translation>亚像素、三维关节、每只手 14 个以外的关节；遮挡与缺失均为 0 0</translation>
     </message>
     <message>
         <source>Marks per picture and hand, each visible, occluded or missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>每幅图像、每只手的标记，分为可见、遮挡或缺失。</translation>
     </message>
     <message>
         <source>MMPose, Detectron2, CVAT, FiftyOne and most trainers of networks (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>MMPose、Detectron2、CVAT、FiftyOne 及大多数网络训练工具 (JSON)</translation>
     </message>
     <message>
         <source>3D joints, cameras, who clicked and who accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>三维关节、相机、谁点击和谁接受</translation>
     </message>
     <message>
         <source>Marks as a table per camera with a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>标记表格，每台相机一个，每帧一行。</translation>
     </message>
     <message>
         <source>Anipose and aniposelib (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose 和 aniposelib (CSV)</translation>
     </message>
     <message>
         <source>3D joints and states: occluded marks look like visible ones</source>
-        <translation type="unfinished"></translation>
+        <translation>三维关节和状态：遮挡的标记与可见的相同</translation>
     </message>
     <message>
         <source>3D joints with error and number of cameras, a row per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>三维关节及误差和相机数量，每帧一行。</translation>
     </message>
     <message>
         <source>Anipose and what reads its results (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose 及读取其结果的软件 (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>标记本身、不确定度和相机</translation>
     </message>
     <message>
         <source>Marks as one CollectedData table per camera, a row per annotated frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>每台相机一个 CollectedData 表，每个已标注帧一行。</translation>
     </message>
     <message>
         <source>DeepLabCut, Lightning Pose, napari-deeplabcut (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>DeepLabCut、Lightning Pose、napari-deeplabcut (CSV)</translation>
     </message>
     <message>
         <source>3D joints as moving markers, a row per frame of the sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>作为运动标记点的三维关节，序列每帧一行。</translation>
     </message>
     <message>
         <source>OpenSim, Mokka, Visual3D and other programs for motion</source>
-        <translation type="unfinished"></translation>
+        <translation>OpenSim、Mokka、Visual3D 及其他运动分析软件</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>标记本身、不确定度和相机；无法再导入</translation>
     </message>
     <message>
         <source>3D joints of both hands in that dataset&apos;s order, and the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>按该数据集顺序的双手三维关节，以及相机。</translation>
     </message>
     <message>
         <source>Loaders written for InterHand2.6M (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>为 InterHand2.6M 编写的加载程序 (JSON)</translation>
     </message>
     <message>
         <source>The marks themselves, uncertainties and lens distortion; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>标记本身、不确定度和镜头畸变；无法再导入</translation>
     </message>
     <message>
         <source>21 joints of a hand in metres and the cameras, a file per frame and hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>每只手 21 个关节（米）及相机，每帧每只手一个文件。</translation>
     </message>
     <message>
         <source>Loaders written for FreiHAND or HanCo (JSON)</source>
-        <translation type="unfinished"></translation>
+        <translation>为 FreiHAND 或 HanCo 编写的加载程序 (JSON)</translation>
     </message>
     <message>
         <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个三维关节一行：毫米、不确定度、误差、状态，所有人的。</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>电子表格、R、pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
-        <translation type="unfinished"></translation>
+        <translation>标记本身和相机；无法再导入</translation>
     </message>
     <message>
         <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>每个标记一行：像素、状态、放置方式，所有人的；也含建议。</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
-        <translation type="unfinished"></translation>
+        <translation>电子表格、R、pandas 和 Handlens (CSV)</translation>
     </message>
     <message>
         <source>3D joints and the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>三维关节和相机</translation>
     </message>
 </context>
 <context>
@@ -1146,347 +1146,347 @@
     </message>
     <message>
         <source>Where are the videos and images now? Folders below are looked through, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>视频和图像现在在哪里？也会查找子文件夹。</translation>
     </message>
     <message>
         <source>Nothing of the missing footage lies in that folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件夹中没有缺失的素材。</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage found; the dataset keeps the new places.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>找到 %n 份素材；数据集已记住新位置。</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for footage</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找素材</translation>
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存到 %1</translation>
     </message>
     <message numerus="yes">
         <source>and %n more: see handlens-batch check</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>另有 %n 条：参见 handlens-batch check</numerusform>
         </translation>
     </message>
     <message>
         <source>About the footage: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>关于素材：%1</translation>
     </message>
     <message>
         <source>Toolbar</source>
-        <translation type="unfinished"></translation>
+        <translation>工具栏</translation>
     </message>
     <message>
         <source>Attach a folder of masks</source>
-        <translation type="unfinished"></translation>
+        <translation>附加掩膜文件夹</translation>
     </message>
     <message>
         <source>The name that your marks are kept under (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>保存您的标记所用的姓名 (%1)</translation>
     </message>
     <message>
         <source>Your name: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>您的姓名：%1</translation>
     </message>
     <message>
         <source>Nobody else has marks in this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>此序列中没有其他人的标记。</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>显示</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) of %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 的 %n 个标记</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n note(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 条备注</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，位于 %2</translation>
     </message>
     <message>
         <source> and </source>
-        <translation type="unfinished"></translation>
+        <translation> 和 </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧</numerusform>
         </translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>%1 would replace %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 将替换 %2。</translation>
     </message>
     <message>
         <source>Replace</source>
-        <translation type="unfinished"></translation>
+        <translation>替换</translation>
     </message>
     <message>
         <source>Keep what is there</source>
-        <translation type="unfinished"></translation>
+        <translation>保留已有的</translation>
     </message>
     <message>
         <source>Import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>导入 %1</translation>
     </message>
     <message>
         <source>%1 has labels of %2, but none of this sequence. Import them all the same?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 中有 %2 的标记，但没有此序列的。仍要导入吗？</translation>
     </message>
     <message>
         <source>Nothing was imported.</source>
-        <translation type="unfinished"></translation>
+        <translation>未导入任何内容。</translation>
     </message>
     <message>
         <source>Go on with the second round? Your first marks are hidden until you end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>继续重复标注吗？在结束之前，您最初的标记将隐藏。</translation>
     </message>
     <message>
         <source>Start a repeat round? A random tenth of your finished joints is asked for once more, to see how well you repeat yourself. Your first marks are kept, and hidden until you end the round.</source>
-        <translation type="unfinished"></translation>
+        <translation>开始重复标注吗？将随机再次询问您已完成关节的十分之一，以衡量您的重复精度。您最初的标记会保留，并在结束之前隐藏。</translation>
     </message>
     <message>
         <source>Begin the second round</source>
-        <translation type="unfinished"></translation>
+        <translation>开始重复标注</translation>
     </message>
     <message>
         <source>Not now</source>
-        <translation type="unfinished"></translation>
+        <translation>以后再说</translation>
     </message>
     <message>
         <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>重复标注：您最初的标记已隐藏。已完成 %1 / %2 个关节。</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">下一个</translation>
+        <translation>下一个</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished"></translation>
+        <translation>结束</translation>
     </message>
     <message>
         <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚不知道双手的位置：请先标记几个关节，再对准双手。</translation>
     </message>
     <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有第 %1 帧：序列“%2”的帧为 0-%3。显示最后一帧。</translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>打开</translation>
     </message>
     <message>
         <source>No program opened %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有程序能打开 %1。</translation>
     </message>
     <message>
         <source>Nothing was changed: %1 holds nothing that is not there already.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有更改：%1 中没有新的内容。</translation>
     </message>
     <message>
         <source>Results saved in %1</source>
-        <translation type="unfinished"></translation>
+        <translation>结果已保存到 %1</translation>
     </message>
 </context>
 <context>
     <name>app::NewDatasetWindow</name>
     <message>
         <source>Make a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>新建数据集</translation>
     </message>
     <message>
         <source>unit: as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>单位：按该类型惯例</translation>
     </message>
     <message>
         <source>unit: millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>单位：毫米</translation>
     </message>
     <message>
         <source>unit: centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>单位：厘米</translation>
     </message>
     <message>
         <source>unit: metres</source>
-        <translation type="unfinished"></translation>
+        <translation>单位：米</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished"></translation>
+        <translation>视频或图像文件夹</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished"></translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>标定文件及其相机的视频（或编号图像的文件夹）。不会复制：素材保留在原处。</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>标定文件</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished"></translation>
+        <translation>标定</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>序列名称</translation>
     </message>
     <message>
         <source>Folder of the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>数据集文件夹</translation>
     </message>
     <message>
         <source>An empty folder for the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>用于数据集的空文件夹</translation>
     </message>
     <message>
         <source>Make the dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>建立数据集</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished"></translation>
+        <translation>添加视频...</translation>
     </message>
     <message>
         <source>Add a folder of images...</source>
-        <translation type="unfinished"></translation>
+        <translation>添加图像文件夹...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>Footage</source>
-        <translation type="unfinished"></translation>
+        <translation>素材</translation>
     </message>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished"></translation>
+        <translation>选择...</translation>
     </message>
     <message>
         <source>A folder of numbered images of one camera</source>
-        <translation type="unfinished"></translation>
+        <translation>一台相机的编号图像文件夹</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>各相机的视频</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished"></translation>
+        <translation>未使用</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择相机的标定文件。</translation>
     </message>
     <message>
         <source>Add the videos or image folders, and choose the camera of each.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加视频或图像文件夹，并为每个选择相机。</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 被分配了两份素材。</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>请为序列命名。</translation>
     </message>
     <message>
         <source>Choose a folder for the dataset.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择数据集的文件夹。</translation>
     </message>
     <message>
         <source>The footage is looked at...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在检查素材...</translation>
     </message>
 </context>
 <context>
     <name>app::PreferencesWindow</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>首选项</translation>
     </message>
     <message>
         <source>General</source>
-        <translation type="unfinished"></translation>
+        <translation>常规</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>按键</translation>
     </message>
     <message>
         <source>Your name</source>
-        <translation type="unfinished">您的名字</translation>
+        <translation>您的姓名</translation>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>语言</translation>
     </message>
     <message>
         <source>Another language is used from the next start on.</source>
-        <translation type="unfinished"></translation>
+        <translation>新语言将在下次启动时生效。</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>颜色</translation>
     </message>
     <message>
         <source>Memory for pictures</source>
-        <translation type="unfinished"></translation>
+        <translation>图像内存</translation>
     </message>
     <message>
         <source>Hints</source>
-        <translation type="unfinished"></translation>
+        <translation>提示</translation>
     </message>
     <message>
         <source>Your marks are kept under this name.</source>
-        <translation type="unfinished"></translation>
+        <translation>您的标记以此姓名保存。</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation type="unfinished"></translation>
+        <translation>跟随系统</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>深色</translation>
     </message>
     <message>
         <source>Light</source>
-        <translation type="unfinished"></translation>
+        <translation>浅色</translation>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
     <message>
         <source>Pictures of recent frames are kept in so much memory: stepping back then needs no reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>近期帧的图像保存在此大小的内存中：后退时无需再读取。</translation>
     </message>
     <message>
         <source>Show the four hints at the next start</source>
-        <translation type="unfinished"></translation>
+        <translation>下次启动时显示四条提示</translation>
     </message>
 </context>
 <context>
@@ -1527,15 +1527,15 @@
     <name>app::ShortcutPage</name>
     <message>
         <source>Search</source>
-        <translation type="unfinished">搜索</translation>
+        <translation>搜索</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished">全部重置</translation>
+        <translation>全部重置</translation>
     </message>
     <message>
         <source>Double-click a shortcut to change it.</source>
-        <translation type="unfinished">双击快捷键即可更改。</translation>
+        <translation>双击快捷键可更改。</translation>
     </message>
 </context>
 <context>
@@ -1613,31 +1613,31 @@
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>无三维点：%1 中的点击%2。</translation>
     </message>
     <message>
         <source>No 3D point: the click in %1 is %2, the one in %3 %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>无三维点：%1 中的点击%2，%3 中的%4。</translation>
     </message>
     <message numerus="yes">
         <source>%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>点击 %1，接受 %2，建议 %3；%n 个视图有图像</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 px off %2&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>偏离 %2 的曲线 %1 px</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 / %n 个视图</numerusform>
         </translation>
     </message>
     <message>
         <source>A joint needs at least two cameras with a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>一个关节至少需要两台有图像的相机。</translation>
     </message>
 </context>
 <context>
@@ -1729,23 +1729,23 @@
     </message>
     <message>
         <source>Nothing was placed: %1 has no picture of this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>未放置：%1 没有此帧的图像。</translation>
     </message>
     <message>
         <source>Nothing was placed: this is outside the picture of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>未放置：此处在 %1 的图像之外。</translation>
     </message>
     <message>
         <source>Nothing to accept in this frame: no joint with a 3D point has a view left that sees it.</source>
-        <translation type="unfinished"></translation>
+        <translation>此帧没有可接受的标记：有三维点的关节都没有剩余的可见视图。</translation>
     </message>
     <message>
         <source>There is no mark of %1 in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>此帧没有 %1 的标记。</translation>
     </message>
     <message>
         <source>The mark is at the edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>标记位于图像边缘。</translation>
     </message>
 </context>
 <context>
@@ -1808,58 +1808,58 @@
     </message>
     <message>
         <source>Save results...</source>
-        <translation type="unfinished"></translation>
+        <translation>保存结果...</translation>
     </message>
     <message>
         <source>Open results...</source>
-        <translation type="unfinished"></translation>
+        <translation>打开结果...</translation>
     </message>
     <message>
         <source>Tables, pairs and a report, as handlens-batch benchmark writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>表格、配对和报告，与 handlens-batch benchmark 写出的相同</translation>
     </message>
     <message>
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>此处保存的或由 handlens-batch benchmark 写出的文件夹</translation>
     </message>
     <message>
         <source>Save the results in a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>将结果保存到文件夹</translation>
     </message>
     <message>
         <source>Open the results of a folder</source>
-        <translation type="unfinished"></translation>
+        <translation>打开文件夹中的结果</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkResultsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method</source>
-        <translation type="unfinished"></translation>
+        <translation>双击配对可用所有方法查看</translation>
     </message>
     <message>
         <source>Share of pairs below each error</source>
-        <translation type="unfinished">误差低于各值的帧对占比</translation>
+        <translation>低于各误差的配对比例</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">误差 (mm)</translation>
+        <translation>误差，mm</translation>
     </message>
     <message>
         <source>Pairs, %</source>
-        <translation type="unfinished">帧对 (%)</translation>
+        <translation>配对，%</translation>
     </message>
     <message>
         <source>Run the benchmark to compare the methods.</source>
-        <translation type="unfinished">运行基准测试以比较各方法。</translation>
+        <translation>运行基准测试以比较各方法。</translation>
     </message>
     <message>
         <source>Error per joint</source>
-        <translation type="unfinished">各关节误差</translation>
+        <translation>各关节误差</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">起始</translation>
+        <translation>起始</translation>
     </message>
 </context>
 <context>
@@ -1874,28 +1874,28 @@
     </message>
     <message>
         <source>This folder holds the results of another benchmark. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件夹中是另一基准测试的结果。请另选。</translation>
     </message>
     <message>
         <source>This folder already holds a file %1. Choose another one.</source>
-        <translation type="unfinished"></translation>
+        <translation>此文件夹中已有文件 %1。请另选。</translation>
     </message>
     <message>
         <source>There are no results to save yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>还没有可保存的结果。</translation>
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先停止基准测试。</translation>
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些结果不属于打开的数据集，或数据集已更改：%1。</translation>
     </message>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>此基准测试尚未完成：已有 %n 次拟合。</numerusform>
         </translation>
     </message>
 </context>
@@ -1907,7 +1907,7 @@
     </message>
     <message>
         <source>Logarithmic axis</source>
-        <translation type="unfinished"></translation>
+        <translation>对数坐标轴</translation>
     </message>
 </context>
 <context>
@@ -2036,11 +2036,11 @@
     </message>
     <message>
         <source>Open a dataset or make one of your videos: drop either here. Or try the demo.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开数据集，或由您的视频新建：拖放到此处即可。或试用演示。</translation>
     </message>
     <message>
         <source>Make a dataset...</source>
-        <translation type="unfinished"></translation>
+        <translation>新建数据集...</translation>
     </message>
 </context>
 <context>
@@ -2087,11 +2087,11 @@
     </message>
     <message>
         <source>no 3D point: click in %1 is %2</source>
-        <translation type="unfinished"></translation>
+        <translation>无三维点：%1 中的点击%2</translation>
     </message>
     <message>
         <source>mark is %1 px outside the picture of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>标记位于 %2 图像之外 %1 px</translation>
     </message>
 </context>
 <context>
@@ -2144,7 +2144,7 @@
     </message>
     <message>
         <source>This sequence needs silhouettes: attach a folder of masks, or make them.</source>
-        <translation type="unfinished"></translation>
+        <translation>此序列需要轮廓：请附加掩膜文件夹，或生成掩膜。</translation>
     </message>
 </context>
 <context>
@@ -2207,18 +2207,18 @@
     </message>
     <message>
         <source>Attach masks...</source>
-        <translation type="unfinished"></translation>
+        <translation>附加掩膜...</translation>
     </message>
     <message>
         <source>A folder of masks, white where the hands are: CAMERA/000012.png, CAMERA_000012.png or the like</source>
-        <translation type="unfinished"></translation>
+        <translation>掩膜文件夹，手为白色：CAMERA/000012.png、CAMERA_000012.png 等</translation>
     </message>
 </context>
 <context>
     <name>widgets::FootageFinder</name>
     <message>
         <source>not found: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到：%1</translation>
     </message>
 </context>
 <context>
@@ -2237,7 +2237,7 @@
     </message>
     <message>
         <source>What the colours of the timeline mean</source>
-        <translation type="unfinished"></translation>
+        <translation>时间线颜色的含义</translation>
     </message>
 </context>
 <context>
@@ -2252,12 +2252,12 @@
     <message>
         <source>L</source>
         <comment>left hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>L</translation>
     </message>
     <message>
         <source>R</source>
         <comment>right hand, one letter beside it</comment>
-        <translation type="unfinished"></translation>
+        <translation>R</translation>
     </message>
 </context>
 <context>
@@ -2287,11 +2287,11 @@
     </message>
     <message>
         <source>The wheel zooms, the middle button moves, a double click fills the window with one view; 9 frames the hands, 0 shows whole pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>滚轮缩放，中键移动，双击使一个视图充满窗口；9 对准双手，0 显示整幅图像。</translation>
     </message>
     <message>
         <source>Got it (Esc)</source>
-        <translation type="unfinished"></translation>
+        <translation>知道了 (Esc)</translation>
     </message>
 </context>
 <context>
@@ -2334,27 +2334,27 @@
     </message>
     <message>
         <source>Fit this frame</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合此帧</translation>
     </message>
     <message>
         <source>With the methods chosen under Fit, from the pose of some frames before</source>
-        <translation type="unfinished"></translation>
+        <translation>使用“拟合”中选择的方法，从若干帧之前的姿态开始</translation>
     </message>
     <message>
         <source>There is nothing that the error could be measured against.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可用于衡量误差的参照。</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在拟合...</translation>
     </message>
     <message>
         <source>Fit the current frame to see the methods side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合当前帧即可并排查看各方法。</translation>
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>此时刻没有图像。</translation>
     </message>
 </context>
 <context>
@@ -2417,54 +2417,54 @@
     </message>
     <message>
         <source>bad</source>
-        <translation type="unfinished"></translation>
+        <translation>不良</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>建议</translation>
     </message>
     <message>
         <source>Proposed marks with a likelihood of %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>建议的标记，可能性 %1 至 %2</translation>
     </message>
     <message>
         <source>Views that you clicked + views that you accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>您点击的视图 + 您接受的视图</translation>
     </message>
     <message>
         <source>Done: every view with a picture is placed or cannot be placed; bad: error above the threshold, an outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>完成：每个有图像的视图均已放置或无法放置；不良：误差超过阈值、离群或无三维点</translation>
     </message>
 </context>
 <context>
     <name>widgets::MarkLegend</name>
     <message>
         <source>clicked: the 3D joint follows from these</source>
-        <translation type="unfinished"></translation>
+        <translation>点击：三维关节由此得出</translation>
     </message>
     <message>
         <source>accepted as it was placed for you</source>
-        <translation type="unfinished"></translation>
+        <translation>接受预先放置的位置</translation>
     </message>
     <message>
         <source>proposed: nobody&apos;s label yet</source>
-        <translation type="unfinished"></translation>
+        <translation>建议：尚不属于任何人的标注</translation>
     </message>
     <message>
         <source>occluded, estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>遮挡，估计位置</translation>
     </message>
     <message>
         <source>contradicts the other views</source>
-        <translation type="unfinished"></translation>
+        <translation>与其他视图矛盾</translation>
     </message>
     <message>
         <source>square: right hand; round: left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>方形：右手；圆形：左手</translation>
     </message>
     <message>
         <source>What the marks mean</source>
-        <translation type="unfinished"></translation>
+        <translation>标记的含义</translation>
     </message>
 </context>
 <context>
@@ -2483,30 +2483,30 @@
     </message>
     <message>
         <source>no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>无图像</translation>
     </message>
     <message>
         <source>off %1&apos;s curve</source>
-        <translation type="unfinished"></translation>
+        <translation>偏离 %1 的曲线</translation>
     </message>
     <message>
         <source>accepted</source>
-        <translation type="unfinished"></translation>
+        <translation>已接受</translation>
     </message>
     <message>
         <source>proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>建议</translation>
     </message>
     <message>
         <source>click here next</source>
-        <translation type="unfinished"></translation>
+        <translation>下一步点击此处</translation>
     </message>
 </context>
 <context>
     <name>widgets::MaskAttacher</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished">请先打开一个数据集。</translation>
+        <translation>请先打开数据集。</translation>
     </message>
 </context>
 <context>
@@ -2520,11 +2520,11 @@
     <name>widgets::NameBar</name>
     <message>
         <source>Use this name</source>
-        <translation type="unfinished"></translation>
+        <translation>使用此姓名</translation>
     </message>
     <message>
         <source>Your marks are kept under your &amp;name:</source>
-        <translation type="unfinished"></translation>
+        <translation>保存标记所用的姓名(&amp;N)：</translation>
     </message>
 </context>
 <context>
@@ -2538,18 +2538,18 @@
     <name>widgets::OtherMarks</name>
     <message>
         <source>%1 has %2 in %3 of this sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在此序列的 %3 中有 %2。</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个标记</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧</numerusform>
         </translation>
     </message>
 </context>
@@ -2616,11 +2616,11 @@
     </message>
     <message>
         <source>Saved to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>已保存到 %1</translation>
     </message>
     <message>
         <source>The picture is in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>图像已复制到剪贴板。</translation>
     </message>
 </context>
 <context>
@@ -2667,18 +2667,18 @@
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>还没有帧有您 (%1) 的标记。</translation>
     </message>
     <message numerus="yes">
         <source>%n proposed mark(s) wait to be checked.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个建议的标记等待检查。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) with marks of %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧有 %1 的标记。</numerusform>
         </translation>
     </message>
 </context>
@@ -2796,11 +2796,11 @@
     <name>widgets::ScenePanel</name>
     <message>
         <source>Whose pose stands in the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>场景中显示谁的姿态</translation>
     </message>
     <message>
         <source>Recorded pose</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的姿态</translation>
     </message>
 </context>
 <context>
@@ -2869,23 +2869,23 @@
     <name>widgets::StoreText</name>
     <message>
         <source>opened for reading only</source>
-        <translation type="unfinished"></translation>
+        <translation>以只读方式打开</translation>
     </message>
     <message>
         <source>opened by another window</source>
-        <translation type="unfinished"></translation>
+        <translation>已在另一窗口中打开</translation>
     </message>
     <message>
         <source>opened by another window (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>已在另一窗口中打开 (%1)</translation>
     </message>
     <message>
         <source>the folder is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹为只读</translation>
     </message>
     <message>
         <source>the file is read-only</source>
-        <translation type="unfinished"></translation>
+        <translation>文件为只读</translation>
     </message>
 </context>
 <context>
@@ -2916,11 +2916,11 @@
     </message>
     <message>
         <source>Pairs that are finished</source>
-        <translation type="unfinished"></translation>
+        <translation>已完成的配对</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>配对</translation>
     </message>
 </context>
 <context>
@@ -2939,42 +2939,42 @@
     </message>
     <message>
         <source>Marks of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的标记</translation>
     </message>
 </context>
 <context>
     <name>widgets::TimelineLegend</name>
     <message>
         <source>Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.</source>
-        <translation type="unfinished"></translation>
+        <translation>上栏：左手。下栏：右手。条越满，有标记的关节越多。</translation>
     </message>
     <message>
         <source>every joint is done</source>
-        <translation type="unfinished"></translation>
+        <translation>所有关节已完成</translation>
     </message>
     <message>
         <source>some joints have marks</source>
-        <translation type="unfinished"></translation>
+        <translation>部分关节有标记</translation>
     </message>
     <message>
         <source>a joint is bad: large error, outlier, or no 3D point</source>
-        <translation type="unfinished"></translation>
+        <translation>有关节不良：误差大、离群或无三维点</translation>
     </message>
     <message>
         <source>at its foot: a joint is occluded, its place estimated</source>
-        <translation type="unfinished"></translation>
+        <translation>底部：有关节被遮挡，位置为估计</translation>
     </message>
     <message>
         <source>between the lanes: marks of other people</source>
-        <translation type="unfinished"></translation>
+        <translation>两栏之间：其他人的标记</translation>
     </message>
     <message>
         <source>tick above: a note</source>
-        <translation type="unfinished"></translation>
+        <translation>上方刻线：备注</translation>
     </message>
     <message>
         <source>tick below: a test frame of the benchmark; the line: the current frame</source>
-        <translation type="unfinished"></translation>
+        <translation>下方刻线：基准测试的测试帧；竖线：当前帧</translation>
     </message>
 </context>
 <context>
@@ -3040,35 +3040,35 @@
     <name>widgets::WorkWords</name>
     <message>
         <source>%1 %2 mm</source>
-        <translation type="unfinished">%1 mm {1 %2 ?}</translation>
+        <translation>%1 %2 mm</translation>
     </message>
     <message>
         <source>Fit the current frame: F</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合当前帧：F</translation>
     </message>
     <message>
         <source>start</source>
-        <translation type="unfinished">起始</translation>
+        <translation>起始</translation>
     </message>
     <message>
         <source>%1 failed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 失败</translation>
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation type="unfinished">第 %1 帧，起始于第 %2 帧</translation>
+        <translation>第 %1 帧，由第 %2 帧开始</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有可用于衡量误差的参照。</translation>
     </message>
     <message>
         <source>Choose methods and sequences, then Run</source>
-        <translation type="unfinished"></translation>
+        <translation>选择方法和序列，然后运行</translation>
     </message>
     <message>
         <source>%1 pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 对</translation>
     </message>
 </context>
 <context>
@@ -3095,11 +3095,11 @@
     </message>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>此时刻没有图像。</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished"></translation>
+        <translation>查找...</translation>
     </message>
 </context>
 </TS>
