@@ -7,6 +7,8 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "widgets/text/store_text.h"
+
 namespace app {
 
 using widgets::Workspaces;
@@ -67,7 +69,7 @@ void MainWindow::connectDocument() {
         const core::AnnotationStore* store = m_workbench.document.store();
         if (store && store->isReadOnly())
             showMessage(tr("Read-only: %1. You can look and export; edits are not possible.")
-                            .arg(widgets::readOnlyText(store->readOnlyReason())));
+                            .arg(widgets::readOnlyInWords(store->readOnlyReason())));
         else if (store && !store->warnings().empty())
             showMessage(QString::fromStdString(store->warnings().front()));
     });

@@ -84,7 +84,7 @@ void AnnotationDocument::amend(const core::Edit& edit, int joins) {
         return;
     if (isReadOnly()) {
         emit refused(tr("Nothing was changed: the annotations are open for reading only (%1).")
-                         .arg(readOnlyText(m_store->readOnlyReason())));
+                         .arg(readOnlyInWords(m_store->readOnlyReason())));
         return;
     }
     const QUndoCommand* newest = m_undoStack.index() > 0 ? m_undoStack.command(m_undoStack.index() - 1) : nullptr;

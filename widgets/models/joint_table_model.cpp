@@ -61,7 +61,7 @@ QString toolTip(const core::JointReconstruction& found) {
         text += QLatin1Char('\n') + likelihood;
     if (found.hasPoint())
         return text;
-    text += QLatin1Char('\n') + failureText(found.result.failure);
+    text += QLatin1Char('\n') + failureInWords(found.result.failure);
     for (const core::CurveGap& gap : found.gaps)
         text += QStringLiteral("\n%1: %2").arg(QString::fromStdString(gap.camera), curveGapText(gap));
     return text;

@@ -18,7 +18,7 @@ QString text(const char* source, int count = -1) {
 
 } // namespace
 
-QString failureText(core::TriangulationFailure failure) {
+QString failureInWords(core::TriangulationFailure failure) {
     using core::TriangulationFailure;
     switch (failure) {
     case TriangulationFailure::FewerThanTwoViews:
@@ -118,7 +118,7 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
     if (!found.gaps.empty())
         return disagreementText(found);
     if (!found.hasPoint() && found.manualViews >= 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(failureText(found.result.failure));
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(failureInWords(found.result.failure));
     if (!found.hasPoint())
         return next.isEmpty() ? text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
                               : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2."))

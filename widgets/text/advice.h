@@ -8,7 +8,7 @@
 namespace widgets {
 
 /// A reason why there is no 3D point, in the person's language.
-QString failureText(core::TriangulationFailure failure);
+QString failureInWords(core::TriangulationFailure failure);
 /// How many views with a picture hold a mark of the joint: "3", or "2+6" for two clicked and six accepted.
 QString placedText(const core::JointReconstruction& found);
 /// The same in words: "2 clicked, 6 accepted, 0 proposed; 8 views have a picture".

@@ -111,7 +111,7 @@ std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconst
                                     joint,
                                     {},
                                     text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: %1"))
-                                        .arg(failureText(found.result.failure)),
+                                        .arg(failureInWords(found.result.failure)),
                                     kNoPointSeverity});
             continue;
         }

@@ -13,7 +13,7 @@ QString text(const char* source) {
 
 } // namespace
 
-QString readOnlyText(const core::ReadOnlyReason& reason) {
+QString readOnlyInWords(const core::ReadOnlyReason& reason) {
     using Kind = core::ReadOnlyReason::Kind;
     switch (reason.kind) {
     case Kind::Requested:

@@ -8,6 +8,6 @@
 namespace widgets {
 
 /// Why annotations cannot be changed, in the person's language.
-QString readOnlyText(const core::ReadOnlyReason& reason);
+QString readOnlyInWords(const core::ReadOnlyReason& reason);
 
 } // namespace widgets
