@@ -68,12 +68,12 @@ TEST_F(JointsPanelTest, NotesBelongToTheirFrameAndAreNeverLost) {
 
 TEST_F(JointsPanelTest, NamesCanBeReadInANarrowWindow) {
     bench.joints.setChoice(widgets::JointChoice::TwentyOne, *bench.session.dataset());
-    widgets::JointsPanel panel(bench.joints, bench.document, bench.reconstructions, bench.selection);
+    widgets::JointsPanel narrow(bench.joints, bench.document, bench.reconstructions, bench.selection);
     for (const int width : {200, 240, 290, 420}) {
-        panel.resize(width, 600);
-        panel.show();
+        narrow.resize(width, 600);
+        narrow.show();
         QApplication::processEvents();
-        const QTableView& table = *panel.table();
+        const QTableView& table = *narrow.table();
         EXPECT_GE(table.columnWidth(widgets::JointTableModel::Joint),
                   static_cast<const QAbstractItemView&>(table).sizeHintForColumn(widgets::JointTableModel::Joint))
             << width;

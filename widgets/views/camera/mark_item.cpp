@@ -18,7 +18,7 @@ namespace {
 // All in screen pixels.
 constexpr double kRadius = 4.5; // of the ring's line; with its width the ring measures 11
 constexpr double kLineWidth = 2;
-constexpr double kAcceptedWidth = 1.4;
+constexpr double kAcceptedWidth = 1.6;
 constexpr double kBadgeRadius = 2;
 constexpr double kOutline = 1; // dark, on both sides of the line
 constexpr double kHaloRadius = 8;
