@@ -67,6 +67,17 @@ protected:
         return static_cast<double>(coloured) / kDirections;
     }
 
+    /// In how many of the directions the ring is light: dark is where a dash ends.
+    double lightShare(const QImage& image, const QColor& colour) const {
+        int light = 0;
+        constexpr int kDirections = 180;
+        for (int i = 0; i < kDirections; ++i) {
+            const double a = 2 * M_PI * i / kDirections;
+            light += at(image, 4.5 * std::cos(a), 4.5 * std::sin(a)).lightness() > colour.lightness() / 2;
+        }
+        return static_cast<double>(light) / kDirections;
+    }
+
     /// How much the ring stands out from the image, on average.
     double ringStrength(const QImage& image) const {
         double sum = 0;
@@ -167,11 +178,12 @@ TEST_F(MarkItemTest, ClickedAcceptedAndProposedDiffer) {
     const QImage accepted = draw(m);
     EXPECT_EQ(at(clicked, 8.5, -5.5), kSkin);
     EXPECT_NE(at(accepted, 8, -5.5), kSkin) << "the accepted mark's dot";
-    EXPECT_GT(ringShare(accepted, colour), 0.7) << "its ring is closed";
+    EXPECT_GT(lightShare(accepted, colour), 0.8) << "its ring is closed";
     EXPECT_LT(ringStrength(accepted), 0.92 * ringStrength(clicked)) << "and thinner";
     m.origin = MarkOrigin::Proposed;
     const QImage proposed = draw(m);
     EXPECT_LT(ringShare(proposed, colour), 0.7) << "dashed";
+    EXPECT_LT(lightShare(proposed, colour), 0.75) << "with gaps";
     EXPECT_LT(ringStrength(proposed), 0.85 * ringStrength(clicked)) << "and faint";
     EXPECT_EQ(at(proposed, 8, -5.5), kSkin);
 }
