@@ -60,7 +60,7 @@ TEST_F(FootageInTheWindow, ShowsNoOtherFramesPictureWhereOneIsDamaged) {
     EXPECT_GT(greyOf(), 150);
     goTo(13);
     EXPECT_TRUE(view(0).message().contains("13.png")) << view(0).message().toStdString();
-    EXPECT_LT(greyOf(), 80);
+    EXPECT_LT(greyOf(), 120) << "a plain view under its message";
 }
 
 } // namespace

@@ -270,14 +270,19 @@ TEST_F(WindowAsAWhole, WordsFitTheWorkspace) {
     };
     bench().selection.setJoint(kIndex);
     auto* tabs = window->workspaces().findChild<QTabWidget*>();
-    const auto tabShown = [&](QWidget* panel) { return tabs->isTabVisible(tabs->indexOf(panel)); };
+    const auto tabOf = [&](QWidget* panel) { // panels scroll: the tab holds the panel's scroll area
+        while (panel && tabs->indexOf(panel) < 0)
+            panel = panel->parentWidget();
+        return panel;
+    };
+    const auto tabShown = [&](QWidget* panel) { return tabs->isTabVisible(tabs->indexOf(tabOf(panel))); };
     EXPECT_TRUE(says(QStringLiteral("index_mcp")));
-    tabs->setCurrentWidget(window->workspaces().viewPanel());
+    tabs->setCurrentWidget(tabOf(window->workspaces().viewPanel()));
     app::RealInput input(*window);
     input.key(QStringLiteral("Ctrl+2"), 0);
     EXPECT_FALSE(says(QStringLiteral("index_mcp")));
     EXPECT_TRUE(says(QStringLiteral("Fit the current frame")));
-    EXPECT_EQ(tabs->currentWidget(), window->workspaces().fittingPanel());
+    EXPECT_EQ(tabs->currentWidget(), tabOf(window->workspaces().fittingPanel()));
     EXPECT_FALSE(tabShown(window->workspaces().qualityPanel()));
     EXPECT_FALSE(tabShown(window->workspaces().ratersPanel()));
     ASSERT_EQ(play(R"({"do":"fit","start":8,"test":12,"methods":["ch"]})"), 0) << errors.str();
@@ -289,7 +294,7 @@ TEST_F(WindowAsAWhole, WordsFitTheWorkspace) {
     input.key(QStringLiteral("Ctrl+1"), 0);
     EXPECT_TRUE(says(QStringLiteral("index_mcp")));
     EXPECT_TRUE(tabShown(window->workspaces().qualityPanel()));
-    EXPECT_EQ(tabs->currentWidget(), window->workspaces().viewPanel()) << "as it was left";
+    EXPECT_EQ(tabs->currentWidget(), tabOf(window->workspaces().viewPanel())) << "as it was left";
 }
 
 TEST_F(WindowAsAWhole, EmptyInspectFitsTheFrameWithItsButton) {
@@ -329,16 +334,15 @@ TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
     std::vector<QString> keys{QStringLiteral("Tab"), QStringLiteral("Return"), QStringLiteral("Esc"),
                               QStringLiteral("7"), QStringLiteral("Backspace")};
     for (const app::ActionRow& row : app::actionTable())
-        if (*row.shortcut && !QString::fromLatin1(row.id).startsWith(QLatin1String("file.")))
+        if (const QString id = QString::fromLatin1(row.id);
+            *row.shortcut && !id.startsWith(QLatin1String("file.")) && id != QLatin1String("benchmark.run"))
             keys.push_back(QString::fromLatin1(row.shortcut));
     std::mt19937 random(5);
     app::RealInput input(*window);
-    QElapsedTimer clock;
-    clock.start();
-    int pressed = 0;
-    while (clock.elapsed() < 60000) {
+    constexpr int kPresses = 1200;
+    for (int pressed = 1; pressed <= kPresses; ++pressed) {
         input.key(keys[random() % keys.size()], 0);
-        if (++pressed % 7 == 0) {
+        if (pressed % 7 == 0) {
             widgets::CameraView& view = *window->workspaces().grid()->view(static_cast<int>(random() % 8));
             try {
                 input.click(view, {double(random() % 270), double(random() % 480)}, Qt::LeftButton, Qt::NoModifier);
@@ -350,7 +354,6 @@ TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
     }
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_TRUE(window->isVisible());
-    EXPECT_GT(pressed, 50);
     const auto inMemory = bench().document.annotations();
     EXPECT_FALSE(bench().document.hasUnsaved());
     const auto onDisk =

@@ -125,14 +125,19 @@ void RealInput::key(const QString& keys, int holdMs) {
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
     const QChar letter = modifiers & Qt::ShiftModifier ? QChar(key) : QChar(key).toLower();
     const QString text = printable ? QString(letter) : QString();
+    // A dialog that has just closed may still be named as the active window.
+    const auto shownWindow = [] {
+        const QWidget* window = QApplication::activeWindow();
+        return window && window->isVisible() ? window : nullptr;
+    };
     if (!QApplication::activePopupWidget() &&
-        !QApplication::activeWindow()) { // no window manager gives the keyboard back after a dialog
+        !shownWindow()) { // no window manager gives the keyboard back after a dialog
         m_window.activateWindow();
         waitFor(
-            m_window, [] { return QApplication::activeWindow() != nullptr; }, kActivationMs);
+            m_window, [&] { return shownWindow() != nullptr; }, kActivationMs);
     }
     const QWidget* popup = QApplication::activePopupWidget();
-    const QWidget* active = popup ? popup : QApplication::activeWindow() ? QApplication::activeWindow() : &m_window;
+    const QWidget* active = popup ? popup : shownWindow() ? shownWindow() : &m_window;
     const QPointer<QWindow> window = active->windowHandle();
     QElapsedTimer timer;
     timer.start();
