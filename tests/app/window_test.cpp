@@ -4,7 +4,7 @@
 
 #include <QApplication>
 #include <QDropEvent>
-
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QMimeData>
 #include <QTabWidget>

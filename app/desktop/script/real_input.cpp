@@ -116,23 +116,6 @@ void RealInput::wheel(widgets::CameraView& view, QPointF px, int steps) {
     }
 }
 
-const QWidget* RealInput::keyboardWindow() {
-    // No window manager gives the keyboard to a dialog that has just opened, or back after one that has just closed.
-    QWidget* modal = QApplication::activeModalWidget();
-    QWidget* wanted = modal ? modal : &m_window;
-    const auto shownWindow = [] {
-        const QWidget* window = QApplication::activeWindow();
-        return window && window->isVisible() ? window : nullptr;
-    };
-    if (!QApplication::activePopupWidget() && (!shownWindow() || (modal && shownWindow() != modal))) {
-        wanted->activateWindow();
-        waitFor(
-            m_window, [&] { return QApplication::activeWindow() == wanted; }, kActivationMs);
-    }
-    const QWidget* popup = QApplication::activePopupWidget();
-    return popup ? popup : !modal && shownWindow() ? shownWindow() : wanted;
-}
-
 void RealInput::key(const QString& keys, int holdMs) {
     const QKeySequence sequence = QKeySequence::fromString(keys, QKeySequence::PortableText);
     if (sequence.count() != 1 || (sequence[0] & ~static_cast<int>(Qt::KeyboardModifierMask)) == Qt::Key_unknown)
@@ -142,7 +125,19 @@ void RealInput::key(const QString& keys, int holdMs) {
     const bool printable = key < 0x80 && !(modifiers & ~Qt::KeyboardModifiers(Qt::ShiftModifier));
     const QChar letter = modifiers & Qt::ShiftModifier ? QChar(key) : QChar(key).toLower();
     const QString text = printable ? QString(letter) : QString();
-    const QWidget* active = keyboardWindow();
+    // A dialog that has just closed may still be named as the active window.
+    const auto shownWindow = [] {
+        const QWidget* window = QApplication::activeWindow();
+        return window && window->isVisible() ? window : nullptr;
+    };
+    if (!QApplication::activePopupWidget() &&
+        !shownWindow()) { // no window manager gives the keyboard back after a dialog
+        m_window.activateWindow();
+        waitFor(
+            m_window, [&] { return shownWindow() != nullptr; }, kActivationMs);
+    }
+    const QWidget* popup = QApplication::activePopupWidget();
+    const QWidget* active = popup ? popup : shownWindow() ? shownWindow() : &m_window;
     const QPointer<QWindow> window = active->windowHandle();
     QElapsedTimer timer;
     timer.start();

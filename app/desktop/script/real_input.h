@@ -39,8 +39,6 @@ public:
     std::vector<double> takeFrameTimes();
 
 private:
-    /// The window that a key reaches: an open menu, a modal dialog, or whichever window is active.
-    const QWidget* keyboardWindow();
     QWidget* target(widgets::CameraView& view, QPointF px) const;
     void send(QWidget& receiver, QEvent& event);
 
