@@ -593,7 +593,7 @@
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation>&amp;Personen</translation>
+        <translation>Be&amp;werter</translation>
     </message>
     <message>
         <source>One &amp;view</source>

@@ -44,6 +44,7 @@ JointsPanel::JointsPanel(JointList& joints, AnnotationDocument& document, const 
     connect(&m_selection, &Selection::jointChanged, this, &JointsPanel::selectRow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::selectRow);
     connect(m_model, &QAbstractItemModel::modelReset, this, &JointsPanel::fitColumns);
+    connect(m_model, &QAbstractItemModel::dataChanged, this, &JointsPanel::fitColumns); // states have other widths
 }
 
 void JointsPanel::setBadRmsPx(double px) {
