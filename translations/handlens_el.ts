@@ -593,7 +593,7 @@
     </message>
     <message>
         <source>&amp;Raters</source>
-        <translation>&amp;Σχολιαστές</translation>
+        <translation>Α&amp;ξιολογητές</translation>
     </message>
     <message>
         <source>One &amp;view</source>
