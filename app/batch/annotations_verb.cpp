@@ -78,8 +78,8 @@ void requireSomething(const AnnotationsArguments& arguments, const core::Importe
 core::ImportMode requiredMode(const AnnotationsArguments& arguments, const core::ImportConflicts& conflicts) {
     if (!conflicts.empty() && !arguments.mode()) {
         throw core::Error(core::ErrorCode::BadInput, arguments.file, "",
-                          "would replace " + core::conflictText(conflicts) +
-                              ": choose --replace or --keep (or another --rater); nothing was imported");
+                          "would replace " + core::conflictText(conflicts) + ": choose --replace or --keep" +
+                              (conflicts.marks > 0 ? " (or another --rater)" : "") + "; nothing was imported");
     }
     return arguments.mode().value_or(core::ImportMode::Replace);
 }

@@ -85,12 +85,9 @@ std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vec
     return views;
 }
 
-/// Marks the views that have a picture; all of them if none has.
 void findPictures(std::vector<ViewReconstruction>& views, const std::set<std::string>& withoutPicture) {
-    const bool any = std::any_of(views.begin(), views.end(),
-                                 [&](const ViewReconstruction& view) { return !withoutPicture.contains(view.camera); });
     for (ViewReconstruction& view : views)
-        view.hasPicture = !any || !withoutPicture.contains(view.camera);
+        view.hasPicture = !withoutPicture.contains(view.camera);
 }
 
 void countViews(JointReconstruction& joint) {

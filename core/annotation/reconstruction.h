@@ -80,8 +80,7 @@ struct ReconstructionOptions {
     bool details = true; ///< leave-one-out, ellipses, next views, suspect; without them several times faster
     /// Roughly where the joint is (such as the mean of its hand), mm: ranks the next view when only one is clicked.
     std::optional<Eigen::Vector3d> nearInWorld;
-    /// Cameras that have no picture of the frame: they need no mark, and none is asked for there. If it names all, all
-    /// count.
+    /// Cameras that have no picture of the frame: they need no mark, and none is asked for there.
     std::set<std::string> withoutPicture{};
 };
 

@@ -137,6 +137,15 @@ void Annotator::cancelDrag() {
     m_document.clearPreview();
 }
 
+QString Annotator::nothingToAcceptText() const {
+    const QString joint = QString::fromStdString(m_selection.joint().joint);
+    const core::JointReconstruction& selected = m_reconstructions.selected();
+    if (selected.hasPoint())
+        return tr("Every view that sees %1 has a mark of it.").arg(joint);
+    return selected.manualViews < 2 ? tr("Nothing to accept: click %1 in two views first.").arg(joint)
+                                    : tr("Nothing to accept: the clicks of %1 give no 3D point.").arg(joint);
+}
+
 void Annotator::accept() {
     if (!m_dataset)
         return;
@@ -151,8 +160,7 @@ void Annotator::accept() {
         std::rotate(order.begin(), order.begin() + (current - m_cameraOrder.begin()), order.end());
     const auto target = std::find_if(order.begin(), order.end(), canAccept);
     if (target == order.end()) {
-        emit nothingDone(tr("Nothing to accept: click %1 in two views first.")
-                             .arg(QString::fromStdString(m_selection.joint().joint)));
+        emit nothingDone(nothingToAcceptText());
         return;
     }
     m_selection.setCamera(*target);
@@ -167,11 +175,7 @@ void Annotator::acceptAllViews() {
         core::acceptEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
                          m_selection.joint(), std::nullopt, m_reconstructions.options()));
     if (edit.empty())
-        emit nothingDone(
-            m_reconstructions.selected().hasPoint()
-                ? tr("Every view that sees %1 has a mark of it.").arg(QString::fromStdString(m_selection.joint().joint))
-                : tr("Nothing to accept: click %1 in two views first.")
-                      .arg(QString::fromStdString(m_selection.joint().joint)));
+        emit nothingDone(nothingToAcceptText());
     pushAndAdvance(edit);
 }
 

@@ -73,6 +73,7 @@ signals:
 private:
     core::MarkKey currentKey() const;
     void pushAndAdvance(const core::Edit& edit);
+    QString nothingToAcceptText() const;
     bool refusesPlace(const std::string& camera, const Eigen::Vector2d& px);
     Eigen::Vector2d withinPicture(const std::string& camera, const Eigen::Vector2d& px) const;
     core::Edit whereThereArePictures(core::Edit edit) const;

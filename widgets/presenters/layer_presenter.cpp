@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/layer_presenter.h"
 
+#include <algorithm>
+
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
@@ -162,7 +164,9 @@ void LayerPresenter::showScene() {
     if (!m_scene)
         return;
     LayerLook look = m_look;
-    look.style = look.style == MeshStyle::Off ? MeshStyle::Shaded : look.style;
+    look.opacity = std::min(1.0, look.opacity / (m_inspecting ? kInspectingOpacity : LayerLook().opacity));
+    if (!m_inspecting && look.style == MeshStyle::Off) // the footage is to be seen; the scene has no footage
+        look.style = MeshStyle::Shaded;
     const QString choice = sceneChoice();
     std::vector<MeshLayer> layers;
     for (const MeshLayer& layer : sceneSource()) {

@@ -82,8 +82,9 @@ private:
     std::shared_ptr<const core::Motion> m_motion;
     std::optional<core::HandPoses> m_annotatedPose;
     int m_annotatedFrame = -1;
+    static constexpr double kInspectingOpacity = 0.85;
     LayerLook m_look;
-    double m_otherOpacity = 0.85; ///< of Inspect while not in it, and the other way round
+    double m_otherOpacity = kInspectingOpacity; ///< of Inspect while not in it, and the other way round
     bool m_inspecting = false;
     QString m_sceneChoice; ///< the last one that was asked for
     std::optional<std::vector<MeshLayer>> m_inspected;

@@ -25,7 +25,7 @@ constexpr FormatRow kFormats[] = {
          "app::FileActions",
          "3D joints with their uncertainty, every mark with its state and error, everybody's, and the cameras."),
      QT_TRANSLATE_NOOP("app::FileActions", "Handlens and scripts of your own (JSON)"),
-     QT_TRANSLATE_NOOP("app::FileActions", "Only proposals, notes and the list of undo steps"), "json"},
+     QT_TRANSLATE_NOOP("app::FileActions", "Only proposals and the list of undo steps"), "json"},
     {"tzionas", QT_TRANSLATE_NOOP("app::FileActions", "Files of the method's authors"),
      QT_TRANSLATE_NOOP("app::FileActions", "Marks in whole pixels, a folder per camera and a text file per frame."),
      QT_TRANSLATE_NOOP("app::FileActions", "The programs of the method's authors"),

@@ -2,7 +2,10 @@
 #include "core/io/dataset/footage_check.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
+#include <string>
+#include <vector>
 
 #include "core/error.h"
 #include "core/io/dataset/footage_presence.h"
@@ -27,11 +30,20 @@ void requireFrames(const Sequence& sequence, const ViewSource& view, const Measu
 }
 
 void requireImages(const Sequence& sequence, const ViewSource& view, const std::string& pattern) {
+    std::vector<std::string> gone;
     for (int instant = 0; instant < sequence.frameCount; ++instant) {
         const std::string file = fillPattern(pattern, view.camera, footageFrameAt(view, instant));
         if (hasPictureAt(view, instant) && !fs::exists(file))
-            throw Error(ErrorCode::NotFound, file, "", "no such file");
+            gone.push_back(file);
     }
+    if (gone.empty())
+        return;
+    std::string others;
+    for (std::size_t i = 1; i < gone.size() && i < 6; ++i)
+        others += (i == 1 ? ", nor " : ", ") + fs::path(gone[i]).filename().string();
+    if (gone.size() > 6)
+        others += " and " + std::to_string(gone.size() - 6) + " more";
+    throw Error(ErrorCode::NotFound, gone.front(), "", "no such file" + others);
 }
 
 /// The footage of one view. Throws Error if it is not what the sequence needs.

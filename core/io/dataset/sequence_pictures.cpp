@@ -17,6 +17,8 @@ PictureGaps pictureGaps(const Dataset& dataset, const Sequence& sequence) {
         for (const InstantRange& missing : view->missing)
             gaps.framesOf[camera.name].emplace_back(missing.first, missing.count);
     }
+    if (gaps.cameras.size() == dataset.cameras.size())
+        gaps.cameras.clear();
     return gaps;
 }
 

@@ -39,7 +39,7 @@ struct MeshLayer {
     std::vector<ViewSurfacePtr> surfaces; ///< one per visible hand
     QColor colour = QColor(0x9A, 0xA0, 0xA6);
     MeshStyle style = MeshStyle::Shaded;
-    double opacity = 0.35; ///< of the faces; the silhouette's edge keeps its full strength
+    double opacity = 0.35; ///< of the faces; in views the silhouette's edge keeps its full strength
     bool silhouetteEdge = true;
 };
 

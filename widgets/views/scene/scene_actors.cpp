@@ -107,8 +107,11 @@ ActorPtr makeMeshActor(const ViewSurface& surface, const MeshLayer& layer) {
     look.SetDiffuse(0.62);
     look.SetSpecular(0.04);
     look.SetSpecularPower(25);
-    if (layer.style == MeshStyle::Wireframe)
+    look.SetOpacity(layer.opacity);
+    if (layer.style == MeshStyle::Wireframe) {
         look.SetRepresentationToWireframe();
+        look.SetLineWidth(1.5);
+    }
     return actor;
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/dataset/dataset_check.h"
+#include "core/io/dataset/sequence_pictures.h"
 #include "core/io/hands/motion_file.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
@@ -188,7 +189,18 @@ TEST_F(DatasetFolder, ChecksFindMissingAndShortFootage) {
     for (const core::CheckFinding& finding : core::checkPath(m_path))
         all += finding.isNote ? "" : finding.text + "\n";
     EXPECT_NE(all.find("none.mp4: no such video"), std::string::npos) << all;
-    EXPECT_NE(all.find("shots/0.png: no such file"), std::string::npos) << all;
+    EXPECT_NE(all.find("shots/0.png: no such file, nor 1.png, 2.png"), std::string::npos)
+        << "all that are gone: " << all;
+}
+
+TEST_F(DatasetFolder, CamerasWithoutFootageCountOnlyWhereThereIsNoneAtAll) {
+    core::Dataset dataset = core::readDataset(m_path);
+    core::Sequence& sequence = dataset.sequences[1];
+    for (core::ViewSource& view : sequence.views)
+        view.kind = core::ViewKind::None;
+    EXPECT_TRUE(core::pictureGaps(dataset, sequence).cameras.empty());
+    sequence.views[0] = {"cam0", core::ViewKind::Images, "shots/{frame}.png", 0};
+    EXPECT_EQ(core::pictureGaps(dataset, sequence).cameras.size(), dataset.cameras.size() - 1);
 }
 
 TEST_F(DatasetFolder, ChecksSingleFiles) {
