@@ -86,7 +86,7 @@ TEST_F(People, TheLoginNameIsTheNameAndIsAskedForOnce) {
 
 TEST_F(People, OtherPeoplesWorkIsAnnouncedAndShownOutOfReach) {
     EXPECT_FALSE(bar("others")->isVisible());
-    bench().document.push(core::importEdit({}, marksOf("anna", 50), "import"));
+    bench().document.push(core::importEdit({}, marksOf("anna", 50), ""));
     restart();
     ASSERT_TRUE(bar("others")->isVisible());
     EXPECT_EQ(bar("others")->message(), QStringLiteral("anna has 3 mark(s) in 1 frame(s) of this sequence."));
@@ -112,7 +112,7 @@ TEST_F(People, OtherPeoplesWorkIsAnnouncedAndShownOutOfReach) {
 }
 
 TEST_F(People, AnImportAsksBeforeItReplaces) {
-    bench().document.push(core::importEdit({}, marksOf("anna", 50), "import"));
+    bench().document.push(core::importEdit({}, marksOf("anna", 50), ""));
     const core::AnnotationSet before = bench().document.annotations();
     import(file(marksOf("anna", 60)));
     ASSERT_TRUE(bar("import")->isVisible());

@@ -146,7 +146,7 @@ void bindModel(MainWindow& window) {
             pushOrSay(
                 window,
                 core::proposeEdit(bench.document.annotations(), bench.session.dataset()->cameras, fit.frame,
-                                  bench.document.rater(), wanted, "propose joints of the hand model"),
+                                  bench.document.rater(), wanted),
                 MainWindow::tr("The hand model has nothing to add: every joint of the list that it knows has a mark."));
         });
 }
