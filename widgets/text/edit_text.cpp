@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/edit_text.h"
 
-#include <QCoreApplication>
-
 #include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
-QString text(const char* source, int count = -1) {
-    return QCoreApplication::translate("widgets::EditText", source, nullptr, count);
-}
+constexpr LocalText text{"widgets::EditText"};
 
 QString stateText(core::MarkState state) {
     switch (state) {

@@ -171,6 +171,18 @@ void BenchmarkPage::connectRunner() {
     });
 }
 
+/// The first part that is not a number of frames.
+std::optional<QString> BenchmarkPage::wrongDifference() const {
+    for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        part.trimmed().toInt(&isNumber);
+        if (!isNumber)
+            return part.trimmed();
+    }
+    return std::nullopt;
+}
+
+/// Parts that are not a number are left out.
 core::PairOptions BenchmarkPage::pairOptions() const {
     core::PairOptions options;
     options.fraction = m_percent->value() / 100;
@@ -178,10 +190,9 @@ core::PairOptions BenchmarkPage::pairOptions() const {
     options.differences.clear();
     for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         bool isNumber = false;
-        options.differences.push_back(part.trimmed().toInt(&isNumber));
-        if (!isNumber)
-            throw core::Error(core::ErrorCode::Usage, {}, {},
-                              tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
+        const int difference = part.trimmed().toInt(&isNumber);
+        if (isNumber)
+            options.differences.push_back(difference);
     }
     return options;
 }
@@ -202,10 +213,12 @@ std::set<int> BenchmarkPage::testFrames() const {
         std::iota(frames.frames.begin(), frames.frames.end(), 0);
     }
     std::set<int> tests;
+    if (wrongDifference()) // half typed
+        return tests;
     try {
         for (const core::FramePair& pair : core::drawPairs({frames}, pairOptions()))
             tests.insert(pair.test);
-    } catch (const core::Error&) { // half typed
+    } catch (const core::Error&) { // out of range
     }
     return tests;
 }
@@ -220,10 +233,15 @@ BenchmarkRequest BenchmarkPage::request() const {
             request.methods.push_back(box->text().toStdString());
     request.pairs = pairOptions();
     request.setup = setup();
-    if (request.methods.empty() || request.sequences.empty())
-        throw core::Error(core::ErrorCode::Usage, {}, {},
-                          tr("Choose at least one method and one sequence.").toStdString());
     return request;
+}
+
+QString BenchmarkPage::objection(const BenchmarkRequest& request) const {
+    if (const auto wrong = wrongDifference())
+        return tr("\u201c%1\u201d is not a number of frames.").arg(*wrong);
+    if (request.methods.empty() || request.sequences.empty())
+        return tr("Choose at least one method and one sequence.");
+    return {};
 }
 
 void BenchmarkPage::runOrStop() {
@@ -231,11 +249,11 @@ void BenchmarkPage::runOrStop() {
         m_workbench.benchmarks.stop();
         return;
     }
-    try {
-        m_workbench.benchmarks.run(request());
-    } catch (const core::Error& error) {
-        m_message->setMessage(QString::fromUtf8(error.what()));
-    }
+    const BenchmarkRequest wanted = request();
+    if (const QString why = objection(wanted); !why.isEmpty())
+        m_message->setMessage(why);
+    else
+        m_workbench.benchmarks.run(wanted);
 }
 
 void BenchmarkPage::showRunning(bool running) {

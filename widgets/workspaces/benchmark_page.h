@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -34,7 +35,10 @@ public:
     std::set<int> testFrames() const;
 
     /// What the fields say. Throws core::Error(Usage) if the differences are not whole numbers, or nothing is chosen.
+    /// Why it cannot run, in the person's language; empty if it can.
+    QString objection(const BenchmarkRequest& request) const;
     BenchmarkRequest request() const;
+    std::optional<QString> wrongDifference() const;
     core::PairOptions pairOptions() const;
 
     void runOrStop();
