@@ -43,9 +43,9 @@ std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
 
 } // namespace
 
-BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
+BenchmarkPage::BenchmarkPage(WindowSession& session, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_session(session)
     , m_message(new MessageBar(this))
     , m_sequences(new QListWidget(this))
     , m_setup(new QComboBox(this))
@@ -116,7 +116,7 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
-    connect(&m_workbench.coverage, &Coverage::changed, this, [this] {
+    connect(&m_session.coverage, &Coverage::changed, this, [this] {
         if (setup() == core::BenchmarkSetup::Realistic)
             emit drawChanged();
     });
@@ -137,8 +137,8 @@ QLayout* BenchmarkPage::makeFileRow() {
 }
 
 void BenchmarkPage::connectRunner() {
-    BenchmarkRunner& runner = m_workbench.benchmarks;
-    connect(&m_workbench.session, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
+    BenchmarkRunner& runner = m_session.benchmarks;
+    connect(&m_session.opened, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
     connect(&runner, &BenchmarkRunner::started, this, [this] {
         m_message->setMessage({});
         showRunning(true);
@@ -160,7 +160,7 @@ void BenchmarkPage::connectRunner() {
     connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
     connect(m_results, &BenchmarkResultsView::pairOpened, this,
             [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
-                const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic
+                const FitTarget target = m_session.benchmarks.setup() == core::BenchmarkSetup::Realistic
                                              ? FitTarget::Masks
                                              : FitTarget::Recorded;
                 emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
@@ -202,12 +202,12 @@ core::BenchmarkSetup BenchmarkPage::setup() const {
 }
 
 std::set<int> BenchmarkPage::testFrames() const {
-    const core::Sequence* sequence = m_workbench.session.sequence();
+    const core::Sequence* sequence = m_session.opened.sequence();
     if (!sequence)
         return {};
     core::PairFrames frames{sequence->name, {}};
     if (setup() == core::BenchmarkSetup::Realistic) {
-        frames.frames = framesWithPoints(m_workbench.document.annotations());
+        frames.frames = framesWithPoints(m_session.document.annotations());
     } else {
         frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
         std::iota(frames.frames.begin(), frames.frames.end(), 0);
@@ -245,15 +245,15 @@ QString BenchmarkPage::objection(const BenchmarkRequest& request) const {
 }
 
 void BenchmarkPage::runOrStop() {
-    if (m_workbench.benchmarks.isRunning()) {
-        m_workbench.benchmarks.stop();
+    if (m_session.benchmarks.isRunning()) {
+        m_session.benchmarks.stop();
         return;
     }
     const BenchmarkRequest wanted = request();
     if (const QString why = objection(wanted); !why.isEmpty())
         m_message->setMessage(why);
     else
-        m_workbench.benchmarks.run(wanted);
+        m_session.benchmarks.run(wanted);
 }
 
 void BenchmarkPage::showRunning(bool running) {
@@ -267,7 +267,7 @@ void BenchmarkPage::showRunning(bool running) {
 
 void BenchmarkPage::takeDataset() {
     m_sequences->clear();
-    for (const core::Sequence& sequence : m_workbench.session.dataset()->sequences) {
+    for (const core::Sequence& sequence : m_session.opened.dataset()->sequences) {
         auto* item = new QListWidgetItem(QString::fromStdString(sequence.name), m_sequences);
         item->setCheckState(sequence.motion.empty() ? Qt::Unchecked : Qt::Checked);
         if (sequence.motion.empty())
@@ -276,18 +276,18 @@ void BenchmarkPage::takeDataset() {
 }
 
 void BenchmarkPage::takeResults() {
-    m_results->setResults(m_workbench.benchmarks.results());
-    m_save->setEnabled(m_workbench.benchmarks.results() != nullptr);
+    m_results->setResults(m_session.benchmarks.results());
+    m_save->setEnabled(m_session.benchmarks.results() != nullptr);
 }
 
 void BenchmarkPage::askToSave() {
     chooseFolder(
-        tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
+        tr("Save the results in a folder"), [this](const QString& folder) { m_session.benchmarks.save(folder); });
 }
 
 void BenchmarkPage::askToOpen() {
     chooseFolder(
-        tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
+        tr("Open the results of a folder"), [this](const QString& folder) { m_session.benchmarks.open(folder); });
 }
 
 void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {

@@ -17,7 +17,7 @@
 #include <QSpinBox>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/workspaces/benchmark_results_view.h"
 
@@ -29,7 +29,7 @@ class BenchmarkPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit BenchmarkPage(Workbench& workbench, QWidget* parent = nullptr);
+    explicit BenchmarkPage(WindowSession& session, QWidget* parent = nullptr);
 
     /// Which test frames the settings draw from the open sequence; none if they make no sense now.
     std::set<int> testFrames() const;
@@ -62,7 +62,7 @@ private:
     void chooseFolder(const QString& title, const std::function<void(const QString&)>& take);
     void showRunning(bool running);
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     MessageBar* m_message;
     QListWidget* m_sequences;
     std::vector<QCheckBox*> m_methods;
