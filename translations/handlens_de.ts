@@ -557,11 +557,11 @@
     </message>
     <message>
         <source>&amp;Start a repeat round</source>
-        <translation>Einen Teil &amp;erneut markieren</translation>
+        <translation>Wi&amp;ederholungsrunde beginnen</translation>
     </message>
     <message>
-        <source>Next joint of the second round</source>
-        <translation>Nächstes Gelenk des zweiten Durchgangs</translation>
+        <source>Next joint of the repeat round</source>
+        <translation>Nächstes Gelenk der Wiederholungsrunde</translation>
     </message>
     <message>
         <source>Compare ra&amp;ters</source>
@@ -1096,8 +1096,8 @@
         <translation>Alle Gelenke des Durchgangs sind markiert: Durchgang beenden, um das Ergebnis zu sehen.</translation>
     </message>
     <message>
-        <source>No second round is under way.</source>
-        <translation>Es läuft kein zweiter Durchgang.</translation>
+        <source>No repeat round is under way.</source>
+        <translation>Es läuft keine Wiederholungsrunde.</translation>
     </message>
     <message>
         <source>Export annotations</source>
@@ -1262,7 +1262,7 @@
         <translation>Nichts wurde importiert.</translation>
     </message>
     <message>
-        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <source>Continue the repeat round? Your first marks are hidden until you end it.</source>
         <translation>Die Wiederholungsrunde fortsetzen? Ihre ersten Marken bleiben verborgen, bis Sie sie beenden.</translation>
     </message>
     <message>
@@ -1270,7 +1270,7 @@
         <translation>Eine Wiederholungsrunde beginnen? Ein zufälliges Zehntel Ihrer fertigen Gelenke wird noch einmal abgefragt, um zu messen, wie genau Sie sich wiederholen. Ihre ersten Marken bleiben erhalten und sind verborgen, bis Sie die Runde beenden.</translation>
     </message>
     <message>
-        <source>Begin the second round</source>
+        <source>Start the repeat round</source>
         <translation>Wiederholungsrunde beginnen</translation>
     </message>
     <message>
@@ -1278,7 +1278,7 @@
         <translation>Nicht jetzt</translation>
     </message>
     <message>
-        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <source>Repeat round: your first marks are hidden. %1 of %2 joints.</source>
         <translation>Wiederholungsrunde: Ihre ersten Marken sind verborgen. %1 von %2 Gelenken.</translation>
     </message>
     <message>
@@ -2682,8 +2682,8 @@
         <translation>Ihre Klicks streuen um %1 px je Achse.</translation>
     </message>
     <message>
-        <source>Where to look for doubts</source>
-        <translation>Wo nach Zweifelhaftem gesucht wird</translation>
+        <source>Where to look for findings</source>
+        <translation>Wo nach Befunden gesucht wird</translation>
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
@@ -2708,7 +2708,7 @@
     <name>widgets::RatersPanel</name>
     <message>
         <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
-        <translation>Keine zwei Bewerter haben dasselbe Gelenk markiert. Einen Teil der eigenen Arbeit erneut markieren, um zu sehen, wie gut Sie mit sich selbst übereinstimmen.</translation>
+        <translation>Keine zwei Bewerter haben dasselbe Gelenk markiert. Beginnen Sie eine Wiederholungsrunde, um zu sehen, wie gut Sie mit sich selbst übereinstimmen.</translation>
     </message>
     <message>
         <source>Next</source>
@@ -2739,15 +2739,15 @@
     </message>
     <message>
         <source>Start a repeat round</source>
-        <translation>Einen Teil erneut markieren</translation>
+        <translation>Wiederholungsrunde beginnen</translation>
     </message>
     <message>
         <source>Back to your own marks; both rounds are compared</source>
         <translation>Zurück zu Ihren eigenen Marken; beide Durchgänge werden verglichen</translation>
     </message>
     <message>
-        <source>Second round: %1 of %2 joints are left.</source>
-        <translation>Zweiter Durchgang: noch %1 von %2 Gelenken offen.</translation>
+        <source>Repeat round: %1 of %2 joints are left.</source>
+        <translation>Wiederholungsrunde: noch %1 von %2 Gelenken offen.</translation>
     </message>
     <message numerus="yes">
         <source>All raters together: %1 ± %2 mm, from %n click(s).</source>

@@ -441,11 +441,11 @@
     </message>
     <message>
         <source>&amp;Start a repeat round</source>
-        <translation>Νέα &amp;σήμανση ενός μέρους</translation>
+        <translation>Έναρξη &amp;γύρου επανάληψης</translation>
     </message>
     <message>
-        <source>Next joint of the second round</source>
-        <translation>Επόμενη άρθρωση του δεύτερου γύρου</translation>
+        <source>Next joint of the repeat round</source>
+        <translation>Επόμενη άρθρωση του γύρου επανάληψης</translation>
     </message>
     <message>
         <source>Compare ra&amp;ters</source>
@@ -973,8 +973,8 @@
         <translation>Όλες οι αρθρώσεις του γύρου σημάνθηκαν: τερματίστε τον για να δείτε το αποτέλεσμα.</translation>
     </message>
     <message>
-        <source>No second round is under way.</source>
-        <translation>Δεν βρίσκεται σε εξέλιξη δεύτερος γύρος.</translation>
+        <source>No repeat round is under way.</source>
+        <translation>Δεν βρίσκεται σε εξέλιξη γύρος επανάληψης.</translation>
     </message>
     <message>
         <source>Export annotations</source>
@@ -1262,7 +1262,7 @@
         <translation>Δεν εισήχθη τίποτα.</translation>
     </message>
     <message>
-        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <source>Continue the repeat round? Your first marks are hidden until you end it.</source>
         <translation>Συνέχεια του γύρου επανάληψης; Τα πρώτα σας σημάδια μένουν κρυμμένα ώσπου να τον τελειώσετε.</translation>
     </message>
     <message>
@@ -1270,7 +1270,7 @@
         <translation>Έναρξη γύρου επανάληψης; Ζητείται ξανά ένα τυχαίο δέκατο των έτοιμων αρθρώσεών σας, για να φανεί πόσο καλά επαναλαμβάνετε. Τα πρώτα σας σημάδια διατηρούνται, κρυμμένα ως το τέλος του γύρου.</translation>
     </message>
     <message>
-        <source>Begin the second round</source>
+        <source>Start the repeat round</source>
         <translation>Έναρξη γύρου επανάληψης</translation>
     </message>
     <message>
@@ -1278,7 +1278,7 @@
         <translation>Όχι τώρα</translation>
     </message>
     <message>
-        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <source>Repeat round: your first marks are hidden. %1 of %2 joints.</source>
         <translation>Γύρος επανάληψης: τα πρώτα σας σημάδια είναι κρυμμένα. %1 από %2 αρθρώσεις.</translation>
     </message>
     <message>
@@ -2682,8 +2682,8 @@
         <translation>Διασπορά των κλικ σας: %1 px ανά άξονα.</translation>
     </message>
     <message>
-        <source>Where to look for doubts</source>
-        <translation>Πού αναζητούνται αμφιβολίες</translation>
+        <source>Where to look for findings</source>
+        <translation>Πού αναζητούνται ευρήματα</translation>
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
@@ -2708,7 +2708,7 @@
     <name>widgets::RatersPanel</name>
     <message>
         <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
-        <translation>Δεν υπάρχουν δύο αξιολογητές με σημάδια στην ίδια άρθρωση. Σημειώστε ξανά ένα μέρος της δουλειάς σας για να δείτε πόσο συμφωνείτε με τον εαυτό σας.</translation>
+        <translation>Δεν υπάρχουν δύο αξιολογητές με σημάδια στην ίδια άρθρωση. Ξεκινήστε έναν γύρο επανάληψης για να δείτε πόσο συμφωνείτε με τον εαυτό σας.</translation>
     </message>
     <message>
         <source>Next</source>
@@ -2739,15 +2739,15 @@
     </message>
     <message>
         <source>Start a repeat round</source>
-        <translation>Νέα σήμανση μέρους</translation>
+        <translation>Έναρξη γύρου επανάληψης</translation>
     </message>
     <message>
         <source>Back to your own marks; both rounds are compared</source>
         <translation>Επιστροφή στα δικά σας σημάδια· συγκρίνονται και οι δύο γύροι</translation>
     </message>
     <message>
-        <source>Second round: %1 of %2 joints are left.</source>
-        <translation>Δεύτερος γύρος: απομένουν %1 από %2 αρθρώσεις.</translation>
+        <source>Repeat round: %1 of %2 joints are left.</source>
+        <translation>Γύρος επανάληψης: απομένουν %1 από %2 αρθρώσεις.</translation>
     </message>
     <message numerus="yes">
         <source>All raters together: %1 ± %2 mm, from %n click(s).</source>

@@ -441,11 +441,11 @@
     </message>
     <message>
         <source>&amp;Start a repeat round</source>
-        <translation>重新标记一部分(&amp;M)</translation>
+        <translation>开始重复标注(&amp;M)</translation>
     </message>
     <message>
-        <source>Next joint of the second round</source>
-        <translation>第二轮的下一个关节</translation>
+        <source>Next joint of the repeat round</source>
+        <translation>重复标注的下一个关节</translation>
     </message>
     <message>
         <source>Compare ra&amp;ters</source>
@@ -973,8 +973,8 @@
         <translation>本轮的每个关节都已标记：结束本轮即可查看结果。</translation>
     </message>
     <message>
-        <source>No second round is under way.</source>
-        <translation>当前没有进行中的第二轮。</translation>
+        <source>No repeat round is under way.</source>
+        <translation>当前没有进行中的重复标注。</translation>
     </message>
     <message>
         <source>Export annotations</source>
@@ -1255,7 +1255,7 @@
         <translation>未导入任何内容。</translation>
     </message>
     <message>
-        <source>Go on with the second round? Your first marks are hidden until you end it.</source>
+        <source>Continue the repeat round? Your first marks are hidden until you end it.</source>
         <translation>继续重复标注吗？在结束之前，您最初的标记将隐藏。</translation>
     </message>
     <message>
@@ -1263,7 +1263,7 @@
         <translation>开始重复标注吗？将随机再次询问您已完成关节的十分之一，以衡量您的重复精度。您最初的标记会保留，并在结束之前隐藏。</translation>
     </message>
     <message>
-        <source>Begin the second round</source>
+        <source>Start the repeat round</source>
         <translation>开始重复标注</translation>
     </message>
     <message>
@@ -1271,7 +1271,7 @@
         <translation>以后再说</translation>
     </message>
     <message>
-        <source>Second round: your first marks are hidden. %1 of %2 joints.</source>
+        <source>Repeat round: your first marks are hidden. %1 of %2 joints.</source>
         <translation>重复标注：您最初的标记已隐藏。已完成 %1 / %2 个关节。</translation>
     </message>
     <message>
@@ -2662,8 +2662,8 @@
         <translation>您的点击在每个轴上的离散度为 %1 px。</translation>
     </message>
     <message>
-        <source>Where to look for doubts</source>
-        <translation>在何处查找疑点</translation>
+        <source>Where to look for findings</source>
+        <translation>在何处查找问题</translation>
     </message>
     <message>
         <source>No frame has marks of yours (%1) yet.</source>
@@ -2686,7 +2686,7 @@
     <name>widgets::RatersPanel</name>
     <message>
         <source>No two raters have marked the same joint. Start a repeat round to see how far you agree with yourself.</source>
-        <translation>没有两位标注者标记过同一关节。请重新标记您自己的一部分工作，以查看您与自身的一致程度。</translation>
+        <translation>没有两位标注者标记过同一关节。请开始重复标注，以查看您与自身的一致程度。</translation>
     </message>
     <message>
         <source>Next</source>
@@ -2716,15 +2716,15 @@
     </message>
     <message>
         <source>Start a repeat round</source>
-        <translation>重新标记一部分</translation>
+        <translation>开始重复标注</translation>
     </message>
     <message>
         <source>Back to your own marks; both rounds are compared</source>
         <translation>返回您自己的标记，并比较两轮结果</translation>
     </message>
     <message>
-        <source>Second round: %1 of %2 joints are left.</source>
-        <translation>第二轮：%2 个关节中还剩 %1 个。</translation>
+        <source>Repeat round: %1 of %2 joints are left.</source>
+        <translation>重复标注：%2 个关节中还剩 %1 个。</translation>
     </message>
     <message numerus="yes">
         <source>All raters together: %1 ± %2 mm, from %n click(s).</source>

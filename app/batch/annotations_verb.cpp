@@ -113,7 +113,7 @@ void importFile(const AnnotationsArguments& arguments, core::AnnotationImportOpt
         throw core::Error(core::ErrorCode::Io, store.file().string(), "",
                           "is read-only: " + core::readOnlyText(store.readOnlyReason()));
     const std::string name = std::filesystem::path(arguments.file).filename().string();
-    const core::Edit edit = core::importEdit(store.annotations(), imported.set, "import " + name, mode);
+    const core::Edit edit = core::importEdit(store.annotations(), imported.set, name, mode);
     store.commit(edit, options.rater);
     printResult(imported, edit, conflicts, mode);
     printCheck(dataset, imported.set);

@@ -44,7 +44,7 @@ void report(const ReportArguments& arguments) {
 void addReportVerb(CLI::App& program) {
     auto arguments = std::make_shared<ReportArguments>();
     CLI::App* verb = program.add_subcommand(
-        "report", "Write a page on the annotations of a dataset: progress, raters, worst joints, doubts, figures");
+        "report", "Write a page on the annotations of a dataset: progress, raters, worst joints, findings, figures");
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
     verb->add_option("--bad-px", arguments->badPx, "Joints with a larger reprojection error count as bad, px")
         ->capture_default_str()

@@ -31,7 +31,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
     window.activateWindow();
     if (!line.dataset.empty()) {
         QString error;
-        QObject::connect(&window.workbench().session, &widgets::DatasetSession::openFailed, &window,
+        QObject::connect(&window.session().opened, &widgets::DatasetSession::openFailed, &window,
                          [&error](const QString& message) { error = message; });
         window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
         app::waitUntilIdle(window);
@@ -39,7 +39,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
             std::cerr << "handlens: " << error.toStdString() << std::endl;
             return 1;
         }
-        const core::Sequence& sequence = *window.workbench().session.sequence();
+        const core::Sequence& sequence = *window.session().opened.sequence();
         if (line.frame >= sequence.frameCount) {
             std::cerr << "handlens: --frame: sequence \"" << sequence.name << "\" has frames 0-"
                       << sequence.frameCount - 1 << ", not " << line.frame << std::endl;

@@ -55,7 +55,7 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     : QMainWindow(parent)
     , m_settings(settings)
     , m_actions(this, settings)
-    , m_playback(m_workbench.selection, m_workbench.frames) {
+    , m_playback(m_session.selection, m_session.frames) {
     initResources();
     build();
     connectSession();
@@ -65,7 +65,7 @@ MainWindow::MainWindow(QSettings& settings, const WindowOptions& options, QWidge
     m_mayHint = options.hints && !settings.value(QStringLiteral("hintsSeen")).toBool();
     const QString rater = options.rater.empty() ? settings.value(QStringLiteral("rater")).toString()
                                                 : QString::fromStdString(options.rater);
-    m_workbench.document.setRater(rater.isEmpty() ? core::loginName() : rater.toStdString());
+    m_session.document.setRater(rater.isEmpty() ? core::loginName() : rater.toStdString());
     restoreLayout();
     refreshTitle();
 }
@@ -75,7 +75,7 @@ MainWindow::~MainWindow() {
     qDeleteAll(findChildren<QDialog*>(QString(),
                                       Qt::FindDirectChildrenOnly)); // they look at the actions, which go before them
     hide();
-    delete takeCentralWidget(); // the panels look at the workbench, which goes with this object's members
+    delete takeCentralWidget(); // the panels look at the session, which goes with this object's members
 }
 
 void MainWindow::build() {
@@ -86,13 +86,12 @@ void MainWindow::build() {
     m_message = new widgets::MessageBar(central);
     m_question = new widgets::MessageBar(central);
     m_banner = new widgets::MessageBar(central);
-    m_framesBar = new widgets::FramesBar(m_workbench.selection, m_workbench.document, m_workbench.coverage,
-                                         m_workbench.joints, central);
+    m_framesBar =
+        new widgets::FramesBar(m_session.selection, m_session.document, m_session.coverage, m_session.joints, central);
     m_pages = new QStackedWidget(central);
     m_empty = new widgets::EmptyState(m_pages);
-    m_workspaces = new Workspaces(m_workbench, m_pages);
-    m_statusLine =
-        new widgets::StatusLine(m_workbench.document, m_workbench.reconstructions, m_workbench.selection, central);
+    m_workspaces = new Workspaces(m_session, m_pages);
+    m_statusLine = new widgets::StatusLine(m_session.document, m_session.reconstructions, m_session.selection, central);
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_workspaces);
     for (widgets::MessageBar* bar : {m_banner, m_message, m_question})
@@ -137,7 +136,7 @@ QWidget* MainWindow::makeWorkspaceBar() {
 void MainWindow::openDataset(const QString& folder, const QString& sequence, int frame) {
     m_playback.stop();
     m_wantedFrame = frame;
-    m_workbench.session.openDataset(QFileInfo(folder).absoluteFilePath(), sequence, frame);
+    m_session.opened.openDataset(QFileInfo(folder).absoluteFilePath(), sequence, frame);
 }
 
 void MainWindow::askForDataset() {
@@ -152,8 +151,8 @@ void MainWindow::askForDataset() {
 
 void MainWindow::openDemo() {
     m_playback.stop();
-    m_workbench.session.openDemo(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                                 QStringLiteral("/demo"));
+    m_session.opened.openDemo(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                              QStringLiteral("/demo"));
 }
 
 void MainWindow::showMessage(const QString& text) {
@@ -166,7 +165,7 @@ void MainWindow::ask(const QString& question, const std::vector<widgets::Message
 
 /// A frame that was asked for and does not exist: the last one is shown instead.
 void MainWindow::sayIfFrameIsMissing() {
-    const core::Sequence& sequence = *m_workbench.session.sequence();
+    const core::Sequence& sequence = *m_session.opened.sequence();
     const int wanted = std::exchange(m_wantedFrame, 0);
     if (wanted >= sequence.frameCount && sequence.frameCount > 0)
         showMessage(tr("There is no frame %1: sequence \"%2\" has frames 0-%3. The last one is shown.")
@@ -227,14 +226,14 @@ void MainWindow::restoreLayout() {
 }
 
 void MainWindow::refreshTitle() {
-    const auto& dataset = m_workbench.session.dataset();
-    if (!dataset || !m_workbench.session.sequence()) {
+    const auto& dataset = m_session.opened.dataset();
+    if (!dataset || !m_session.opened.sequence()) {
         setWindowTitle(QStringLiteral("Handlens"));
         return;
     }
     setWindowTitle(
         QStringLiteral("%1 \u2013 %2 \u2013 Handlens")
-            .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_workbench.session.sequence()->name)));
+            .arg(QString::fromStdString(dataset->name), QString::fromStdString(m_session.opened.sequence()->name)));
 }
 
 void MainWindow::refreshTestFrames() {
@@ -253,14 +252,14 @@ bool MainWindow::event(QEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     m_playback.stop();
-    if (!m_workbench.document.saveNow() && !std::exchange(m_mayLoseEdits, true)) {
+    if (!m_session.document.saveNow() && !std::exchange(m_mayLoseEdits, true)) {
         showMessage(tr("Your last edits are not saved yet. Make room or give permission where they are kept, or export "
                        "them elsewhere; closing once "
                        "more gives them up."));
         event->ignore();
         return;
     }
-    m_workbench.document.close();
+    m_session.document.close();
     m_settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     m_settings.setValue(QStringLiteral("window/workspaces"), m_workspaces->saveState());
     QMainWindow::closeEvent(event);

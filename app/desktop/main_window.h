@@ -15,7 +15,7 @@
 #include "widgets/panels/hints.h"
 #include "widgets/panels/status_line.h"
 #include "widgets/presenters/playback.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/workspaces/workspaces.h"
 
@@ -57,7 +57,7 @@ public:
     /// False if they were not shown.
     bool closeHints();
 
-    widgets::Workbench& workbench() { return m_workbench; }
+    widgets::WindowSession& session() { return m_session; }
     widgets::Workspaces& workspaces() { return *m_workspaces; }
     widgets::FramesBar& framesBar() { return *m_framesBar; }
     widgets::StatusLine& statusLine() { return *m_statusLine; }
@@ -92,7 +92,7 @@ private:
     void refreshTestFrames();
 
     QSettings& m_settings;
-    widgets::Workbench m_workbench;
+    widgets::WindowSession m_session;
     Actions m_actions;
     widgets::Playback m_playback;
     widgets::MessageBar* m_message = nullptr;

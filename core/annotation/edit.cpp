@@ -16,7 +16,7 @@ std::string noteAt(const AnnotationSet& set, int frame) {
 }
 
 [[noreturn]] void refuse(const Edit& edit, const std::string& where) {
-    throw Error(ErrorCode::BadInput, "", "edit \"" + edit.label + "\"",
+    throw Error(ErrorCode::BadInput, "", "edit \"" + editLabel(edit.description) + "\"",
                 where + " is not in the state that the edit starts from");
 }
 
@@ -88,7 +88,7 @@ std::vector<Change> joined(const std::vector<Change>& first, const std::vector<C
 } // namespace
 
 Edit merged(const Edit& first, const Edit& second) {
-    return {first.label, joined(first.marks, second.marks, &MarkChange::key, second),
+    return {first.description, joined(first.marks, second.marks, &MarkChange::key, second),
             joined(first.notes, second.notes, &NoteChange::frame, second)};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/annotation/annotation_set.h"
+#include "core/annotation/edit_description.h"
 
 namespace core {
 
@@ -27,7 +28,7 @@ struct NoteChange {
 
 /// One invertible step of an annotator: everything that undo takes back at once.
 struct Edit {
-    std::string label; ///< what was done, in English, such as "move left index_mcp in cam3"
+    EditDescription description;
     std::vector<MarkChange> marks;
     std::vector<NoteChange> notes;
     bool empty() const { return marks.empty() && notes.empty(); }
@@ -37,10 +38,10 @@ struct Edit {
 /// Applies an edit. Throws Error(BadInput) if `before` is not what the set holds or a key occurs twice; the set is then
 /// unchanged.
 void apply(AnnotationSet& set, const Edit& edit);
-/// The edit that takes `edit` back; same label.
+/// The edit that takes `edit` back; same description.
 Edit inverse(const Edit& edit);
-/// The edit that does `first`, then `second` (for one drag); changes that cancel are dropped. Label of `first`, keys
-/// ascending. Throws Error(BadInput) if `second` does not start where `first` ends.
+/// The edit that does `first`, then `second` (for one drag); changes that cancel are dropped.
+/// Description of `first`, keys ascending. Throws Error(BadInput) if `second` does not start where `first` ends.
 Edit merged(const Edit& first, const Edit& second);
 
 } // namespace core

@@ -19,8 +19,8 @@ void change(Edit& edit, const AnnotationSet& set, const MarkKey& key, const std:
         edit.marks.push_back({key, before, after});
 }
 
-Edit single(const AnnotationSet& set, const std::string& verb, const MarkKey& key, const std::optional<Mark>& after) {
-    Edit edit{verb + " " + jointLabel(key.joint) + " in " + key.camera, {}, {}};
+Edit single(const AnnotationSet& set, EditKind kind, const MarkKey& key, const std::optional<Mark>& after) {
+    Edit edit{{.kind = kind, .joint = key.joint, .camera = key.camera}, {}, {}};
     change(edit, set, key, after);
     return edit;
 }
@@ -29,8 +29,8 @@ bool isChosen(const std::optional<std::vector<JointId>>& joints, const JointId& 
     return !joints || std::find(joints->begin(), joints->end(), joint) != joints->end();
 }
 
-std::string frameRange(int first, int last) {
-    return "frames " + std::to_string(first) + " to " + std::to_string(last);
+Edit overFrames(EditKind kind, int first, const std::optional<int>& last = std::nullopt) {
+    return {{.kind = kind, .firstFrame = first, .lastFrame = last}, {}, {}};
 }
 
 /// Marks for a point in the views that would see it and that nobody has marked yet; older proposals make way.
@@ -70,26 +70,27 @@ Edit placeEdit(const AnnotationSet& set, const MarkKey& key, const Eigen::Vector
     const auto before = markAt(set, key);
     const bool isMove = before && before->isPlaced();
     const bool staysOccluded = before && before->state == MarkState::Occluded;
-    return single(set, isMove ? "move" : "place", key,
+    return single(set, isMove ? EditKind::Move : EditKind::Place, key,
                   Mark{px, Placement::Manual, staysOccluded ? MarkState::Occluded : MarkState::Visible});
 }
 
 Edit removeEdit(const AnnotationSet& set, const MarkKey& key) {
-    return single(set, "delete", key, std::nullopt);
+    return single(set, EditKind::Delete, key, std::nullopt);
 }
 
 Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state) {
-    const std::string verb = "set to " + std::string(stateName(state)) + ":";
+    std::optional<Mark> mark = markAt(set, key);
     if (state == MarkState::Unplaceable)
-        return single(set, verb, key, Mark{Eigen::Vector2d::Zero(), Placement::Manual, state});
-    auto mark = markAt(set, key);
-    if (mark && mark->hasPlace())
+        mark = Mark{Eigen::Vector2d::Zero(), Placement::Manual, state};
+    else if (mark && mark->hasPlace())
         mark->state = state;
-    return single(set, verb, key, mark);
+    Edit edit = single(set, EditKind::SetState, key, mark);
+    edit.description.state = state;
+    return edit;
 }
 
 Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text) {
-    Edit edit{"note in frame " + std::to_string(frame), {}, {}};
+    Edit edit = overFrames(EditKind::Note, frame);
     const auto found = set.notes.find(frame);
     const std::string before = found == set.notes.end() ? std::string() : found->second;
     if (before != text)
@@ -99,7 +100,7 @@ Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text) {
 
 Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                 const JointId& joint, const std::optional<std::string>& camera, const TriangulationOptions& options) {
-    Edit edit{"accept " + jointLabel(joint) + " in " + camera.value_or("all views"), {}, {}};
+    Edit edit{{.kind = EditKind::AcceptJoint, .joint = joint, .camera = camera.value_or("")}, {}, {}};
     if (const auto point = pointOf(set, cameras, frame, rater, joint, options))
         addMarks(edit, set, cameras, frame, rater, {joint, *point}, camera, Placement::Auto);
     return edit;
@@ -107,7 +108,7 @@ Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, in
 
 Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                      const TriangulationOptions& options) {
-    Edit edit{"accept all joints of frame " + std::to_string(frame), {}, {}};
+    Edit edit = overFrames(EditKind::AcceptFrame, frame);
     for (const auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt})) {
         if (joint.result.point) {
             addMarks(edit, set, cameras, frame, rater, {id, joint.result.point->pointInWorld}, std::nullopt,
@@ -118,8 +119,8 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
 }
 
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-                 const std::vector<JointPoint>& joints, const std::string& label) {
-    Edit edit{label, {}, {}};
+                 const std::vector<JointPoint>& joints) {
+    Edit edit{{.kind = EditKind::Propose}, {}, {}};
     for (const JointPoint& joint : joints)
         propose(edit, set, cameras, frame, rater, joint);
     return edit;
@@ -128,7 +129,7 @@ Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, i
 Edit copyPoseEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int fromFrame, int toFrame,
                   const std::string& rater, const std::optional<std::vector<JointId>>& joints,
                   const TriangulationOptions& options) {
-    Edit edit{"copy pose of frame " + std::to_string(fromFrame) + " to frame " + std::to_string(toFrame), {}, {}};
+    Edit edit = overFrames(EditKind::CopyPose, fromFrame, toFrame);
     if (fromFrame == toFrame)
         return edit;
     for (const auto& [id, joint] : reconstructFrame(set, cameras, fromFrame, rater, {options, false, std::nullopt}))
@@ -165,7 +166,7 @@ std::vector<int> framesAround(const AnnotationSet& set, int first, int last) {
 Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int firstFrame, int lastFrame,
                      const std::string& rater, Interpolation kind, const std::optional<std::vector<JointId>>& joints,
                      const TriangulationOptions& options) {
-    Edit edit{"interpolate " + frameRange(firstFrame, lastFrame), {}, {}};
+    Edit edit = overFrames(EditKind::Interpolate, firstFrame, lastFrame);
     JointCurves curves;
     for (const int frame : framesAround(set, firstFrame, lastFrame)) {
         const bool isOutside = frame < firstFrame || frame > lastFrame;
@@ -191,10 +192,7 @@ Edit interpolateEdit(const AnnotationSet& set, const std::vector<Camera>& camera
 Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int firstFrame,
                    const std::optional<int>& lastFrame) {
     const int last = lastFrame.value_or(std::numeric_limits<int>::max());
-    Edit edit{"swap left and right " +
-                  (lastFrame ? "in " + frameRange(firstFrame, last) : "from frame " + std::to_string(firstFrame)),
-              {},
-              {}};
+    Edit edit = overFrames(EditKind::SwapHands, firstFrame, lastFrame);
     std::set<MarkKey> keys;
     for (const auto& [key, mark] : marksOfFrames(set, firstFrame, last)) {
         if (key.rater == rater) {
@@ -214,7 +212,7 @@ Edit swapHandsEdit(const AnnotationSet& set, const std::string& rater, int first
 
 Edit deleteRangeEdit(const AnnotationSet& set, const std::string& rater, int firstFrame, int lastFrame,
                      const std::optional<std::vector<JointId>>& joints) {
-    Edit edit{"delete " + frameRange(firstFrame, lastFrame), {}, {}};
+    Edit edit = overFrames(EditKind::DeleteRange, firstFrame, lastFrame);
     for (const auto& [key, mark] : marksOfFrames(set, firstFrame, lastFrame))
         if (key.rater == rater && isChosen(joints, key.joint))
             change(edit, set, key, std::nullopt);

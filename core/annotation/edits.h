@@ -10,7 +10,7 @@
 #include "core/annotation/reconstruction.h"
 
 /// Factories of edits. None of them changes the set: each returns what an annotator's step would change, as one undo
-/// step, and an empty edit if it would change nothing. Labels are English, such as "move left index_mcp in cam3".
+/// step, and an empty edit if it would change nothing.
 namespace core {
 
 /// Places a manual mark at `px`, or moves the one that is there. An occluded mark stays occluded; an auto mark becomes
@@ -41,9 +41,9 @@ struct JointPoint {
     Eigen::Vector3d pointInWorld;
 };
 /// Puts given 3D joints into a frame as proposed marks: only views that nobody has marked whose image contains the
-/// projection. For proposals of a hand model, for copies and for interpolation. `label` names the edit.
+/// projection. For proposals of a hand model and for imports of 3D joints.
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
-                 const std::vector<JointPoint>& joints, const std::string& label);
+                 const std::vector<JointPoint>& joints);
 
 /// Copies the 3D joints that `rater` has in `fromFrame` (all of them, or only `joints`) to `toFrame`, as proposed
 /// marks.

@@ -108,8 +108,8 @@ std::string conflictText(const ImportConflicts& conflicts) {
     return text + " in " + counted(static_cast<int>(conflicts.frames.size()), "frame");
 }
 
-Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label, ImportMode mode) {
-    Edit edit{label, {}, {}};
+Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& source, ImportMode mode) {
+    Edit edit{{.kind = EditKind::Import, .text = source}, {}, {}};
     forEachJoint(set, imported, [&](const JointImport& joint) {
         const bool isInTheWay = joint.replaced(imported) > 0;
         if (!isInTheWay || mode == ImportMode::Add)

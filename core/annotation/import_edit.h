@@ -30,8 +30,8 @@ ImportConflicts importConflicts(const AnnotationSet& set, const AnnotationSet& i
 std::string conflictText(const ImportConflicts& conflicts);
 
 /// Writes the marks and notes of `imported` into the set. A proposal never displaces a settled mark; settled marks
-/// displace proposals. An empty edit if nothing would change.
-Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& label,
+/// displace proposals. An empty edit if nothing would change. `source` is the name of the file, for the description.
+Edit importEdit(const AnnotationSet& set, const AnnotationSet& imported, const std::string& source,
                 ImportMode mode = ImportMode::Replace);
 
 } // namespace core

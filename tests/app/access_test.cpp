@@ -138,7 +138,7 @@ TEST_F(Access, ScriptsReachEveryPixelOfAFramedView) {
               0)
         << errors.str();
     const auto mark =
-        core::markAt(bench().document.annotations(), {12, "ann", {core::Side::Left, "index_mcp"}, "cam0"});
+        core::markAt(session().document.annotations(), {12, "ann", {core::Side::Left, "index_mcp"}, "cam0"});
     ASSERT_TRUE(mark);
     EXPECT_LT((mark->px - Eigen::Vector2d(3.25, 4.5)).norm(), 0.5);
 }
@@ -195,7 +195,7 @@ TEST_F(Access, PreferencesAreKept) {
     EXPECT_EQ(name->text(), QStringLiteral("ann"));
     name->setText(QStringLiteral(" bea "));
     emit name->editingFinished();
-    EXPECT_EQ(bench().document.rater(), "bea");
+    EXPECT_EQ(session().document.rater(), "bea");
     page->findChild<QSpinBox*>(QStringLiteral("memory"))->setValue(1024);
     EXPECT_EQ(settings->value(QStringLiteral("pictureMemoryMb")).toInt(), 1024);
     action("edit.shortcuts")->trigger();

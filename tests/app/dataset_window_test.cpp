@@ -65,7 +65,7 @@ protected:
         ASSERT_TRUE(dialog()->makeButton()->isEnabled());
         dialog()->makeButton()->click();
         ASSERT_TRUE(app::waitFor(*window, [this] {
-            return window->workbench().session.sequence() || !dialog() || !dialog()->message().isEmpty();
+            return window->session().opened.sequence() || !dialog() || !dialog()->message().isEmpty();
         }));
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
@@ -95,14 +95,14 @@ TEST_F(DatasetWindow, ActionsAboutADatasetWaitForOne) {
 
 TEST_F(DatasetWindow, IsMadeOfDroppedFootageThatIsMatchedByName) {
     makeDataset();
-    const auto& dataset = window->workbench().session.dataset();
+    const auto& dataset = window->session().opened.dataset();
     ASSERT_TRUE(dataset);
     EXPECT_EQ(dataset->folder, folder / "dataset");
     EXPECT_EQ(dataset->sequences.front().frameCount, kFrames);
     for (const core::ViewSource& view : dataset->sequences.front().views)
         EXPECT_NE(view.path.find(view.camera), std::string::npos) << view.path;
     EXPECT_FALSE(dialog()) << "it has closed";
-    EXPECT_FALSE(window->workbench().frames.picture(0).isNull());
+    EXPECT_FALSE(window->session().frames.picture(0).isNull());
 }
 
 TEST_F(DatasetWindow, SaysWhatIsWrongAndStaysOpen) {
@@ -138,7 +138,7 @@ TEST_F(DatasetWindow, FootageThatHasMovedIsFoundAgain) {
     ASSERT_TRUE(chooser);
     emit chooser->fileSelected(path("elsewhere"));
     chooser->close();
-    ASSERT_TRUE(app::waitFor(*window, [this] { return !window->workbench().frames.picture(0).isNull(); }));
+    ASSERT_TRUE(app::waitFor(*window, [this] { return !window->session().frames.picture(0).isNull(); }));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_TRUE(view->message().isEmpty()) << view->message().toStdString();
     const core::Dataset found = core::readDataset(folder / "dataset");

@@ -24,7 +24,7 @@ const core::JointId kIndex{Side::Left, "index_mcp"};
 
 class Feedback : public test::WindowTest {
 protected:
-    Feedback() { bench().selection.setJoint(kIndex); }
+    Feedback() { session().selection.setJoint(kIndex); }
 
     json lastAnswer() const {
         std::istringstream stream(answers.str());
@@ -35,9 +35,9 @@ protected:
     }
     void click(int index) {
         const Eigen::Vector2d px = *core::project(camera(index), truth(Side::Left, 1, 12));
-        bench().annotator.place(camera(index).name, px);
+        session().annotator.place(camera(index).name, px);
     }
-    std::size_t marks() { return bench().document.annotations().marks.size(); }
+    std::size_t marks() { return session().document.annotations().marks.size(); }
     /// Presses the visible button of that text.
     bool press(const QString& text) {
         for (QPushButton* button : window->findChildren<QPushButton*>()) {
@@ -72,7 +72,7 @@ TEST_F(Feedback, AClickBesideThePictureIsRefusedInAScript) {
     EXPECT_EQ(play(R"({"do":"click","camera":"cam0","px":[20,240]})"), 0) << errors.str();
     EXPECT_EQ(marks(), 1u);
     EXPECT_EQ(play(R"({"do":"drag","camera":"cam0","from":[20,240],"to":[-20,240]})"), 1);
-    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", kIndex, "cam0"});
+    const auto mark = core::markAt(session().document.annotations(), {12, "ann", kIndex, "cam0"});
     ASSERT_TRUE(mark);
     EXPECT_NEAR(mark->px.x(), 20, 0.5);
 }
@@ -82,24 +82,24 @@ TEST_F(Feedback, KeysThatDidNothingSayWhy) {
         EXPECT_EQ(play(std::string("{\"do\":\"key\",\"keys\":\"") + key + "\"}"), 0) << errors.str();
         EXPECT_TRUE(lastAnswer().contains("said")) << key;
     }
-    EXPECT_EQ(bench().document.undoStack()->count(), 0);
+    EXPECT_EQ(session().document.undoStack()->count(), 0);
 }
 
 TEST_F(Feedback, ASecondRoundAsksFirstAndSaysHowFarItIs) {
     startForAPerson();
-    bench().selection.setJoint(kIndex);
+    session().selection.setJoint(kIndex);
     click(0);
     click(3);
     QAction* repeat = window->actions().action(QStringLiteral("annotation.repeat"));
     repeat->trigger();
     EXPECT_FALSE(window->question().isEmpty());
-    EXPECT_FALSE(bench().raters.isRepeating());
+    EXPECT_FALSE(session().raters.isRepeating());
     ASSERT_TRUE(press(QStringLiteral("Not now")));
     EXPECT_TRUE(window->question().isEmpty());
-    EXPECT_FALSE(bench().raters.isRepeating());
+    EXPECT_FALSE(session().raters.isRepeating());
     repeat->trigger();
-    ASSERT_TRUE(press(QStringLiteral("Begin the second round")));
-    ASSERT_TRUE(test::waitUntil([&] { return bench().raters.isRepeating(); }));
+    ASSERT_TRUE(press(QStringLiteral("Start the repeat round")));
+    ASSERT_TRUE(test::waitUntil([&] { return session().raters.isRepeating(); }));
     EXPECT_TRUE(window->banner().message().contains(QStringLiteral("0 of 1 joints")))
         << window->banner().message().toStdString();
     click(0);
@@ -107,16 +107,16 @@ TEST_F(Feedback, ASecondRoundAsksFirstAndSaysHowFarItIs) {
     EXPECT_TRUE(window->banner().message().contains(QStringLiteral("1 of 1 joints")))
         << window->banner().message().toStdString();
     ASSERT_TRUE(press(QStringLiteral("End")));
-    EXPECT_FALSE(bench().raters.isRepeating());
+    EXPECT_FALSE(session().raters.isRepeating());
     EXPECT_TRUE(window->banner().message().isEmpty());
-    EXPECT_EQ(bench().document.rater(), "ann");
+    EXPECT_EQ(session().document.rater(), "ann");
 }
 
 TEST_F(Feedback, AScriptBeginsASecondRoundWithoutAQuestion) {
     click(0);
     click(3);
     EXPECT_EQ(play(R"({"do":"action","id":"annotation.repeat"})"), 0) << errors.str();
-    EXPECT_TRUE(bench().raters.isRepeating());
+    EXPECT_TRUE(session().raters.isRepeating());
     EXPECT_TRUE(window->question().isEmpty());
     EXPECT_FALSE(window->banner().message().isEmpty());
 }
@@ -124,7 +124,7 @@ TEST_F(Feedback, AScriptBeginsASecondRoundWithoutAQuestion) {
 TEST_F(Feedback, AReportCanBeOpened) {
     click(0);
     const QString page = path("report.html");
-    bench().files.report(page, 2);
+    session().files.report(page, 2);
     ASSERT_TRUE(app::waitUntilIdle(*window));
     QTextBrowser browser; // stands in for the person's own
     QDesktopServices::setUrlHandler(QStringLiteral("file"), &browser, "setSource");
@@ -146,7 +146,7 @@ TEST_F(Feedback, WhatAPartOfTheWindowTellsIsSaid) {
 TEST_F(Feedback, AFrameThatThereIsNotOpensTheLastOne) {
     window->openDataset(QString::fromStdString(dataset().string()), QStringLiteral("a"), 9999);
     ASSERT_TRUE(app::waitUntilIdle(*window));
-    EXPECT_EQ(bench().selection.frame(), 29);
+    EXPECT_EQ(session().selection.frame(), 29);
     EXPECT_TRUE(window->message().contains(QStringLiteral("0-29"))) << window->message().toStdString();
     click(0); // which is saved
     EXPECT_FALSE(window->message().isEmpty()) << "a saved edit takes no other message away";

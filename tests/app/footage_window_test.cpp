@@ -20,7 +20,7 @@ protected:
         start();
     }
     void goTo(int frame) {
-        bench().selection.setFrame(frame);
+        session().selection.setFrame(frame);
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
     widgets::CameraView& view(int camera) { return *window->workspaces().grid()->view(camera); }

@@ -47,22 +47,22 @@ protected:
     /// A ground truth file with these marks.
     QString file(const core::AnnotationSet& set) {
         const std::string path = (folder / "theirs.json").string();
-        core::exportAnnotations(*bench().session.dataset(), *bench().session.sequence(), set, "handlens", path);
+        core::exportAnnotations(*session().opened.dataset(), *session().opened.sequence(), set, "handlens", path);
         return QString::fromStdString(path);
     }
     void import(const QString& path) {
-        bench().files.importFrom(QStringLiteral("handlens"), path);
+        session().files.importFrom(QStringLiteral("handlens"), path);
         ASSERT_TRUE(app::waitUntilIdle(*window));
     }
     double x(const std::string& rater) {
-        return core::markAt(bench().document.annotations(), {12, rater, kIndex, "cam0"})->px.x();
+        return core::markAt(session().document.annotations(), {12, rater, kIndex, "cam0"})->px.x();
     }
 };
 
 TEST_F(People, TheNameIsShownAllTheTime) {
     ASSERT_TRUE(name() && name()->isVisible());
     EXPECT_EQ(name()->text(), QStringLiteral("ann"));
-    bench().document.setRater("bob");
+    session().document.setRater("bob");
     EXPECT_EQ(name()->text(), QStringLiteral("bob"));
     EXPECT_FALSE(window->findChild<widgets::NameBar*>()) << "whoever gives a name is not asked";
 }
@@ -71,22 +71,22 @@ TEST_F(People, TheLoginNameIsTheNameAndIsAskedForOnce) {
     ASSERT_EQ(::setenv("LOGNAME", "carla", 1), 0);
     window = app::makeMainWindow(*settings, app::WindowOptions{"", true});
     window->show();
-    EXPECT_EQ(bench().document.rater(), "carla");
+    EXPECT_EQ(session().document.rater(), "carla");
     auto* ask = window->findChild<widgets::NameBar*>();
     ASSERT_TRUE(ask && ask->isVisible());
     EXPECT_EQ(ask->findChild<QLineEdit*>()->text(), QStringLiteral("carla"));
     ask->findChild<QLineEdit*>()->setText(QStringLiteral(" Carla M. "));
     ask->findChild<QPushButton*>()->click();
     EXPECT_FALSE(ask->isVisible());
-    EXPECT_EQ(bench().document.rater(), "Carla M.");
+    EXPECT_EQ(session().document.rater(), "Carla M.");
     window = app::makeMainWindow(*settings, app::WindowOptions{"", true});
-    EXPECT_EQ(bench().document.rater(), "Carla M.");
+    EXPECT_EQ(session().document.rater(), "Carla M.");
     EXPECT_FALSE(window->findChild<widgets::NameBar*>());
 }
 
 TEST_F(People, OtherPeoplesWorkIsAnnouncedAndShownOutOfReach) {
     EXPECT_FALSE(bar("others")->isVisible());
-    bench().document.push(core::importEdit({}, marksOf("anna", 50), "import"));
+    session().document.push(core::importEdit({}, marksOf("anna", 50), ""));
     restart();
     ASSERT_TRUE(bar("others")->isVisible());
     EXPECT_EQ(bar("others")->message(), QStringLiteral("anna has 3 mark(s) in 1 frame(s) of this sequence."));
@@ -104,30 +104,30 @@ TEST_F(People, OtherPeoplesWorkIsAnnouncedAndShownOutOfReach) {
     EXPECT_EQ(view.otherMarks()[0].px, QPointF(50, 100));
     EXPECT_EQ(view.otherMarks()[0].label, QStringLiteral("anna"));
     EXPECT_FALSE(view.markAt(view.imageToViewport({50, 100}))) << "out of reach";
-    bench().selection.setFrame(13);
+    session().selection.setFrame(13);
     EXPECT_TRUE(view.otherMarks().empty());
-    bench().selection.setFrame(12);
-    bench().document.setRater("anna (again)");
-    EXPECT_TRUE(view.otherMarks().empty()) << "a second round is blind";
+    session().selection.setFrame(12);
+    session().document.setRater("anna (again)");
+    EXPECT_TRUE(view.otherMarks().empty()) << "a repeat round is blind";
 }
 
 TEST_F(People, AnImportAsksBeforeItReplaces) {
-    bench().document.push(core::importEdit({}, marksOf("anna", 50), "import"));
-    const core::AnnotationSet before = bench().document.annotations();
+    session().document.push(core::importEdit({}, marksOf("anna", 50), ""));
+    const core::AnnotationSet before = session().document.annotations();
     import(file(marksOf("anna", 60)));
     ASSERT_TRUE(bar("import")->isVisible());
     EXPECT_EQ(bar("import")->message(), QStringLiteral("theirs.json would replace 3 mark(s) of anna in 1 frame(s)."));
-    EXPECT_EQ(bench().document.annotations(), before);
+    EXPECT_EQ(session().document.annotations(), before);
     press(bar("import"), QStringLiteral("Cancel"));
-    EXPECT_EQ(bench().document.annotations(), before);
+    EXPECT_EQ(session().document.annotations(), before);
     import(file(marksOf("anna", 60)));
     press(bar("import"), QStringLiteral("Keep what is there"));
-    EXPECT_EQ(bench().document.annotations(), before);
+    EXPECT_EQ(session().document.annotations(), before);
     import(file(marksOf("anna", 60)));
     press(bar("import"), QStringLiteral("Replace"));
     EXPECT_EQ(x("anna"), 60);
-    bench().document.undoStack()->undo();
-    EXPECT_EQ(bench().document.annotations(), before) << "one step";
+    session().document.undoStack()->undo();
+    EXPECT_EQ(session().document.annotations(), before) << "one step";
     import(file(marksOf("bob", 70)));
     EXPECT_FALSE(bar("import")->isVisible());
     EXPECT_EQ(x("bob"), 70);
@@ -137,10 +137,10 @@ TEST_F(People, AnImportAsksBeforeItReplaces) {
 TEST_F(People, LabelsOfAnotherVideoAreImportedOnlyWhenAskedFor) {
     std::ofstream(folder / "cam0.csv")
         << "scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img12.png,10,20\n";
-    bench().files.importFrom(QStringLiteral("deeplabcut"), path("cam0.csv"));
+    session().files.importFrom(QStringLiteral("deeplabcut"), path("cam0.csv"));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     ASSERT_TRUE(bar("import")->isVisible());
-    EXPECT_TRUE(bench().document.annotations().marks.empty());
+    EXPECT_TRUE(session().document.annotations().marks.empty());
     press(bar("import"), QStringLiteral("Import monday"));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_EQ(x("ann"), 10);

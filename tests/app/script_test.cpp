@@ -38,7 +38,7 @@ TEST_F(Script, AnswersEveryStepInOneLine) {
         EXPECT_TRUE(line["ok"].get<bool>());
     EXPECT_TRUE(lines[2]["xyz"].is_null());
     EXPECT_EQ(lines[2]["status"], "none");
-    EXPECT_EQ(bench().selection.frame(), 3);
+    EXPECT_EQ(session().selection.frame(), 3);
 }
 
 TEST_F(Script, KeysReachTheWindowAgainWhenADialogHasClosed) {
@@ -60,15 +60,15 @@ TEST_F(Script, EscapeGivesUpWhatWasTypedIntoANote) {
             lines += std::string("{\"do\":\"key\",\"keys\":\"") + key + "\"}\n";
         EXPECT_EQ(play(lines), 0) << errors.str();
     };
-    const int frame = bench().selection.frame();
-    const auto& notes = bench().document.annotations().notes;
+    const int frame = session().selection.frame();
+    const auto& notes = session().document.annotations().notes;
     type({"Ctrl+M", "A", "B", "Return"});
     EXPECT_EQ(notes.at(frame), "ab");
     type({"Ctrl+M", "C", "Return"});
     EXPECT_EQ(notes.at(frame), "abc") << "what was there is not replaced";
     type({"Ctrl+M", "X", "Escape", "D"});
     EXPECT_EQ(notes.at(frame), "abc");
-    EXPECT_EQ(bench().selection.frame(), frame + 1) << "the keyboard is the window's again";
+    EXPECT_EQ(session().selection.frame(), frame + 1) << "the keyboard is the window's again";
 }
 
 struct BadStep {
@@ -122,7 +122,7 @@ TEST_F(Script, FitsAndPrintsResults) {
     const double apart = core::meanJointDistanceMm(test::tinyHands(), motion[4], motion[7]);
     EXPECT_NEAR(results[1]["initialErrorMm"].get<double>(), apart, 1e-6);
     EXPECT_GT(results[1]["iterations"].get<int>(), 0);
-    EXPECT_EQ(bench().selection.frame(), 7);
+    EXPECT_EQ(session().selection.frame(), 7);
 }
 
 TEST_F(Script, ShotsShowPictures) {

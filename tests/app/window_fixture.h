@@ -54,7 +54,7 @@ protected:
         return app::playScript(*window, file.fileName(), path("out"), answers, errors);
     }
 
-    widgets::Workbench& bench() { return window->workbench(); }
+    widgets::WindowSession& session() { return window->session(); }
     core::Camera camera(int index) const { return tinyDataset().cameras[static_cast<std::size_t>(index)]; }
     /// The true place of a joint in a frame, mm.
     static Eigen::Vector3d truth(core::Side hand, int bone, int frame) {

@@ -26,7 +26,7 @@ const core::JointId kIndex{Side::Left, "index_mcp"};
 
 class WindowClicks : public test::WindowTest {
 protected:
-    WindowClicks() { bench().selection.setJoint(kIndex); }
+    WindowClicks() { session().selection.setJoint(kIndex); }
 
     Eigen::Vector2d pixel(int index) const { return *core::project(camera(index), truth(Side::Left, 1, 12)); }
     widgets::CameraView& view(int index) { return *window->workspaces().grid()->view(index); }
@@ -67,9 +67,9 @@ TEST_F(WindowClicks, KeysUndoAndRedo) {
     click(0);
     click(1);
     input.key(QStringLiteral("Ctrl+Z"), 0);
-    EXPECT_EQ(bench().document.annotations().marks.size(), 1u);
+    EXPECT_EQ(session().document.annotations().marks.size(), 1u);
     input.key(QStringLiteral("Ctrl+Shift+Z"), 0);
-    EXPECT_EQ(bench().document.annotations().marks.size(), 2u);
+    EXPECT_EQ(session().document.annotations().marks.size(), 2u);
     EXPECT_TRUE(window->actions().action(QStringLiteral("edit.undo"))->text().contains(QStringLiteral("index_mcp")));
 }
 
@@ -77,11 +77,11 @@ TEST_F(WindowClicks, SurviveTheWindow) {
     click(0);
     click(1);
     input.key(QStringLiteral("Ctrl+Z"), 0);
-    const auto before = bench().document.annotations();
+    const auto before = session().document.annotations();
     restart();
-    EXPECT_EQ(bench().document.annotations(), before);
-    bench().document.undoStack()->redo();
-    EXPECT_EQ(bench().document.annotations().marks.size(), 2u);
+    EXPECT_EQ(session().document.annotations(), before);
+    session().document.undoStack()->redo();
+    EXPECT_EQ(session().document.annotations().marks.size(), 2u);
 }
 
 TEST_F(WindowClicks, AreNotLeftBehindOnAFullDisk) {
@@ -89,14 +89,14 @@ TEST_F(WindowClicks, AreNotLeftBehindOnAFullDisk) {
         const test::NoRoom full;
         click(0);
         click(3);
-        EXPECT_TRUE(bench().document.hasUnsaved());
-        bench().session.openSequence(QStringLiteral("b"));
+        EXPECT_TRUE(session().document.hasUnsaved());
+        session().opened.openSequence(QStringLiteral("b"));
         app::waitUntilIdle(*window);
-        EXPECT_EQ(bench().session.sequence()->name, "a");
+        EXPECT_EQ(session().opened.sequence()->name, "a");
         EXPECT_FALSE(window->close()) << "the first time it only warns";
         EXPECT_TRUE(window->isVisible());
     }
-    ASSERT_TRUE(bench().document.saveNow());
+    ASSERT_TRUE(session().document.saveNow());
     restart();
     EXPECT_EQ(exported()["frames"][0]["raters"][0]["hands"]["left"]["joints"]["index_mcp"]["views"].size(), 2u);
 }
@@ -114,7 +114,7 @@ TEST_F(WindowClicks, LandOnTheirPixelAtAnyZoom) {
     input.wheel(view(2), {px.x(), px.y()}, 9);
     const QPointF target(px.x() + 0.37, px.y() - 0.21);
     input.click(view(2), target, Qt::LeftButton, Qt::NoModifier);
-    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", kIndex, "cam2"});
+    const auto mark = core::markAt(session().document.annotations(), {12, "ann", kIndex, "cam2"});
     ASSERT_TRUE(mark);
     EXPECT_LT(std::hypot(mark->px.x() - target.x(), mark->px.y() - target.y()), 0.01);
 }
@@ -123,18 +123,18 @@ TEST_F(WindowClicks, DragOfAMarkIsOneStep) {
     click(0);
     const Eigen::Vector2d px = pixel(0);
     input.drag(view(0), {px.x(), px.y()}, {px.x() + 30, px.y() + 20}, Qt::LeftButton, Qt::NoModifier, 8);
-    const auto mark = core::markAt(bench().document.annotations(), {12, "ann", kIndex, "cam0"});
+    const auto mark = core::markAt(session().document.annotations(), {12, "ann", kIndex, "cam0"});
     ASSERT_TRUE(mark);
     EXPECT_NEAR(mark->px.x(), px.x() + 30, 0.01);
-    EXPECT_EQ(bench().document.undoStack()->count(), 2);
+    EXPECT_EQ(session().document.undoStack()->count(), 2);
 }
 
 TEST_F(WindowClicks, DoubleClickMaximisesAndPlacesNothing) {
     const Eigen::Vector2d px = pixel(4);
     input.doubleClick(view(4), {px.x(), px.y()});
     EXPECT_EQ(window->workspaces().grid()->maximised(), 4);
-    EXPECT_TRUE(bench().document.annotations().marks.empty());
-    EXPECT_EQ(bench().document.undoStack()->count(), 0);
+    EXPECT_TRUE(session().document.annotations().marks.empty());
+    EXPECT_EQ(session().document.undoStack()->count(), 0);
     input.key(QStringLiteral("Esc"), 0);
     EXPECT_EQ(window->workspaces().grid()->maximised(), -1);
 }
@@ -146,18 +146,18 @@ TEST_F(WindowClicks, ZoomStaysWhenTheFrameChanges) {
     const QPointF centre = view(1).viewportToImage({50, 60});
     input.key(QStringLiteral("D"), 0);
     app::waitUntilIdle(*window);
-    EXPECT_EQ(bench().selection.frame(), 13);
+    EXPECT_EQ(session().selection.frame(), 13);
     EXPECT_DOUBLE_EQ(view(1).scale(), scale);
     EXPECT_LT(QLineF(view(1).viewportToImage({50, 60}), centre).length(), 1e-6);
 }
 
 TEST_F(WindowClicks, KeysStepAndHold) {
-    bench().joints.setChoice(widgets::JointChoice::AllBones, *bench().session.dataset());
-    bench().selection.setJoint({Side::Left, "forearm"});
+    session().joints.setChoice(widgets::JointChoice::AllBones, *session().opened.dataset());
+    session().selection.setJoint({Side::Left, "forearm"});
     input.key(QStringLiteral("S"), 0);
-    EXPECT_EQ(bench().selection.joint(), kIndex);
+    EXPECT_EQ(session().selection.joint(), kIndex);
     input.key(QStringLiteral("A"), 0);
-    EXPECT_EQ(bench().selection.frame(), 11);
+    EXPECT_EQ(session().selection.frame(), 11);
     QAction* hide = window->actions().action(QStringLiteral("view.hideOverlays"));
     bool wasHidden = false;
     QObject::connect(hide, &QAction::toggled, hide, [&](bool on) { wasHidden = wasHidden || on; });
@@ -177,9 +177,9 @@ TEST_F(WindowClicks, PixelOutsideTheScreenIsRefused) {
 class WindowAsAWhole : public test::WindowTest {};
 
 TEST_F(WindowAsAWhole, OpensADroppedFolder) {
-    bench().session.openSequence(QStringLiteral("b"));
+    session().opened.openSequence(QStringLiteral("b"));
     app::waitUntilIdle(*window);
-    ASSERT_EQ(bench().session.sequence()->name, "b");
+    ASSERT_EQ(session().opened.sequence()->name, "b");
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(QString::fromStdString(dataset().string()))});
     QDragEnterEvent enter({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -188,15 +188,15 @@ TEST_F(WindowAsAWhole, OpensADroppedFolder) {
     QDropEvent drop({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(window.get(), &drop);
     app::waitUntilIdle(*window);
-    EXPECT_EQ(bench().session.sequence()->name, "a");
+    EXPECT_EQ(session().opened.sequence()->name, "a");
 }
 
 TEST_F(WindowAsAWhole, KeepsWhatIsOpenWhenAnotherCannotBeOpened) {
     window->openDataset(path("nowhere"));
     app::waitUntilIdle(*window);
-    ASSERT_TRUE(bench().session.sequence());
-    EXPECT_EQ(bench().session.sequence()->name, "a");
-    EXPECT_TRUE(bench().document.isOpen());
+    ASSERT_TRUE(session().opened.sequence());
+    EXPECT_EQ(session().opened.sequence()->name, "a");
+    EXPECT_TRUE(session().document.isOpen());
 }
 
 /// Fit, look at it, then go on: what is inspected stays the fitted pair, in the views and in the scene.
@@ -209,9 +209,10 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
     input.key(QStringLiteral("D"), 0);
     input.key(QStringLiteral("E"), 0);
     ASSERT_TRUE(app::waitUntilIdle(*window));
-    ASSERT_EQ(bench().selection.frame(), 21);
-    ASSERT_EQ(bench().selection.camera(), "cam1");
-    const core::FrameSource frames(*bench().session.dataset(), *bench().session.sequence(), *bench().session.motion());
+    ASSERT_EQ(session().selection.frame(), 21);
+    ASSERT_EQ(session().selection.camera(), "cam1");
+    const core::FrameSource frames(*session().opened.dataset(), *session().opened.sequence(),
+                                   *session().opened.motion());
     widgets::CameraGrid& grid = *window->workspaces().inspectPage()->grid();
     ASSERT_EQ(grid.count(), 4);
     for (int index = 0; index < grid.count(); ++index) {
@@ -268,7 +269,7 @@ TEST_F(WindowAsAWhole, WordsFitTheWorkspace) {
                 return true;
         return false;
     };
-    bench().selection.setJoint(kIndex);
+    session().selection.setJoint(kIndex);
     auto* tabs = window->workspaces().findChild<QTabWidget*>();
     const auto tabOf = [&](QWidget* panel) { // panels scroll: the tab holds the panel's scroll area
         while (panel && tabs->indexOf(panel) < 0)
@@ -305,8 +306,8 @@ TEST_F(WindowAsAWhole, EmptyInspectFitsTheFrameWithItsButton) {
     ASSERT_TRUE(button->isVisible());
     QTest::mouseClick(button, Qt::LeftButton);
     ASSERT_TRUE(app::waitUntilIdle(*window));
-    ASSERT_TRUE(bench().fits.outcome());
-    EXPECT_EQ(bench().fits.outcome()->request.test, 12);
+    ASSERT_TRUE(session().fits.outcome());
+    EXPECT_EQ(session().fits.outcome()->request.test, 12);
     EXPECT_GT(page->grid()->count(), 0);
     EXPECT_TRUE(page->grid()->isVisible());
 }
@@ -354,10 +355,10 @@ TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
     }
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_TRUE(window->isVisible());
-    const auto inMemory = bench().document.annotations();
-    EXPECT_FALSE(bench().document.hasUnsaved());
+    const auto inMemory = session().document.annotations();
+    EXPECT_FALSE(session().document.hasUnsaved());
     const auto onDisk =
-        core::AnnotationStore::open(dataset() / "annotations" / (bench().session.sequence()->name + ".sqlite"),
+        core::AnnotationStore::open(dataset() / "annotations" / (session().opened.sequence()->name + ".sqlite"),
                                     core::StoreAccess::ReadOnly)
             .annotations();
     EXPECT_EQ(inMemory, onDisk);

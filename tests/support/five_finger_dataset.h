@@ -48,7 +48,7 @@ inline core::Edit clicksEdit(const core::Dataset& dataset, int frame, const std:
     core::AnnotationSet set;
     for (const auto& [joint, point] : joints)
         clickEverywhere(set, dataset.cameras, frame, rater, joint, point, sigmaPx, random);
-    return core::importEdit({}, set, "import clicks");
+    return core::importEdit({}, set, "clicks");
 }
 
 } // namespace test

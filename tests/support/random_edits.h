@@ -18,7 +18,7 @@ public:
     int draw(int count) { return static_cast<int>(m_random() % static_cast<unsigned>(count)); }
 
     core::Edit next(const core::AnnotationSet& set) {
-        core::Edit edit{"random " + std::to_string(draw(1000)), {}, {}};
+        core::Edit edit{{.text = "random " + std::to_string(draw(1000))}, {}, {}};
         std::map<core::MarkKey, std::optional<core::Mark>> wanted;
         for (int i = draw(5); i >= 0; --i)
             wanted[key()] = mark();

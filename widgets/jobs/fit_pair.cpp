@@ -2,24 +2,19 @@
 #include "widgets/jobs/fit_pair.h"
 
 #include <algorithm>
-
-#include <QCoreApplication>
+#include <optional>
 
 #include <opencv2/imgproc.hpp>
 
 #include "core/annotation/sequence_points.h"
 #include "core/contour/rasteriser.h"
-#include "core/error.h"
 #include "core/io/dataset/frames.h"
 #include "widgets/jobs/hand_model_fit.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
-
-core::Error refused(const char* source) {
-    return {core::ErrorCode::BadInput, {}, {}, QCoreApplication::translate("widgets::FitPair", source).toStdString()};
-}
 
 /// Where a mask's silhouette lies, with some room around it.
 QRectF roomyBounds(const cv::Mat& mask) {
@@ -48,7 +43,8 @@ std::vector<QLineF> outlinesOf(const cv::Mat& mask) {
     return lines;
 }
 
-core::HandPoses posesFromMarks(const FitSource& source, int frame) {
+/// Empty if they are too few for every hand.
+std::optional<core::HandPoses> posesFromMarks(const FitSource& source, int frame) {
     core::JointPoints points;
     for (auto& [joint, found] : core::reconstructFrame(source.annotations, source.dataset->cameras, frame, source.rater,
                                                        {{}, false, std::nullopt}))
@@ -57,21 +53,17 @@ core::HandPoses posesFromMarks(const FitSource& source, int frame) {
     const auto fit = fitModelToPoints(*source.dataset, frame, points);
     const bool whole = fit && std::all_of(fit->poses.begin(), fit->poses.end(),
                                           [](const core::Pose& pose) { return pose.size() > 0; });
-    if (!whole)
-        throw refused(QT_TRANSLATE_NOOP(
-            "widgets::FitPair",
-            "This sequence has no recorded motion: mark some joints of every hand in the start frame, "
-            "and the fit starts from the hand model fitted to them."));
-    return fit->poses;
+    return whole ? std::optional(fit->poses) : std::nullopt;
 }
 
+/// One per camera. Empty if there is no mask file of the frame.
 std::vector<cv::Mat> targetMasks(const FitSource& source, const FitRequest& request, const core::HandPoses& truePoses) {
     const core::Dataset& dataset = *source.dataset;
     std::vector<cv::Mat> masks;
     if (request.target == FitTarget::Masks) {
         masks = core::readFrameMasks(dataset.folder, source.sequence, dataset.cameras, request.test);
         if (std::all_of(masks.begin(), masks.end(), [](const cv::Mat& mask) { return mask.empty(); }))
-            throw refused(QT_TRANSLATE_NOOP("widgets::FitPair", "There is no mask file of the test frame."));
+            masks.clear();
         return masks;
     }
     for (const core::Camera& camera : dataset.cameras)
@@ -81,15 +73,34 @@ std::vector<cv::Mat> targetMasks(const FitSource& source, const FitRequest& requ
 
 } // namespace
 
-FitPair prepareFitPair(const FitSource& source, const FitRequest& request) {
+QString fitRefusalText(FitRefusal refusal) {
+    constexpr LocalText text{"widgets::FitPair"};
+    switch (refusal) {
+    case FitRefusal::NoStartPose:
+        return text(QT_TRANSLATE_NOOP(
+            "widgets::FitPair",
+            "This sequence has no recorded motion: mark some joints of every hand in the start frame, "
+            "and the fit starts from the hand model fitted to them."));
+    case FitRefusal::NoTestMasks:
+        return text(QT_TRANSLATE_NOOP("widgets::FitPair", "There is no mask file of the test frame."));
+    }
+    return {};
+}
+
+std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const FitRequest& request) {
     const core::Dataset& dataset = *source.dataset;
     const bool recorded = !source.motion->empty();
     FitPair pair;
-    pair.startPoses =
-        recorded ? (*source.motion)[static_cast<std::size_t>(request.start)] : posesFromMarks(source, request.start);
+    const auto start = recorded ? std::optional((*source.motion)[static_cast<std::size_t>(request.start)])
+                                : posesFromMarks(source, request.start);
+    if (!start)
+        return FitRefusal::NoStartPose;
+    pair.startPoses = *start;
     if (recorded)
         pair.truePoses = (*source.motion)[static_cast<std::size_t>(request.test)];
     pair.masks = targetMasks(source, request, pair.truePoses);
+    if (pair.masks.empty())
+        return FitRefusal::NoTestMasks;
     for (const cv::Mat& mask : pair.masks) {
         pair.handsPx.push_back(roomyBounds(mask));
         pair.outlinesPx.push_back(request.target == FitTarget::Masks ? outlinesOf(mask) : std::vector<QLineF>{});

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <QLineF>
@@ -53,9 +54,17 @@ struct FitSource {
     std::string rater;
 };
 
+/// Why a pair cannot be prepared.
+enum class FitRefusal {
+    NoStartPose, ///< no recorded motion, and too few joints are marked in the start frame
+    NoTestMasks  ///< no mask file of the test frame
+};
+/// The reason in the person's language.
+QString fitRefusalText(FitRefusal refusal);
+
 /// Starts from the recorded pose or, in a sequence without, from the hand models fitted to the marks of the start
-/// frame. Throws core::Error with a sentence in the person's language if that cannot be done.
-FitPair prepareFitPair(const FitSource& source, const FitRequest& request);
+/// frame. Throws core::Error if a mask file cannot be read.
+std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const FitRequest& request);
 
 /// Mean distance of the poses' joints to the pair's reference, mm; NaN without one.
 double errorAgainst(const FitPair& pair, const core::Dataset& dataset, const core::HandPoses& poses);

@@ -96,7 +96,13 @@ void FitRunner::run(const FitRequest& request) {
     m_job.start([this, request, source, dataset = m_dataset,
                  estimator = m_estimator](const JobContext& context) -> Job::Delivery {
         auto outcome = std::make_shared<FitOutcome>();
-        static_cast<FitPair&>(*outcome) = prepareFitPair(source, request);
+        auto prepared = prepareFitPair(source, request);
+        if (const auto* refusal = std::get_if<FitRefusal>(&prepared))
+            return [this, why = *refusal] {
+                m_job.stop();
+                emit failed(fitRefusalText(why));
+            };
+        static_cast<FitPair&>(*outcome) = std::move(std::get<FitPair>(prepared));
         outcome->sequence = source.sequence.name;
         outcome->request = request;
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);

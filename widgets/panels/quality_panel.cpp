@@ -13,9 +13,9 @@
 
 namespace widgets {
 
-QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
+QualityPanel::QualityPanel(WindowSession& session, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_session(session)
     , m_threshold(new QDoubleSpinBox(this))
     , m_scope(new QComboBox(this))
     , m_summary(new QLabel(this))
@@ -23,18 +23,18 @@ QualityPanel::QualityPanel(Workbench& workbench, QWidget* parent)
     , m_table(new QTableView(this))
     , m_model(new FindingModel(this)) {
     build();
-    connect(&workbench.reconstructions, &Reconstructions::changed, this, [this] {
+    connect(&session.reconstructions, &Reconstructions::changed, this, [this] {
         if (m_scope->currentIndex() == 0) // the whole sequence is looked at in the background
             refresh();
     });
-    connect(&workbench.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
-    connect(&workbench.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
+    connect(&session.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
+    connect(&session.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
     connect(m_threshold, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
-        m_workbench.coverage.setBadRmsPx(px);
+        m_session.coverage.setBadRmsPx(px);
         emit badRmsPxChanged(px);
         refresh();
     });
-    connect(&workbench.checks, &QualityChecks::changed, this, [this] {
+    connect(&session.checks, &QualityChecks::changed, this, [this] {
         refresh();
         refreshSummary();
     });
@@ -56,14 +56,14 @@ void QualityPanel::build() {
     m_threshold->setSingleStep(0.5);
     m_threshold->setDecimals(1);
     m_threshold->setSuffix(tr(" px"));
-    m_threshold->setValue(m_workbench.coverage.badRmsPx());
+    m_threshold->setValue(m_session.coverage.badRmsPx());
     m_threshold->setAlignment(Qt::AlignRight);
     m_threshold->setFocusPolicy(Qt::ClickFocus);
     row->addWidget(label);
     row->addWidget(m_threshold);
     row->addStretch(1);
     m_scope->addItems({tr("This frame"), tr("Whole sequence")});
-    m_scope->setToolTip(tr("Where to look for doubts"));
+    m_scope->setToolTip(tr("Where to look for findings"));
     m_scope->setFocusPolicy(Qt::TabFocus);
     row->addWidget(m_scope);
     QPalette quiet = palette();
@@ -86,11 +86,11 @@ void QualityPanel::askForThreshold() {
 }
 
 std::vector<Finding> QualityPanel::frameFindings() const {
-    const int frame = m_workbench.selection.frame();
-    const double bad = m_workbench.coverage.badRmsPx();
-    auto findings = findingsOf(m_workbench.reconstructions.joints(), frame,
+    const int frame = m_session.selection.frame();
+    const double bad = m_session.coverage.badRmsPx();
+    auto findings = findingsOf(m_session.reconstructions.joints(), frame,
                                bad); // of this moment: clicks that disagree are among them
-    for (const core::QualityFinding& found : m_workbench.checks.findings())
+    for (const core::QualityFinding& found : m_session.checks.findings())
         if (found.frame == frame && found.kind != core::QualityKind::Disagreement)
             findings.push_back(findingOf(found, bad));
     std::stable_sort(findings.begin(), findings.end(),
@@ -100,8 +100,8 @@ std::vector<Finding> QualityPanel::frameFindings() const {
 
 std::vector<Finding> QualityPanel::sequenceFindings() const {
     std::vector<Finding> findings;
-    for (const core::QualityFinding& found : m_workbench.checks.findings())
-        findings.push_back(findingOf(found, m_workbench.coverage.badRmsPx()));
+    for (const core::QualityFinding& found : m_session.checks.findings())
+        findings.push_back(findingOf(found, m_session.coverage.badRmsPx()));
     return findings;
 }
 
@@ -118,13 +118,13 @@ void QualityPanel::refresh() {
 
 /// What stands for the numbers while the rater has no marks: others may have some, and proposals may wait.
 QString QualityPanel::nothingText() const {
-    const core::AnnotationSet& set = m_workbench.document.annotations();
+    const core::AnnotationSet& set = m_session.document.annotations();
     const auto others =
-        m_workbench.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_workbench.document);
+        m_session.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_session.document);
     QString text =
         others.empty()
             ? tr("No frame of this sequence has marks yet.")
-            : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_workbench.document.rater())) +
+            : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_session.document.rater())) +
                   QLatin1Char(' ') + othersText(others);
     const auto proposals =
         std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); });
@@ -135,7 +135,7 @@ QString QualityPanel::nothingText() const {
 
 void QualityPanel::refreshSummary() {
     int frames = 0, done = 0, partial = 0, bad = 0;
-    for (const auto& [frame, hands] : m_workbench.coverage.frames()) {
+    for (const auto& [frame, hands] : m_session.coverage.frames()) {
         const int before = done + partial;
         for (const auto& [hand, state] : hands) {
             done += state.done;
@@ -149,11 +149,11 @@ void QualityPanel::refreshSummary() {
         return;
     }
     QString text =
-        tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_workbench.document.rater())) +
+        tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_session.document.rater())) +
         QLatin1Char(' ') +
         tr("Joints: %1 done, %2 partial, %3 bad.")
             .arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
-    if (const auto& noise = m_workbench.checks.clickNoise())
+    if (const auto& noise = m_session.checks.clickNoise())
         text += QLatin1Char(' ') +
                 tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
     m_summary->setText(text);
@@ -161,11 +161,11 @@ void QualityPanel::refreshSummary() {
 
 void QualityPanel::jump(const QModelIndex& index) {
     const Finding found = m_model->finding(index.row());
-    m_workbench.selection.setFrame(found.frame);
+    m_session.selection.setFrame(found.frame);
     if (!found.joint.joint.empty())
-        m_workbench.selection.setJoint(found.joint);
+        m_session.selection.setJoint(found.joint);
     if (!found.camera.empty())
-        m_workbench.selection.setCamera(found.camera);
+        m_session.selection.setCamera(found.camera);
 }
 
 } // namespace widgets

@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "widgets/models/finding_model.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 
 namespace widgets {
 
@@ -18,7 +18,7 @@ class QualityPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit QualityPanel(Workbench& workbench, QWidget* parent = nullptr);
+    explicit QualityPanel(WindowSession& session, QWidget* parent = nullptr);
 
     /// The keyboard goes to the error threshold.
     void askForThreshold();
@@ -35,7 +35,7 @@ private:
     std::vector<Finding> sequenceFindings() const;
     void jump(const QModelIndex& index);
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     QDoubleSpinBox* m_threshold;
     QComboBox* m_scope;
     QLabel* m_summary;

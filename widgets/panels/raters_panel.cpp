@@ -13,9 +13,12 @@
 
 namespace widgets {
 
-RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
+RatersPanel::RatersPanel(RaterStudy& study, const Selection& selection, const Reconstructions& reconstructions,
+                         const DatasetSession& datasets, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_study(study)
+    , m_selection(selection)
+    , m_reconstructions(reconstructions)
     , m_message(new MessageBar(this))
     , m_pairs(new QComboBox(this))
     , m_clicks(new QLabel(this))
@@ -28,12 +31,11 @@ RatersPanel::RatersPanel(Workbench& workbench, QWidget* parent)
     , m_begin(new QPushButton(this))
     , m_compare(new QPushButton(tr("Compare"), this)) {
     build();
-    RaterStudy& study = workbench.raters;
     connect(&study, &RaterStudy::compared, this, &RatersPanel::showComparisons);
-    connect(&workbench.session, &DatasetSession::sequenceOpened, this, &RatersPanel::compareIfShown);
+    connect(&datasets, &DatasetSession::sequenceOpened, this, &RatersPanel::compareIfShown);
     connect(&study, &RaterStudy::roundChanged, this, &RatersPanel::showRound);
     connect(&study, &RaterStudy::failed, m_message, &MessageBar::setMessage);
-    connect(&workbench.reconstructions, &Reconstructions::changed, this, &RatersPanel::showConsensus);
+    connect(&reconstructions, &Reconstructions::changed, this, &RatersPanel::showConsensus);
     connect(m_pairs, qOverload<int>(&QComboBox::currentIndexChanged), this, &RatersPanel::showPair);
     connect(m_begin, &QPushButton::clicked, this, &RatersPanel::roundRequested);
     connect(m_next, &QPushButton::clicked, this, &RatersPanel::nextTaskRequested);
@@ -56,7 +58,7 @@ void RatersPanel::build() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_table, m_pairs, m_next, m_begin, m_compare})
         widget->setFocusPolicy(Qt::NoFocus);
     m_compare->setToolTip(tr("Compares all raters as they stand now"));
-    connect(m_compare, &QPushButton::clicked, this, [this] { m_workbench.raters.compare(); });
+    connect(m_compare, &QPushButton::clicked, this, [this] { m_study.compare(); });
     auto* pairRow = new QHBoxLayout;
     pairRow->addWidget(m_pairs, 1);
     pairRow->addStretch(0);
@@ -82,7 +84,7 @@ void RatersPanel::showEvent(QShowEvent* event) {
 
 void RatersPanel::compareIfShown() {
     if (isVisible())
-        m_workbench.raters.compare();
+        m_study.compare();
 }
 
 void RatersPanel::showComparisons() {
@@ -91,7 +93,7 @@ void RatersPanel::showComparisons() {
         const QSignalBlocker blocker(m_pairs);
         const QString before = m_pairs->currentText();
         m_pairs->clear();
-        for (const core::RaterComparison& pair : m_workbench.raters.comparisons())
+        for (const core::RaterComparison& pair : m_study.comparisons())
             m_pairs->addItem(QStringLiteral("%1 \u2013 %2")
                                  .arg(QString::fromStdString(pair.first), QString::fromStdString(pair.second)));
         m_pairs->setCurrentIndex(std::max(0, m_pairs->findText(before)));
@@ -103,7 +105,7 @@ void RatersPanel::showComparisons() {
 }
 
 void RatersPanel::showPair() {
-    const auto& comparisons = m_workbench.raters.comparisons();
+    const auto& comparisons = m_study.comparisons();
     const int index = m_pairs->currentIndex();
     const bool any = index >= 0 && index < static_cast<int>(comparisons.size());
     m_table->setVisible(any);
@@ -116,8 +118,8 @@ void RatersPanel::showPair() {
     QStringList parts{
         tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(localNumber(pair.clickRmsPx, 2))};
     for (const std::string& rater : {pair.first, pair.second}) {
-        const auto sigma = m_workbench.raters.sigmaPx().find(rater);
-        if (sigma != m_workbench.raters.sigmaPx().end())
+        const auto sigma = m_study.sigmaPx().find(rater);
+        if (sigma != m_study.sigmaPx().end())
             parts << tr("%1 scatters by %2 px per axis")
                          .arg(QString::fromStdString(rater), localNumber(sigma->second, 2));
     }
@@ -127,14 +129,14 @@ void RatersPanel::showPair() {
 void RatersPanel::showConsensus() {
     if (!isVisible())
         return;
-    const core::Consensus all = m_workbench.raters.consensus();
+    const core::Consensus all = m_study.consensus();
     m_consensus->setVisible(all.result.point.has_value());
     if (!all.result.point)
         return;
     QString text =
         tr("All raters together: %1 \u00b1 %2 mm, from %n click(s).", nullptr, static_cast<int>(all.clicks.size()))
-            .arg(jointText(m_workbench.selection.joint()), localNumber(core::sigmaMm(all.result.point->covariance), 2));
-    const auto& own = m_workbench.reconstructions.selected().result.point;
+            .arg(jointText(m_selection.joint()), localNumber(core::sigmaMm(all.result.point->covariance), 2));
+    const auto& own = m_reconstructions.selected().result.point;
     if (own)
         text +=
             QLatin1Char(' ') + tr("Your 3D joint lies %1 mm from it.")
@@ -143,8 +145,7 @@ void RatersPanel::showConsensus() {
 }
 
 void RatersPanel::showRound() {
-    const RaterStudy& study = m_workbench.raters;
-    const bool repeating = study.isRepeating();
+    const bool repeating = m_study.isRepeating();
     m_begin->setText(repeating ? tr("End the round") : tr("Start a repeat round"));
     m_begin->setToolTip(
         repeating
@@ -157,8 +158,8 @@ void RatersPanel::showRound() {
                                       "you agree with yourself."));
     m_next->setToolTip(tr("To the next joint of the round that is not marked yet"));
     showConsensus();
-    m_round->setText(repeating ? tr("Second round: %1 of %2 joints are left.")
-                                     .arg(QLocale().toString(study.openTasks()), QLocale().toString(study.tasks()))
+    m_round->setText(repeating ? tr("Repeat round: %1 of %2 joints are left.")
+                                     .arg(QLocale().toString(m_study.openTasks()), QLocale().toString(m_study.tasks()))
                                : QString());
 }
 

@@ -7,8 +7,11 @@
 #include <QTableView>
 #include <QWidget>
 
+#include "widgets/document/reconstructions.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/rater_study.h"
 #include "widgets/models/agreement_model.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/dataset_session.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
@@ -19,7 +22,8 @@ class RatersPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit RatersPanel(Workbench& workbench, QWidget* parent = nullptr);
+    RatersPanel(RaterStudy& study, const Selection& selection, const Reconstructions& reconstructions,
+                const DatasetSession& datasets, QWidget* parent = nullptr);
 
 signals:
     /// The buttons of the second round.
@@ -37,7 +41,9 @@ private:
     void showConsensus();
     void showRound();
 
-    Workbench& m_workbench;
+    RaterStudy& m_study;
+    const Selection& m_selection;
+    const Reconstructions& m_reconstructions;
     MessageBar* m_message;
     QComboBox* m_pairs;
     QLabel* m_clicks;

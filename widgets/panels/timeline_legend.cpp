@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/timeline_legend.h"
 
-#include <QCoreApplication>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPixmap>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
@@ -14,10 +14,12 @@ namespace {
 
 constexpr int kSwatch = 12; // logical pixels
 
+constexpr LocalText legendText{"widgets::TimelineLegend"};
+
 QString lanesText() {
-    return QCoreApplication::translate(
+    return legendText(QT_TRANSLATE_NOOP(
         "widgets::TimelineLegend",
-        "Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks.");
+        "Upper lane: left hand. Lower lane: right hand. The fuller a bar, the more joints have marks."));
 }
 
 } // namespace
@@ -27,20 +29,19 @@ QColor othersColour(const QPalette& palette) {
 }
 
 std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette) {
-    const auto text = [](const char* source) { return QCoreApplication::translate("widgets::TimelineLegend", source); };
-    return {
-        {kDoneColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
-        {kPartialColour, text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
-        {kBadColour,
-         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "a joint is bad: large error, outlier, or no 3D point"))},
-        {kOccludedColour,
-         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "at its foot: a joint is occluded, its place estimated"))},
-        {othersColour(palette),
-         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "between the lanes: marks of other people"))},
-        {palette.color(QPalette::WindowText), text(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
-        {palette.color(QPalette::Highlight),
-         text(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
-                                "tick below: a test frame of the benchmark; the line: the current frame"))}};
+    return {{kDoneColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
+            {kPartialColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
+            {kBadColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                                      "a joint is bad: large error, outlier, or no 3D point"))},
+            {kOccludedColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                                           "at its foot: a joint is occluded, its place estimated"))},
+            {othersColour(palette),
+             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "between the lanes: marks of other people"))},
+            {palette.color(QPalette::WindowText),
+             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
+            {palette.color(QPalette::Highlight),
+             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                          "tick below: a test frame of the benchmark; the line: the current frame"))}};
 }
 
 QString timelineLegendText(const QPalette& palette) {

@@ -30,9 +30,9 @@ double factor(int steps) {
 
 } // namespace
 
-ViewPanel::ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& options, QWidget* parent)
+ViewPanel::ViewPanel(WindowSession& session, LayerPresenter& layers, ViewOptions& options, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_session(session)
     , m_layers(layers)
     , m_options(options) {
     auto* column = new QVBoxLayout(this);
@@ -43,9 +43,9 @@ ViewPanel::ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& 
     column->addWidget(makeCameraGroup(), 1);
     column->addWidget(new MarkLegend(this));
     connect(&layers, &LayerPresenter::lookChanged, this, &ViewPanel::showLook);
-    connect(&workbench.selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
+    connect(&session.selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
     connect(&options, &ViewOptions::adjustmentsLoaded, this, &ViewPanel::showAdjustment);
-    connect(&workbench, &Workbench::shownCamerasChanged, this, &ViewPanel::showCameras);
+    connect(&session, &WindowSession::shownCamerasChanged, this, &ViewPanel::showCameras);
     showLook();
     showAdjustment();
 }
@@ -89,7 +89,7 @@ QWidget* ViewPanel::makeImageGroup() {
     for (QSlider* slider : {m_brightness, m_contrast, m_gamma})
         connect(slider, &QSlider::valueChanged, this, &ViewPanel::changeAdjustment);
     connect(reset, &QPushButton::clicked, this, [this] {
-        m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_workbench.selection.camera(), {});
+        m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_session.selection.camera(), {});
         showAdjustment();
     });
     return group;
@@ -133,7 +133,7 @@ void ViewPanel::changeLook() {
 
 void ViewPanel::showAdjustment() {
     m_showing = true;
-    const ImageAdjustment adjustment = m_options.adjustment(m_workbench.selection.camera());
+    const ImageAdjustment adjustment = m_options.adjustment(m_session.selection.camera());
     m_brightness->setValue(static_cast<int>(std::lround(adjustment.brightness * kPercent)));
     m_contrast->setValue(octaves(adjustment.contrast));
     m_gamma->setValue(octaves(adjustment.gamma));
@@ -145,16 +145,16 @@ void ViewPanel::changeAdjustment() {
         return;
     const ImageAdjustment adjustment{m_brightness->value() / kPercent, factor(m_contrast->value()),
                                      factor(m_gamma->value())};
-    m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_workbench.selection.camera(), adjustment);
+    m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_session.selection.camera(), adjustment);
 }
 
 void ViewPanel::showCameras() {
-    const auto& dataset = m_workbench.session.dataset();
+    const auto& dataset = m_session.opened.dataset();
     if (!dataset || m_showing)
         return;
     m_showing = true;
     m_cameras->clear();
-    std::vector<std::string> names = m_workbench.shownCameras();
+    std::vector<std::string> names = m_session.shownCameras();
     const std::size_t shown = names.size();
     for (const core::Camera& camera : dataset->cameras)
         if (std::find(names.begin(), names.end(), camera.name) == names.end())
@@ -175,7 +175,7 @@ void ViewPanel::changeCameras() {
         if (m_cameras->item(row)->checkState() == Qt::Checked)
             shown.push_back(m_cameras->item(row)->text().toStdString());
     m_showing = true; // the list is right as it is
-    m_workbench.setShownCameras(shown);
+    m_session.setShownCameras(shown);
     m_showing = false;
 }
 

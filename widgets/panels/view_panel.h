@@ -11,7 +11,7 @@
 
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/presenters/view_options.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 
 class QFormLayout;
 
@@ -23,7 +23,7 @@ class ViewPanel : public QWidget {
     Q_OBJECT
 
 public:
-    ViewPanel(Workbench& workbench, LayerPresenter& layers, ViewOptions& options, QWidget* parent = nullptr);
+    ViewPanel(WindowSession& session, LayerPresenter& layers, ViewOptions& options, QWidget* parent = nullptr);
 
     /// The keyboard goes to the list of cameras.
     void askForCameras();
@@ -40,7 +40,7 @@ private:
     void showCameras();
     void changeCameras();
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     LayerPresenter& m_layers;
     ViewOptions& m_options;
     QComboBox* m_style = nullptr;

@@ -8,7 +8,7 @@
 
 #include "widgets/jobs/hand_places.h"
 #include "widgets/jobs/job.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/camera/camera_grid.h"
 
 namespace widgets {
@@ -20,7 +20,7 @@ class HandFraming : public QObject {
     Q_OBJECT
 
 public:
-    HandFraming(Workbench& workbench, CameraGrid& grid, QObject* parent = nullptr);
+    HandFraming(WindowSession& session, CameraGrid& grid, QObject* parent = nullptr);
 
     /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing
     /// is known and there are no masks.
@@ -38,7 +38,7 @@ private:
     void frameMaximised(int camera);
     void refreshLabels();
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     CameraGrid& m_grid;
     Job m_maskJob;
     std::array<bool, 2> m_handShown{true, true}; ///< left, right

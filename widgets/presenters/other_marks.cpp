@@ -22,18 +22,20 @@ QString othersText(const std::vector<core::RaterWork>& others) {
     return sentences.join(QLatin1Char(' '));
 }
 
-OtherMarks::OtherMarks(const Workbench& workbench, CameraGrid& grid, QObject* parent)
+OtherMarks::OtherMarks(const AnnotationDocument& document, const Selection& selection, const RaterStudy& raters,
+                       CameraGrid& grid, QObject* parent)
     : QObject(parent)
-    , m_workbench(workbench)
+    , m_document(document)
+    , m_selection(selection)
+    , m_raters(raters)
     , m_grid(grid) {
-    connect(&workbench, &Workbench::ready, this, &OtherMarks::refresh);
-    connect(&workbench.selection, &Selection::frameChanged, this, &OtherMarks::refresh);
-    connect(&workbench.selection, &Selection::jointChanged, this, &OtherMarks::refresh);
-    connect(&workbench.document, &AnnotationDocument::raterChanged, this, &OtherMarks::refresh);
-    connect(&workbench.document, &AnnotationDocument::opened, this, &OtherMarks::refresh);
-    connect(&workbench.document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
+    connect(&selection, &Selection::frameChanged, this, &OtherMarks::refresh);
+    connect(&selection, &Selection::jointChanged, this, &OtherMarks::refresh);
+    connect(&document, &AnnotationDocument::raterChanged, this, &OtherMarks::refresh);
+    connect(&document, &AnnotationDocument::opened, this, &OtherMarks::refresh);
+    connect(&document, &AnnotationDocument::changed, this, [this](const core::Edit& edit) {
         if (std::any_of(edit.marks.begin(), edit.marks.end(),
-                        [this](const auto& change) { return change.key.rater != m_workbench.document.rater(); }))
+                        [this](const auto& change) { return change.key.rater != m_document.rater(); }))
             refresh();
     });
 }
@@ -45,10 +47,9 @@ void OtherMarks::setShown(bool shown) {
 
 void OtherMarks::refresh() {
     std::map<std::string, std::vector<ViewMark>> byCamera;
-    if (m_shown && !m_workbench.raters.isRepeating()) {
-        const std::string own = core::ownRaterName(m_workbench.document.rater());
-        for (const auto& [key, mark] :
-             core::marksOfFrame(m_workbench.document.annotations(), m_workbench.selection.frame())) {
+    if (m_shown && !m_raters.isRepeating()) {
+        const std::string own = core::ownRaterName(m_document.rater());
+        for (const auto& [key, mark] : core::marksOfFrame(m_document.annotations(), m_selection.frame())) {
             if (core::ownRaterName(key.rater) == own || !mark.isPlaced())
                 continue;
             ViewMark shown;
@@ -56,7 +57,7 @@ void OtherMarks::refresh() {
             shown.px = QPointF(mark.px.x(), mark.px.y());
             shown.occluded = mark.state == core::MarkState::Occluded;
             shown.label = QString::fromStdString(key.rater);
-            shown.named = key.joint == m_workbench.selection.joint();
+            shown.named = key.joint == m_selection.joint();
             byCamera[key.camera].push_back(shown);
         }
     }

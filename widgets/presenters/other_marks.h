@@ -6,7 +6,9 @@
 #include <QObject>
 
 #include "core/annotation/raters.h"
-#include "widgets/session/workbench.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/rater_study.h"
 #include "widgets/views/camera/camera_grid.h"
 
 namespace widgets {
@@ -23,15 +25,18 @@ class OtherMarks : public QObject {
     Q_OBJECT
 
 public:
-    OtherMarks(const Workbench& workbench, CameraGrid& grid, QObject* parent = nullptr);
+    OtherMarks(const AnnotationDocument& document, const Selection& selection, const RaterStudy& raters,
+               CameraGrid& grid, QObject* parent = nullptr);
 
     void setShown(bool shown);
     bool isShown() const { return m_shown; }
-
-private:
+    /// For new views.
     void refresh();
 
-    const Workbench& m_workbench;
+private:
+    const AnnotationDocument& m_document;
+    const Selection& m_selection;
+    const RaterStudy& m_raters;
     CameraGrid& m_grid;
     bool m_shown = false;
 };

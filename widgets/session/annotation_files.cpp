@@ -102,7 +102,7 @@ void AnnotationFiles::finishImport(core::ImportMode mode) {
         return;
     const WaitingImport import = *std::exchange(m_waiting, std::nullopt);
     const core::Edit edit =
-        core::importEdit(m_document.annotations(), import.read->set, "import " + import.path.toStdString(), mode);
+        core::importEdit(m_document.annotations(), import.read->set, import.path.toStdString(), mode);
     m_document.push(edit);
     if (m_document.isReadOnly()) // and it has said so
         return;

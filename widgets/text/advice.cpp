@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/advice.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
@@ -12,9 +11,7 @@ namespace widgets {
 
 namespace {
 
-QString text(const char* source, int count = -1) {
-    return QCoreApplication::translate("widgets::Advice", source, nullptr, count);
-}
+constexpr LocalText text{"widgets::Advice"};
 
 } // namespace
 

@@ -1,56 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/edit_text.h"
 
-#include <algorithm>
-#include <array>
-#include <string_view>
-
-#include <QCoreApplication>
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
-QString text(const char* source, int count = -1) {
-    return QCoreApplication::translate("widgets::EditText", source, nullptr, count);
+constexpr LocalText text{"widgets::EditText"};
+
+QString stateText(core::MarkState state) {
+    switch (state) {
+    case core::MarkState::Visible:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as visible in %2"));
+    case core::MarkState::Occluded:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as occluded in %2"));
+    case core::MarkState::Unplaceable:
+        break;
+    }
+    return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as not placeable in %2"));
 }
 
-QString singleMarkText(const core::MarkChange& change) {
-    const QString joint = jointText(change.key.joint);
-    const QString camera = QString::fromStdString(change.key.camera);
-    if (!change.after)
-        return text(QT_TRANSLATE_NOOP("widgets::EditText", "delete %1 in %2")).arg(joint, camera);
-    if (change.after->state == core::MarkState::Unplaceable)
-        return text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as not placeable in %2")).arg(joint, camera);
-    if (!change.before)
-        return (change.after->placement == core::Placement::Proposed
-                    ? text(QT_TRANSLATE_NOOP("widgets::EditText", "propose %1 in %2"))
-                : change.after->placement == core::Placement::Auto
-                    ? text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"))
-                    : text(QT_TRANSLATE_NOOP("widgets::EditText", "place %1 in %2")))
-            .arg(joint, camera);
-    if (change.before->px != change.after->px)
-        return text(QT_TRANSLATE_NOOP("widgets::EditText", "move %1 in %2")).arg(joint, camera);
-    return (change.after->state == core::MarkState::Occluded
-                ? text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as occluded in %2"))
-                : text(QT_TRANSLATE_NOOP("widgets::EditText", "mark %1 as visible in %2")))
-        .arg(joint, camera);
+/// For an edit of one mark: %1 is the joint, %2 the camera. Empty for kinds that are always said with a count.
+QString oneMarkText(const core::EditDescription& description) {
+    switch (description.kind) {
+    case core::EditKind::Place:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "place %1 in %2"));
+    case core::EditKind::Move:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "move %1 in %2"));
+    case core::EditKind::SetState:
+        return stateText(description.state);
+    case core::EditKind::Delete:
+    case core::EditKind::DeleteRange:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "delete %1 in %2"));
+    case core::EditKind::AcceptJoint:
+    case core::EditKind::AcceptFrame:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "accept %1 in %2"));
+    case core::EditKind::Propose:
+        return text(QT_TRANSLATE_NOOP("widgets::EditText", "propose %1 in %2"));
+    default:
+        return {};
+    }
 }
 
-/// First words of the labels of edits over many marks, and how they are said.
-struct ManyMarks {
-    std::string_view beginning;
-    const char* source;
-};
-constexpr std::array kManyMarks = {
-    ManyMarks{"accept", QT_TRANSLATE_N_NOOP("widgets::EditText", "accept %n mark(s)")},
-    ManyMarks{"copy", QT_TRANSLATE_N_NOOP("widgets::EditText", "copy a pose (%n mark(s))")},
-    ManyMarks{"interpolate", QT_TRANSLATE_N_NOOP("widgets::EditText", "interpolate (%n mark(s))")},
-    ManyMarks{"swap", QT_TRANSLATE_N_NOOP("widgets::EditText", "swap left and right (%n mark(s))")},
-    ManyMarks{"delete", QT_TRANSLATE_N_NOOP("widgets::EditText", "delete %n mark(s)")},
-    ManyMarks{"import", QT_TRANSLATE_N_NOOP("widgets::EditText", "import %n mark(s)")},
-    ManyMarks{"propose", QT_TRANSLATE_N_NOOP("widgets::EditText", "propose %n mark(s)")},
-};
+QString countedText(core::EditKind kind, int count) {
+    switch (kind) {
+    case core::EditKind::AcceptJoint:
+    case core::EditKind::AcceptFrame:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "accept %n mark(s)"), count);
+    case core::EditKind::CopyPose:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "copy a pose (%n mark(s))"), count);
+    case core::EditKind::Interpolate:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "interpolate (%n mark(s))"), count);
+    case core::EditKind::SwapHands:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "swap left and right (%n mark(s))"), count);
+    case core::EditKind::Delete:
+    case core::EditKind::DeleteRange:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "delete %n mark(s)"), count);
+    case core::EditKind::Import:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "import %n mark(s)"), count);
+    case core::EditKind::Propose:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "propose %n mark(s)"), count);
+    default:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "change %n mark(s)"), count);
+    }
+}
 
 } // namespace
 
@@ -70,16 +84,16 @@ QString jointText(const core::JointId& joint) {
 }
 
 QString editText(const core::Edit& edit) {
-    if (edit.marks.size() == 1 && edit.notes.empty())
-        return singleMarkText(edit.marks.front());
+    const core::EditDescription& what = edit.description;
+    if (what.kind == core::EditKind::Other && !what.text.empty())
+        return toQString(what.text);
     if (edit.marks.empty() && edit.notes.size() == 1)
         return text(QT_TRANSLATE_NOOP("widgets::EditText", "note on frame %1")).arg(edit.notes.front().frame);
-    const int count = static_cast<int>(edit.marks.size());
-    const auto known = std::find_if(kManyMarks.begin(), kManyMarks.end(),
-                                    [&](const ManyMarks& kind) { return edit.label.starts_with(kind.beginning); });
-    if (known != kManyMarks.end())
-        return text(known->source, count);
-    return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "change %n mark(s)"), count);
+    if (const QString one = oneMarkText(what); edit.marks.size() == 1 && !one.isEmpty()) {
+        const core::MarkKey& key = edit.marks.front().key;
+        return one.arg(jointText(key.joint), toQString(key.camera));
+    }
+    return countedText(what.kind, static_cast<int>(edit.marks.size()));
 }
 
 } // namespace widgets

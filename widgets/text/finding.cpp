@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QLocale>
 
 #include "widgets/text/advice.h"
@@ -17,9 +16,7 @@ namespace {
 constexpr double kOutlierSeverity = 10;
 constexpr double kNoPointSeverity = 100;
 
-QString text(const char* source) {
-    return QCoreApplication::translate("widgets::Finding", source);
-}
+constexpr LocalText text{"widgets::Finding"};
 
 void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, const core::JointReconstruction& found,
                  int frame, double badRmsPx) {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/store_text.h"
 
-#include <QCoreApplication>
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("widgets::StoreText", source);
-}
+constexpr LocalText text{"widgets::StoreText"};
 
 } // namespace
 

@@ -43,9 +43,9 @@ std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
 
 } // namespace
 
-BenchmarkPage::BenchmarkPage(Workbench& workbench, QWidget* parent)
+BenchmarkPage::BenchmarkPage(WindowSession& session, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_session(session)
     , m_message(new MessageBar(this))
     , m_sequences(new QListWidget(this))
     , m_setup(new QComboBox(this))
@@ -116,7 +116,7 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
-    connect(&m_workbench.coverage, &Coverage::changed, this, [this] {
+    connect(&m_session.coverage, &Coverage::changed, this, [this] {
         if (setup() == core::BenchmarkSetup::Realistic)
             emit drawChanged();
     });
@@ -137,8 +137,8 @@ QLayout* BenchmarkPage::makeFileRow() {
 }
 
 void BenchmarkPage::connectRunner() {
-    BenchmarkRunner& runner = m_workbench.benchmarks;
-    connect(&m_workbench.session, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
+    BenchmarkRunner& runner = m_session.benchmarks;
+    connect(&m_session.opened, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
     connect(&runner, &BenchmarkRunner::started, this, [this] {
         m_message->setMessage({});
         showRunning(true);
@@ -160,7 +160,7 @@ void BenchmarkPage::connectRunner() {
     connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
     connect(m_results, &BenchmarkResultsView::pairOpened, this,
             [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
-                const FitTarget target = m_workbench.benchmarks.setup() == core::BenchmarkSetup::Realistic
+                const FitTarget target = m_session.benchmarks.setup() == core::BenchmarkSetup::Realistic
                                              ? FitTarget::Masks
                                              : FitTarget::Recorded;
                 emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
@@ -171,6 +171,18 @@ void BenchmarkPage::connectRunner() {
     });
 }
 
+/// The first part that is not a number of frames.
+std::optional<QString> BenchmarkPage::wrongDifference() const {
+    for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
+        bool isNumber = false;
+        part.trimmed().toInt(&isNumber);
+        if (!isNumber)
+            return part.trimmed();
+    }
+    return std::nullopt;
+}
+
+/// Parts that are not a number are left out.
 core::PairOptions BenchmarkPage::pairOptions() const {
     core::PairOptions options;
     options.fraction = m_percent->value() / 100;
@@ -178,10 +190,9 @@ core::PairOptions BenchmarkPage::pairOptions() const {
     options.differences.clear();
     for (const QString& part : m_differences->text().split(QLatin1Char(','), Qt::SkipEmptyParts)) {
         bool isNumber = false;
-        options.differences.push_back(part.trimmed().toInt(&isNumber));
-        if (!isNumber)
-            throw core::Error(core::ErrorCode::Usage, {}, {},
-                              tr("\u201c%1\u201d is not a number of frames.").arg(part.trimmed()).toStdString());
+        const int difference = part.trimmed().toInt(&isNumber);
+        if (isNumber)
+            options.differences.push_back(difference);
     }
     return options;
 }
@@ -191,21 +202,23 @@ core::BenchmarkSetup BenchmarkPage::setup() const {
 }
 
 std::set<int> BenchmarkPage::testFrames() const {
-    const core::Sequence* sequence = m_workbench.session.sequence();
+    const core::Sequence* sequence = m_session.opened.sequence();
     if (!sequence)
         return {};
     core::PairFrames frames{sequence->name, {}};
     if (setup() == core::BenchmarkSetup::Realistic) {
-        frames.frames = framesWithPoints(m_workbench.document.annotations());
+        frames.frames = framesWithPoints(m_session.document.annotations());
     } else {
         frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
         std::iota(frames.frames.begin(), frames.frames.end(), 0);
     }
     std::set<int> tests;
+    if (wrongDifference()) // half typed
+        return tests;
     try {
         for (const core::FramePair& pair : core::drawPairs({frames}, pairOptions()))
             tests.insert(pair.test);
-    } catch (const core::Error&) { // half typed
+    } catch (const core::Error&) { // out of range
     }
     return tests;
 }
@@ -220,22 +233,27 @@ BenchmarkRequest BenchmarkPage::request() const {
             request.methods.push_back(box->text().toStdString());
     request.pairs = pairOptions();
     request.setup = setup();
-    if (request.methods.empty() || request.sequences.empty())
-        throw core::Error(core::ErrorCode::Usage, {}, {},
-                          tr("Choose at least one method and one sequence.").toStdString());
     return request;
 }
 
+QString BenchmarkPage::objection(const BenchmarkRequest& request) const {
+    if (const auto wrong = wrongDifference())
+        return tr("\u201c%1\u201d is not a number of frames.").arg(*wrong);
+    if (request.methods.empty() || request.sequences.empty())
+        return tr("Choose at least one method and one sequence.");
+    return {};
+}
+
 void BenchmarkPage::runOrStop() {
-    if (m_workbench.benchmarks.isRunning()) {
-        m_workbench.benchmarks.stop();
+    if (m_session.benchmarks.isRunning()) {
+        m_session.benchmarks.stop();
         return;
     }
-    try {
-        m_workbench.benchmarks.run(request());
-    } catch (const core::Error& error) {
-        m_message->setMessage(QString::fromUtf8(error.what()));
-    }
+    const BenchmarkRequest wanted = request();
+    if (const QString why = objection(wanted); !why.isEmpty())
+        m_message->setMessage(why);
+    else
+        m_session.benchmarks.run(wanted);
 }
 
 void BenchmarkPage::showRunning(bool running) {
@@ -249,7 +267,7 @@ void BenchmarkPage::showRunning(bool running) {
 
 void BenchmarkPage::takeDataset() {
     m_sequences->clear();
-    for (const core::Sequence& sequence : m_workbench.session.dataset()->sequences) {
+    for (const core::Sequence& sequence : m_session.opened.dataset()->sequences) {
         auto* item = new QListWidgetItem(QString::fromStdString(sequence.name), m_sequences);
         item->setCheckState(sequence.motion.empty() ? Qt::Unchecked : Qt::Checked);
         if (sequence.motion.empty())
@@ -258,18 +276,18 @@ void BenchmarkPage::takeDataset() {
 }
 
 void BenchmarkPage::takeResults() {
-    m_results->setResults(m_workbench.benchmarks.results());
-    m_save->setEnabled(m_workbench.benchmarks.results() != nullptr);
+    m_results->setResults(m_session.benchmarks.results());
+    m_save->setEnabled(m_session.benchmarks.results() != nullptr);
 }
 
 void BenchmarkPage::askToSave() {
     chooseFolder(
-        tr("Save the results in a folder"), [this](const QString& folder) { m_workbench.benchmarks.save(folder); });
+        tr("Save the results in a folder"), [this](const QString& folder) { m_session.benchmarks.save(folder); });
 }
 
 void BenchmarkPage::askToOpen() {
     chooseFolder(
-        tr("Open the results of a folder"), [this](const QString& folder) { m_workbench.benchmarks.open(folder); });
+        tr("Open the results of a folder"), [this](const QString& folder) { m_session.benchmarks.open(folder); });
 }
 
 void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {

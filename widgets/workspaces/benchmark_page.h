@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@
 #include <QSpinBox>
 #include <QWidget>
 
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/workspaces/benchmark_results_view.h"
 
@@ -28,13 +29,16 @@ class BenchmarkPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit BenchmarkPage(Workbench& workbench, QWidget* parent = nullptr);
+    explicit BenchmarkPage(WindowSession& session, QWidget* parent = nullptr);
 
     /// Which test frames the settings draw from the open sequence; none if they make no sense now.
     std::set<int> testFrames() const;
 
     /// What the fields say. Throws core::Error(Usage) if the differences are not whole numbers, or nothing is chosen.
+    /// Why it cannot run, in the person's language; empty if it can.
+    QString objection(const BenchmarkRequest& request) const;
     BenchmarkRequest request() const;
+    std::optional<QString> wrongDifference() const;
     core::PairOptions pairOptions() const;
 
     void runOrStop();
@@ -58,7 +62,7 @@ private:
     void chooseFolder(const QString& title, const std::function<void(const QString&)>& take);
     void showRunning(bool running);
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     MessageBar* m_message;
     QListWidget* m_sequences;
     std::vector<QCheckBox*> m_methods;

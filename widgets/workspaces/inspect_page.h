@@ -12,7 +12,7 @@
 #include <QWidget>
 
 #include "widgets/presenters/inspected_poses.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/curve_plot.h"
 
@@ -25,7 +25,7 @@ class InspectPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit InspectPage(Workbench& workbench, QWidget* parent = nullptr);
+    explicit InspectPage(WindowSession& session, QWidget* parent = nullptr);
 
     CameraGrid* grid() const { return m_grid; }
     /// 0 is the start pose; methods that ended before stay at their result.
@@ -64,7 +64,7 @@ private:
     std::vector<int> rowCameras() const;
     std::size_t methodCount() const;
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     FrameLoader m_frames; ///< of the pair's test frame, whatever the window's current one is
     std::shared_ptr<const core::Dataset> m_dataset;
     const core::Sequence* m_sequence = nullptr;

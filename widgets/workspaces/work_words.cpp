@@ -3,19 +3,17 @@
 
 #include <cmath>
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
 #include "core/benchmark/metrics.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
-QString words(const char* text) {
-    return QCoreApplication::translate("widgets::WorkWords", text);
-}
+constexpr LocalText words{"widgets::WorkWords"};
 
 QString methodError(const std::string& method, double errorMm) {
     return words(QT_TRANSLATE_NOOP("widgets::WorkWords", "%1 %2 mm"))

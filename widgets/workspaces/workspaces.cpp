@@ -37,45 +37,43 @@ QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
 
 } // namespace
 
-Workspaces::Workspaces(Workbench& workbench, QWidget* parent)
+Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     : QWidget(parent)
-    , m_workbench(workbench)
+    , m_session(session)
     , m_columns(new QSplitter(Qt::Horizontal, this))
     , m_middle(new QStackedWidget(this))
     , m_right(new QSplitter(Qt::Vertical, this))
     , m_tabs(new QTabWidget(this))
-    , m_joints(
-          new JointsPanel(workbench.joints, workbench.document, workbench.reconstructions, workbench.selection, this))
+    , m_joints(new JointsPanel(session.joints, session.document, session.reconstructions, session.selection, this))
     , m_grid(new CameraGrid(this))
     , m_scene(new SceneView(this))
-    , m_fitting(new FittingPanel(workbench.selection, workbench.fits, this))
-    , m_marks(
-          new MarkPresenter(workbench.joints, workbench.reconstructions, workbench.selection, *m_grid, m_scene, this))
-    , m_layers(new LayerPresenter(workbench.selection, workbench.fits, *m_grid, m_scene, workbench.pool, this))
-    , m_options(new ViewOptions(*m_grid, workbench.selection, workbench.reconstructions, this))
-    , m_framing(new HandFraming(workbench, *m_grid, this))
-    , m_quality(new QualityPanel(workbench, this))
-    , m_raters(new RatersPanel(workbench, this))
-    , m_viewPanel(new ViewPanel(workbench, *m_layers, *m_options, this))
-    , m_inspect(new InspectPage(workbench, this))
-    , m_benchmark(new BenchmarkPage(workbench, this))
+    , m_fitting(new FittingPanel(session.selection, session.fits, this))
+    , m_marks(new MarkPresenter(session.joints, session.reconstructions, session.selection, *m_grid, m_scene, this))
+    , m_layers(new LayerPresenter(session.selection, session.fits, *m_grid, m_scene, session.pool, this))
+    , m_options(new ViewOptions(*m_grid, session.selection, session.reconstructions, this))
+    , m_framing(new HandFraming(session, *m_grid, this))
+    , m_quality(new QualityPanel(session, this))
+    , m_raters(new RatersPanel(session.raters, session.selection, session.reconstructions, session.opened, this))
+    , m_viewPanel(new ViewPanel(session, *m_layers, *m_options, this))
+    , m_inspect(new InspectPage(session, this))
+    , m_benchmark(new BenchmarkPage(session, this))
     , m_scenePanel(new ScenePanel(m_scene, *m_layers, this))
-    , m_masks(workbench.session, workbench.selection, workbench.pool) {
+    , m_masks(session.opened, session.selection, session.pool) {
     build();
     connectGrid();
     connectInspect();
     connectWords();
     connect(m_quality, &QualityPanel::badRmsPxChanged, m_joints, &JointsPanel::setBadRmsPx);
     connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
-    connect(&workbench, &Workbench::ready, this, &Workspaces::takeSequence);
-    connect(&workbench, &Workbench::shownCamerasChanged, this, &Workspaces::showOrder);
-    connect(&workbench.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
-    connect(&workbench.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
-    connect(&workbench.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
+    connect(&session, &WindowSession::ready, this, &Workspaces::takeSequence);
+    connect(&session, &WindowSession::shownCamerasChanged, this, &Workspaces::showOrder);
+    connect(&session.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
+    connect(&session.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
+    connect(&session.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
     connect(m_options, &ViewOptions::adjustmentsChanged, this,
-            [this] { m_workbench.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
-    connect(&workbench.model, &HandModelFit::changed, this, [this] {
-        const auto& fit = m_workbench.model.fit();
+            [this] { m_session.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
+    connect(&session.model, &HandModelFit::changed, this, [this] {
+        const auto& fit = m_session.model.fit();
         m_layers->setAnnotatedPose(fit ? std::optional(fit->poses) : std::nullopt, fit ? fit->frame : -1);
     });
 }
@@ -125,13 +123,13 @@ void Workspaces::resizeEvent(QResizeEvent* event) {
 void Workspaces::connectGrid() {
     connect(m_grid, &CameraGrid::viewAdded, this, &Workspaces::connectView);
     connect(m_grid, &CameraGrid::currentChanged, this, [this](int camera) {
-        if (camera >= 0 && m_workbench.session.dataset())
-            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+        if (camera >= 0 && m_session.opened.dataset())
+            m_session.selection.setCamera(m_grid->view(camera)->camera().name);
     });
-    connect(m_scene, &SceneView::jointClicked, &m_workbench.selection, &Selection::setJoint);
+    connect(m_scene, &SceneView::jointClicked, &m_session.selection, &Selection::setJoint);
     connect(m_scene, &SceneView::cameraClicked, this, [this](int camera) {
         if (camera >= 0 && camera < m_grid->count())
-            m_workbench.selection.setCamera(m_grid->view(camera)->camera().name);
+            m_session.selection.setCamera(m_grid->view(camera)->camera().name);
     });
 }
 
@@ -143,8 +141,8 @@ void Workspaces::connectInspect() {
             showCurrentCamera();
     });
     connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
-    connect(&m_workbench.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
-    connect(&m_workbench.fits, &FitRunner::failed, this, [this] {
+    connect(&m_session.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
+    connect(&m_session.fits, &FitRunner::failed, this, [this] {
         if (m_kind != Kind::Benchmark)
             m_tabs->setCurrentIndex(tabOf(m_fitting)); // where the reason stands, and what to do
     });
@@ -155,17 +153,17 @@ void Workspaces::connectInspect() {
 void Workspaces::connectWords() {
     const auto update = [this] { emit wordsChanged(words()); };
     for (const auto& signal : {&FitRunner::finished, &FitRunner::cleared})
-        connect(&m_workbench.fits, signal, this, update);
-    connect(&m_workbench.benchmarks, &BenchmarkRunner::updated, this, update);
+        connect(&m_session.fits, signal, this, update);
+    connect(&m_session.benchmarks, &BenchmarkRunner::updated, this, update);
     connect(this, &Workspaces::currentChanged, this, update);
 }
 
 WorkWords Workspaces::words() const {
     switch (m_kind) {
     case Kind::Inspect:
-        return fitWords(m_workbench.fits.outcome().get());
+        return fitWords(m_session.fits.outcome().get());
     case Kind::Benchmark:
-        return benchmarkWords(m_workbench.benchmarks.results().get());
+        return benchmarkWords(m_session.benchmarks.results().get());
     case Kind::Annotate:
         break;
     }
@@ -178,26 +176,26 @@ void Workspaces::lookInspected() {
 }
 
 bool Workspaces::inspects() const {
-    return m_kind == Kind::Inspect && m_workbench.fits.outcome();
+    return m_kind == Kind::Inspect && m_session.fits.outcome();
 }
 
 /// The inspected pair's poses at the iteration that is shown, or those of the current frame. Marks of another frame
 /// stay out.
 void Workspaces::showInScene() {
-    const auto& outcome = m_workbench.fits.outcome();
+    const auto& outcome = m_session.fits.outcome();
     const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
     m_layers->setInspected(posed.empty() ? std::nullopt : std::optional(posed));
-    m_scene->setJointsShown(!inspects() || outcome->request.test == m_workbench.selection.frame());
+    m_scene->setJointsShown(!inspects() || outcome->request.test == m_session.selection.frame());
 }
 
 ImagePyramid Workspaces::shownPicture(int camera) const {
     if (camera < 0)
         return {};
-    return inspects() ? m_inspect->picture(camera) : m_workbench.frames.picture(camera);
+    return inspects() ? m_inspect->picture(camera) : m_session.frames.picture(camera);
 }
 
 void Workspaces::connectView(int camera, CameraView* view) {
-    Annotator& annotator = m_workbench.annotator;
+    Annotator& annotator = m_session.annotator;
     const auto name = [view] { return view->camera().name; };
     const auto vector = [](QPointF px) { return Eigen::Vector2d(px.x(), px.y()); };
     connect(view, &CameraView::pointPlaced, &annotator,
@@ -214,39 +212,39 @@ void Workspaces::connectView(int camera, CameraView* view) {
             });
     connect(view, &CameraView::markDragCancelled, &annotator, &Annotator::cancelDrag);
     connect(view, &CameraView::markSelected, this, [this, name](const core::JointId& joint) {
-        m_workbench.selection.setCamera(name());
-        m_workbench.selection.setJoint(joint);
+        m_session.selection.setCamera(name());
+        m_session.selection.setJoint(joint);
     });
     connect(view, &CameraView::contextMenuRequested, this,
             [this, camera, name](QPointF px, const core::JointId& joint, const QPoint& position) {
-                m_workbench.selection.setCamera(name());
+                m_session.selection.setCamera(name());
                 emit viewMenuRequested(camera, px, joint, position);
             });
 }
 
 void Workspaces::takeSequence() {
-    const auto& dataset = m_workbench.session.dataset();
+    const auto& dataset = m_session.opened.dataset();
     m_grid->setCameras(dataset->cameras);
     for (CameraView* view : m_grid->views())
         view->setMessage({});
     m_scene->setCameras(dataset->cameras);
     showOrder();
-    m_marks->setDataset(dataset, m_workbench.session.sequence());
-    m_layers->setSequence(dataset, m_workbench.session.motion());
+    m_marks->setDataset(dataset, m_session.opened.sequence());
+    m_layers->setSequence(dataset, m_session.opened.motion());
     for (int camera = 0; camera < m_grid->count(); ++camera)
-        showPicture(camera, m_workbench.frames.picture(camera));
+        showPicture(camera, m_session.frames.picture(camera));
     showCurrentCamera();
     m_scene->resetView();
     m_framing->frameHands();
-    m_options->setAdjustmentsFromText(m_workbench.document.setting(kAdjustmentsSetting).value_or(std::string()));
+    m_options->setAdjustmentsFromText(m_session.document.setting(kAdjustmentsSetting).value_or(std::string()));
 }
 
 void Workspaces::showOrder() {
-    const auto& dataset = m_workbench.session.dataset();
+    const auto& dataset = m_session.opened.dataset();
     if (!dataset || m_grid->count() == 0)
         return;
     std::vector<int> order;
-    for (const std::string& camera : m_workbench.shownCameras())
+    for (const std::string& camera : m_session.shownCameras())
         order.push_back(dataset->cameraIndex(camera));
     m_grid->setOrder(order);
 }
@@ -254,8 +252,8 @@ void Workspaces::showOrder() {
 void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
     if (camera >= m_grid->count() || picture.isNull())
         return;
-    m_grid->view(camera)->setMessage(m_workbench.frames.lacksPicture(camera) ? tr("No picture at this instant.")
-                                                                             : QString());
+    m_grid->view(camera)->setMessage(m_session.frames.lacksPicture(camera) ? tr("No picture at this instant.")
+                                                                           : QString());
     m_grid->view(camera)->setImage(picture);
     if (camera == m_grid->current() && !inspects())
         m_scene->setCameraImage(picture.image());
@@ -263,20 +261,20 @@ void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
 
 /// Says why there is no picture, instead of another frame's; footage that is not there any more can be looked for.
 void Workspaces::showFailure(int camera, const QString& message) {
-    const auto& dataset = m_workbench.session.dataset();
+    const auto& dataset = m_session.opened.dataset();
     if (!dataset || camera >= m_grid->count())
         return;
     CameraView* view = m_grid->view(camera);
     view->setImage(plainPicture(view->camera().size));
     std::vector<MessageAction> actions;
-    if (isFootageGone(*dataset, *m_workbench.session.sequence(), view->camera().name))
+    if (isFootageGone(*dataset, *m_session.opened.sequence(), view->camera().name))
         actions.push_back({tr("Find..."), [this] { emit footageWanted(); }});
     view->setMessage(message, actions);
 }
 
 void Workspaces::showCurrentCamera() {
-    const auto& dataset = m_workbench.session.dataset();
-    const int camera = dataset ? dataset->cameraIndex(m_workbench.selection.camera()) : -1;
+    const auto& dataset = m_session.opened.dataset();
+    const int camera = dataset ? dataset->cameraIndex(m_session.selection.camera()) : -1;
     if (camera >= m_grid->count())
         return;
     m_grid->setCurrent(camera);
@@ -290,8 +288,8 @@ void Workspaces::setCurrent(Kind kind) {
         return;
     m_kind = kind;
     m_middle->setCurrentIndex(static_cast<int>(kind));
-    if (const auto& outcome = m_workbench.fits.outcome(); outcome && kind == Kind::Inspect)
-        m_workbench.selection.setFrame(outcome->request.test);
+    if (const auto& outcome = m_session.fits.outcome(); outcome && kind == Kind::Inspect)
+        m_session.selection.setFrame(outcome->request.test);
     m_joints->setVisible(kind == Kind::Annotate);
     m_right->setVisible(kind != Kind::Benchmark);
     showTabs();
@@ -318,21 +316,21 @@ void Workspaces::showTabs() {
 
 void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
     const auto fit = [this, request] {
-        m_workbench.selection.setFrame(request.test);
+        m_session.selection.setFrame(request.test);
         m_fitting->fit(request);
         setCurrent(Kind::Inspect);
     };
-    if (QString::fromStdString(m_workbench.session.sequence()->name) == sequence) {
+    if (QString::fromStdString(m_session.opened.sequence()->name) == sequence) {
         fit();
         return;
     }
     auto* once = new QObject(this);
-    connect(&m_workbench, &Workbench::ready, once, [once, fit] {
+    connect(&m_session, &WindowSession::ready, once, [once, fit] {
         once->deleteLater();
         fit();
     });
-    connect(&m_workbench.session, &DatasetSession::openFailed, once, &QObject::deleteLater);
-    m_workbench.session.openSequence(sequence, request.test);
+    connect(&m_session.opened, &DatasetSession::openFailed, once, &QObject::deleteLater);
+    m_session.opened.openSequence(sequence, request.test);
 }
 
 void Workspaces::raisePanel(QWidget* panel) {

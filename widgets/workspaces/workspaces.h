@@ -18,7 +18,7 @@
 #include "widgets/presenters/mark_presenter.h"
 #include "widgets/presenters/view_options.h"
 #include "widgets/session/mask_attacher.h"
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/scene/scene_view.h"
 #include "widgets/workspaces/benchmark_page.h"
@@ -36,7 +36,7 @@ public:
     enum class Kind { Annotate, Inspect, Benchmark };
     Q_ENUM(Kind)
 
-    explicit Workspaces(Workbench& workbench, QWidget* parent = nullptr);
+    explicit Workspaces(WindowSession& session, QWidget* parent = nullptr);
 
     void setCurrent(Kind kind);
     Kind current() const { return m_kind; }
@@ -98,7 +98,7 @@ private:
     void showCurrentCamera();
     void openPair(const QString& sequence, const FitRequest& request);
 
-    Workbench& m_workbench;
+    WindowSession& m_session;
     Kind m_kind = Kind::Annotate;
     bool m_columnsMoved = false; ///< a person has chosen the columns' widths
     QSplitter* m_columns;

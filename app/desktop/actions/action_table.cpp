@@ -159,7 +159,7 @@ const std::vector<ActionRow> kRows = {
     {"edit.rater", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Your n&ame..."), "Ctrl+U", "user-identity", QT_TRANSLATE_NOOP("app::ActionTable", "The name that your marks are kept under")},
     {"annotation.raters", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Compare ra&ters"), "Ctrl+Shift+B", "", "", kPlain, true},
     {"annotation.repeat", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "&Start a repeat round"), "Ctrl+Shift+R", "", QT_TRANSLATE_NOOP("app::ActionTable", "A random tenth of your finished joints, your first marks hidden; once more to end the round"), kPlain, true},
-    {"annotation.repeatNext", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint of the second round"), "Ctrl+Shift+N", "", ""},
+    {"annotation.repeatNext", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint of the repeat round"), "Ctrl+Shift+N", "", ""},
 
     {"help.shortcuts", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Shortcuts"), "F1", "help-contents", ""},
     {"help.hints", kHelp, QT_TRANSLATE_NOOP("app::ActionTable", "&Four hints"), "Ctrl+F1", "", ""},

@@ -23,40 +23,41 @@ void pushOrSay(MainWindow& window, const core::Edit& edit, const QString& otherw
     if (edit.empty())
         window.statusLine().sayBriefly(otherwise);
     else
-        window.workbench().document.push(edit);
+        window.session().document.push(edit);
 }
 
 void copyPrevious(MainWindow& window) {
-    widgets::Workbench& bench = window.workbench();
-    const auto from = widgets::nextAnnotatedFrame(bench.coverage.frames(), bench.selection.frame(), Direction::Back);
-    if (!from || !bench.session.dataset()) {
+    widgets::WindowSession& session = window.session();
+    const auto from =
+        widgets::nextAnnotatedFrame(session.coverage.frames(), session.selection.frame(), Direction::Back);
+    if (!from || !session.opened.dataset()) {
         window.statusLine().sayBriefly(MainWindow::tr("No annotated frame before this one."));
         return;
     }
     pushOrSay(window,
-              core::copyPoseEdit(bench.document.annotations(), bench.session.dataset()->cameras, *from,
-                                 bench.selection.frame(), bench.document.rater()),
+              core::copyPoseEdit(session.document.annotations(), session.opened.dataset()->cameras, *from,
+                                 session.selection.frame(), session.document.rater()),
               MainWindow::tr("Frame %1 has no 3D joint that is missing here.").arg(*from));
 }
 
 void interpolate(MainWindow& window, core::Interpolation kind) {
-    widgets::Workbench& bench = window.workbench();
-    const int frame = bench.selection.frame();
-    const auto before = widgets::nextAnnotatedFrame(bench.coverage.frames(), frame, Direction::Back);
-    const auto after = widgets::nextAnnotatedFrame(bench.coverage.frames(), frame, Direction::Forward);
-    if (!before || !after || !bench.session.dataset()) {
+    widgets::WindowSession& session = window.session();
+    const int frame = session.selection.frame();
+    const auto before = widgets::nextAnnotatedFrame(session.coverage.frames(), frame, Direction::Back);
+    const auto after = widgets::nextAnnotatedFrame(session.coverage.frames(), frame, Direction::Forward);
+    if (!before || !after || !session.opened.dataset()) {
         window.statusLine().sayBriefly(MainWindow::tr("Annotate a frame before and a frame after this one first."));
         return;
     }
     pushOrSay(window,
-              core::interpolateEdit(bench.document.annotations(), bench.session.dataset()->cameras, *before, *after,
-                                    bench.document.rater(), kind),
+              core::interpolateEdit(session.document.annotations(), session.opened.dataset()->cameras, *before, *after,
+                                    session.document.rater(), kind),
               MainWindow::tr("No joint has a 3D point in both frame %1 and frame %2.").arg(*before).arg(*after));
 }
 
 void bindWholeFrames(MainWindow& window) {
     Actions& actions = window.actions();
-    widgets::Workbench& bench = window.workbench();
+    widgets::WindowSession& session = window.session();
     const QString nothing = MainWindow::tr("There are no marks of yours there.");
     actions.bind(
         id("annotation.copyPrevious"), [&window] { copyPrevious(window); });
@@ -64,23 +65,26 @@ void bindWholeFrames(MainWindow& window) {
         id("annotation.interpolate"), [&window] { interpolate(window, core::Interpolation::Linear); });
     actions.bind(
         id("annotation.interpolateCubic"), [&window] { interpolate(window, core::Interpolation::Cubic); });
-    actions.bind(id("annotation.swapHands"), [&window, &bench, nothing] {
-        pushOrSay(window,
-                  core::swapHandsEdit(bench.document.annotations(), bench.document.rater(), bench.selection.frame()),
-                  nothing);
+    actions.bind(id("annotation.swapHands"), [&window, &session, nothing] {
+        pushOrSay(
+            window,
+            core::swapHandsEdit(session.document.annotations(), session.document.rater(), session.selection.frame()),
+            nothing);
     });
     actions.bind(
         id("annotation.deleteFrame"),
-        [&window, &bench, nothing] {
-            const int frame = bench.selection.frame();
-            pushOrSay(window, core::deleteRangeEdit(bench.document.annotations(), bench.document.rater(), frame, frame),
+        [&window, &session, nothing] {
+            const int frame = session.selection.frame();
+            pushOrSay(window,
+                      core::deleteRangeEdit(session.document.annotations(), session.document.rater(), frame, frame),
                       nothing);
         });
-    actions.bind(id("annotation.deleteRange"), [&window, &bench, nothing] {
+    actions.bind(id("annotation.deleteRange"), [&window, &session, nothing] {
         auto* dialog = new RangeWindow(MainWindow::tr("Delete a range of frames"), MainWindow::tr("Delete"),
-                                       bench.selection.frame(), bench.selection.frameCount(), &window);
-        QObject::connect(dialog, &RangeWindow::chosen, &window, [&window, &bench, nothing](int first, int last) {
-            pushOrSay(window, core::deleteRangeEdit(bench.document.annotations(), bench.document.rater(), first, last),
+                                       session.selection.frame(), session.selection.frameCount(), &window);
+        QObject::connect(dialog, &RangeWindow::chosen, &window, [&window, &session, nothing](int first, int last) {
+            pushOrSay(window,
+                      core::deleteRangeEdit(session.document.annotations(), session.document.rater(), first, last),
                       nothing);
         });
         dialog->show();
@@ -90,31 +94,31 @@ void bindWholeFrames(MainWindow& window) {
 void bindJointList(MainWindow& window) {
     using widgets::JointChoice;
     Actions& actions = window.actions();
-    widgets::Workbench& bench = window.workbench();
+    widgets::WindowSession& session = window.session();
     const std::vector<std::pair<QString, JointChoice>> choices = {
         {id("annotation.jointsFourteen"), JointChoice::Fourteen},
         {id("annotation.jointsTwentyOne"), JointChoice::TwentyOne},
         {id("annotation.jointsAll"), JointChoice::AllBones}};
-    const auto show = [choices, &bench, &actions] {
+    const auto show = [choices, &session, &actions] {
         for (const auto& [name, choice] : choices)
-            actions.action(name)->setChecked(choice == bench.joints.choice());
+            actions.action(name)->setChecked(choice == session.joints.choice());
     };
     for (const auto& [name, choice] : choices) {
         actions.bind(
             name,
-            [&bench, show, choice = choice] {
-                if (bench.session.dataset())
-                    bench.joints.setChoice(choice, *bench.session.dataset());
+            [&session, show, choice = choice] {
+                if (session.opened.dataset())
+                    session.joints.setChoice(choice, *session.opened.dataset());
                 show();
             });
     }
-    QObject::connect(&bench.joints, &widgets::JointList::changed, &window, show);
+    QObject::connect(&session.joints, &widgets::JointList::changed, &window, show);
     show();
-    const auto move = [&bench](int rows) {
-        const auto& joints = bench.joints.joints();
-        const auto at = std::find(joints.begin(), joints.end(), bench.selection.joint());
+    const auto move = [&session](int rows) {
+        const auto& joints = session.joints.joints();
+        const auto at = std::find(joints.begin(), joints.end(), session.selection.joint());
         if (at != joints.end())
-            bench.joints.move(static_cast<int>(at - joints.begin()), rows);
+            session.joints.move(static_cast<int>(at - joints.begin()), rows);
     };
     actions.bind(
         id("annotation.jointUp"), [move] { move(-1); });
@@ -123,15 +127,15 @@ void bindJointList(MainWindow& window) {
 
 void bindModel(MainWindow& window) {
     constexpr double kHopelessMm = 15; // no hand of another size is as far off
-    widgets::Workbench& bench = window.workbench();
-    window.actions().bind(id("annotation.propose"), [&bench] { bench.model.fitOnce(); });
-    QObject::connect(&bench.model, &widgets::HandModelFit::impossible, &window.statusLine(),
+    widgets::WindowSession& session = window.session();
+    window.actions().bind(id("annotation.propose"), [&session] { session.model.fitOnce(); });
+    QObject::connect(&session.model, &widgets::HandModelFit::impossible, &window.statusLine(),
                      &widgets::StatusLine::sayBriefly);
     QObject::connect(
-        &bench.model, &widgets::HandModelFit::fitted, &window, [&window, &bench](const widgets::ModelFit& fit) {
+        &session.model, &widgets::HandModelFit::fitted, &window, [&window, &session](const widgets::ModelFit& fit) {
             std::vector<core::JointPoint> wanted;
             for (const core::JointPoint& proposal : fit.proposals) {
-                if (bench.joints.contains(proposal.joint))
+                if (session.joints.contains(proposal.joint))
                     wanted.push_back(proposal);
             }
             if (fit.rmsMm > kHopelessMm) {
@@ -145,8 +149,8 @@ void bindModel(MainWindow& window) {
                     .arg(QLocale().toString(fit.rmsMm, 'f', 1)));
             pushOrSay(
                 window,
-                core::proposeEdit(bench.document.annotations(), bench.session.dataset()->cameras, fit.frame,
-                                  bench.document.rater(), wanted, "propose joints of the hand model"),
+                core::proposeEdit(session.document.annotations(), session.opened.dataset()->cameras, fit.frame,
+                                  session.document.rater(), wanted),
                 MainWindow::tr("The hand model has nothing to add: every joint of the list that it knows has a mark."));
         });
 }

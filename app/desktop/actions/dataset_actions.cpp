@@ -35,7 +35,7 @@ void enableAll(MainWindow& window, bool isOpen) {
 }
 
 void askWhereFootageIs(MainWindow& window, widgets::FootageFinder& finder) {
-    const auto dataset = window.workbench().session.dataset();
+    const auto dataset = window.session().opened.dataset();
     if (!dataset || finder.isRunning())
         return;
     auto* dialog = new QFileDialog(
@@ -51,15 +51,15 @@ void askWhereFootageIs(MainWindow& window, widgets::FootageFinder& finder) {
 
 /// Opens the same dataset and frame again with the footage's new places.
 void reopen(MainWindow& window, const QString& folder, int pieces, const QString& notes) {
-    widgets::Workbench& bench = window.workbench();
-    if (QString::fromStdString(bench.session.dataset()->folder.string()) != folder)
+    widgets::WindowSession& session = window.session();
+    if (QString::fromStdString(session.opened.dataset()->folder.string()) != folder)
         return; // another one was opened meanwhile
     if (pieces == 0) {
         window.showMessage(MainWindow::tr("Nothing of the missing footage lies in that folder.") +
                            (notes.isEmpty() ? QString() : QLatin1Char('\n') + notes));
         return;
     }
-    window.openDataset(folder, QString::fromStdString(bench.session.sequence()->name), bench.selection.frame());
+    window.openDataset(folder, QString::fromStdString(session.opened.sequence()->name), session.selection.frame());
     window.statusLine().sayBriefly(
         MainWindow::tr("%n piece(s) of footage found; the dataset keeps the new places.", nullptr, pieces));
     if (!notes.isEmpty())
@@ -67,7 +67,7 @@ void reopen(MainWindow& window, const QString& folder, int pieces, const QString
 }
 
 void bindFinder(MainWindow& window) {
-    auto* finder = new widgets::FootageFinder(window.workbench().pool, &window);
+    auto* finder = new widgets::FootageFinder(window.session().pool, &window);
     QObject::connect(
         &window.workspaces(), &widgets::Workspaces::footageWanted, &window,
         [&window, finder] { askWhereFootageIs(window, *finder); });
@@ -95,7 +95,8 @@ void bindDatasetActions(MainWindow& window) {
     QObject::connect(
         &window, &MainWindow::footageDropped, &window,
         [&window](const QStringList& paths) { NewDatasetWindow::open(window, paths); });
-    QObject::connect(&window.workbench(), &widgets::Workbench::ready, &window, [&window] { enableAll(window, true); });
+    QObject::connect(&window.session(), &widgets::WindowSession::ready, &window,
+                     [&window] { enableAll(window, true); });
     enableAll(window, false);
     bindFinder(window);
 }

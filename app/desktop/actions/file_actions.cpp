@@ -75,7 +75,7 @@ FormatChoice importChoice() {
 
 /// For the names of files.
 QString sequenceName(MainWindow& window) {
-    const core::Sequence* sequence = window.workbench().session.sequence();
+    const core::Sequence* sequence = window.session().opened.sequence();
     return sequence ? QString::fromStdString(sequence->name) : QStringLiteral("handlens");
 }
 
@@ -86,10 +86,9 @@ void exportAnnotations(MainWindow& window) {
     QObject::connect(dialog, &ExportWindow::chosen, &window, [&window, setting](const QString& kind) {
         window.settings().setValue(setting, kind);
         const core::AnnotationFormat& format = core::annotationFormat(kind.toStdString());
-        askForFile(
-            window, MainWindow::tr("Export annotations"),
-            {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
-            [&window, kind](const QString& path, std::size_t) { window.workbench().files.exportTo(kind, path); });
+        askForFile(window, MainWindow::tr("Export annotations"),
+                   {{fileFilter(format), annotationFormatText(format.kind).suffix}}, sequenceName(window),
+                   [&window, kind](const QString& path, std::size_t) { window.session().files.exportTo(kind, path); });
     });
     dialog->open();
 }
@@ -98,7 +97,7 @@ void importAnnotations(MainWindow& window) {
     const FormatChoice choice = importChoice();
     askForFile(window, MainWindow::tr("Import annotations"), choice.files, {},
                [&window, choice](const QString& path, std::size_t kind) {
-                   window.workbench().files.importFrom(widgets::toQString(choice.kinds[kind]), path);
+                   window.session().files.importFrom(widgets::toQString(choice.kinds[kind]), path);
                });
 }
 
@@ -117,7 +116,7 @@ void bindFileActions(MainWindow& window) {
                 window, MainWindow::tr("Report on the annotations"),
                 {{MainWindow::tr("Pages (*.html)"), QStringLiteral("html")}}, MainWindow::tr("report"),
                 [&window](const QString& path, std::size_t) {
-                    window.workbench().files.report(path, window.workbench().coverage.badRmsPx());
+                    window.session().files.report(path, window.session().coverage.badRmsPx());
                 });
         });
     actions.bind(
@@ -137,7 +136,7 @@ void bindFileActions(MainWindow& window) {
     actions.bind(id("annotation.jointsFile"), [&window] {
         askForFile(window, MainWindow::tr("Joints from a file"),
                    {{MainWindow::tr("Lists of joints (*.json)"), QStringLiteral("json")}}, {},
-                   [&window](const QString& path, std::size_t) { window.workbench().files.readJoints(path); });
+                   [&window](const QString& path, std::size_t) { window.session().files.readJoints(path); });
     });
 }
 

@@ -32,12 +32,12 @@ void bindFootageNotice(MainWindow& window) {
     bar->setObjectName(QStringLiteral("footage"));
     static_cast<QBoxLayout*>(window.centralWidget()->layout())->insertWidget(1, bar);
     QObject::connect(
-        &window.workbench(), &widgets::Workbench::ready, bar,
+        &window.session(), &widgets::WindowSession::ready, bar,
         [&window, bar] {
-            const core::Sequence* sequence = window.workbench().session.sequence();
+            const core::Sequence* sequence = window.session().opened.sequence();
             bar->offer(sequence ? noticeText(sequence->notes) : QString(), {}, widgets::MessageBar::Tone::Notice);
         });
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::aboutToClose, bar,
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::aboutToClose, bar,
                      [bar] { bar->setMessage({}); });
 }
 

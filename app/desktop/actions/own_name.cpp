@@ -6,7 +6,7 @@
 namespace app {
 
 QString ownName(MainWindow& window) {
-    return QString::fromStdString(widgets::ownName(window.workbench().document.rater()));
+    return QString::fromStdString(widgets::ownName(window.session().document.rater()));
 }
 
 void keepOwnName(MainWindow& window, const QString& name) {
@@ -14,7 +14,7 @@ void keepOwnName(MainWindow& window, const QString& name) {
     if (rater.isEmpty() || rater == ownName(window))
         return;
     window.settings().setValue(QStringLiteral("rater"), rater);
-    window.workbench().document.setRater(rater.toStdString());
+    window.session().document.setRater(rater.toStdString());
 }
 
 } // namespace app

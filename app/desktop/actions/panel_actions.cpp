@@ -54,7 +54,7 @@ void bindIterations(MainWindow& window) {
 }
 
 void askForMasks(MainWindow& window) {
-    const auto& dataset = window.workbench().session.dataset();
+    const auto& dataset = window.session().opened.dataset();
     if (!dataset)
         return;
     auto* dialog = new QFileDialog(&window, MainWindow::tr("Attach a folder of masks"),
@@ -137,7 +137,7 @@ void showViewMenu(MainWindow& window, int camera, const core::JointId& joint, co
     auto* menu = new QMenu(&window);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (!joint.joint.empty()) {
-        window.workbench().selection.setJoint(joint);
+        window.session().selection.setJoint(joint);
         menu->addSection(widgets::jointText(joint));
     }
     for (const char* name : {"annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove"})

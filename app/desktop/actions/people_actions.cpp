@@ -34,14 +34,14 @@ void showName(MainWindow& window) {
             .arg(window.actions().action(id("edit.rater"))->shortcut().toString(QKeySequence::NativeText)));
     window.statusLine().layout()->addWidget(name);
     const auto refresh = [&window, name] {
-        QString text = QString::fromStdString(window.workbench().document.rater());
+        QString text = QString::fromStdString(window.session().document.rater());
         if (text.size() > kMostCharacters)
             text = text.left(kMostCharacters - 1) + QChar(0x2026);
         name->setText(text);
         name->setAccessibleName(MainWindow::tr("Your name: %1").arg(text));
     };
     QObject::connect(name, &QToolButton::clicked, window.actions().action(id("edit.rater")), &QAction::trigger);
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, name, refresh);
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::raterChanged, name, refresh);
     refresh();
 }
 
@@ -50,11 +50,11 @@ void askForName(MainWindow& window) {
     addBar(window, bar);
     QObject::connect(bar, &widgets::NameBar::answered, &window, [&window](const QString& name) {
         window.settings().setValue(kRaterSetting, name);
-        window.workbench().document.setRater(name.toStdString());
+        window.session().document.setRater(name.toStdString());
     });
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, bar,
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::raterChanged, bar,
                      &QWidget::hide); // answered elsewhere
-    bar->ask(QString::fromStdString(window.workbench().document.rater()));
+    bar->ask(QString::fromStdString(window.session().document.rater()));
 }
 
 /// Says whose marks the sequence holds besides the person's, and lets them be shown.
@@ -63,27 +63,31 @@ void announceOthers(MainWindow& window) {
     bar->setObjectName(QStringLiteral("others"));
     addBar(window, bar);
     QAction* action = window.actions().action(id("view.otherRaters"));
-    auto* marks = new widgets::OtherMarks(window.workbench(), *window.workspaces().grid(), &window);
+    widgets::WindowSession& parts = window.session();
+    auto* marks =
+        new widgets::OtherMarks(parts.document, parts.selection, parts.raters, *window.workspaces().grid(), &window);
+    QObject::connect(&parts, &widgets::WindowSession::ready, marks, &widgets::OtherMarks::refresh);
     window.actions().bindToggle(
         id("view.otherRaters"),
         [&window, marks, bar](bool on) {
             marks->setShown(on);
             if (on)
                 bar->setMessage({});
-            if (on && widgets::workOfOthers(window.workbench().document).empty())
+            if (on && widgets::workOfOthers(window.session().document).empty())
                 window.statusLine().sayBriefly(MainWindow::tr("Nobody else has marks in this sequence."));
         });
     const auto announce = [&window, bar, action] {
-        const widgets::Workbench& bench = window.workbench();
-        const bool mustNotKnow = bench.raters.isRepeating();
-        const QString text =
-            mustNotKnow || action->isChecked() ? QString() : widgets::othersText(widgets::workOfOthers(bench.document));
+        const widgets::WindowSession& session = window.session();
+        const bool mustNotKnow = session.raters.isRepeating();
+        const QString text = mustNotKnow || action->isChecked()
+                                 ? QString()
+                                 : widgets::othersText(widgets::workOfOthers(session.document));
         bar->offer(text, {{MainWindow::tr("Show"), [action] { action->setChecked(true); }}},
                    widgets::MessageBar::Tone::Notice);
     };
-    QObject::connect(&window.workbench(), &widgets::Workbench::ready, &window, announce);
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::raterChanged, &window, announce);
-    QObject::connect(&window.workbench().files, &widgets::AnnotationFiles::imported, &window, announce);
+    QObject::connect(&window.session(), &widgets::WindowSession::ready, &window, announce);
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::raterChanged, &window, announce);
+    QObject::connect(&window.session().files, &widgets::AnnotationFiles::imported, &window, announce);
 }
 
 /// "12 marks of anna and bob and 1 note in 3 frames"
@@ -106,7 +110,7 @@ void askAboutImports(MainWindow& window) {
     auto* bar = new widgets::MessageBar(window.centralWidget());
     bar->setObjectName(QStringLiteral("import"));
     addBar(window, bar);
-    widgets::AnnotationFiles& files = window.workbench().files;
+    widgets::AnnotationFiles& files = window.session().files;
     const widgets::MessageAction cancel{MainWindow::tr("Cancel"), [&files] { files.cancelImport(); }};
     QObject::connect(
         &files, &widgets::AnnotationFiles::importConflicts, &window,
@@ -137,7 +141,7 @@ void askAboutImports(MainWindow& window) {
             bar->setMessage({});
             window.statusLine().sayBriefly(MainWindow::tr("Nothing was imported."));
         });
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::aboutToClose, bar,
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::aboutToClose, bar,
                      [bar] { bar->setMessage({}); });
 }
 

@@ -19,17 +19,17 @@ void showPanel(MainWindow& window) {
 
 void begin(MainWindow& window) {
     showPanel(window);
-    window.workbench().raters.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch()));
+    window.session().raters.beginRepeating(kShare, static_cast<unsigned>(QDateTime::currentSecsSinceEpoch()));
 }
 
 void end(MainWindow& window) {
     showPanel(window);
-    window.workbench().raters.endRepeating();
+    window.session().raters.endRepeating();
 }
 
 /// Ends the round, or begins one after a question.
 void toggle(MainWindow& window) {
-    const widgets::RaterStudy& study = window.workbench().raters;
+    const widgets::RaterStudy& study = window.session().raters;
     if (study.isRepeating()) {
         end(window);
     } else if (!window.mayAsk()) {
@@ -37,33 +37,33 @@ void toggle(MainWindow& window) {
     } else {
         const QString question =
             study.openTasks() > 0
-                ? MainWindow::tr("Go on with the second round? Your first marks are hidden until you end it.")
+                ? MainWindow::tr("Continue the repeat round? Your first marks are hidden until you end it.")
                 : MainWindow::tr("Start a repeat round? A random tenth of your finished joints is asked for once more, "
                                  "to see how well "
                                  "you repeat yourself. Your first marks are kept, and hidden until you end the round.");
-        window.ask(question, {{MainWindow::tr("Begin the second round"), [&window] { begin(window); }},
+        window.ask(question, {{MainWindow::tr("Start the repeat round"), [&window] { begin(window); }},
                               {MainWindow::tr("Not now"), [] {}}});
     }
 }
 
 void goToNext(MainWindow& window) {
-    widgets::RaterStudy& study = window.workbench().raters;
+    widgets::RaterStudy& study = window.session().raters;
     if (!study.goToNextTask())
         window.statusLine().sayBriefly(
             study.isRepeating() ? MainWindow::tr("Every joint of the round is marked: end it to see how you did.")
-                                : MainWindow::tr("No second round is under way."));
+                                : MainWindow::tr("No repeat round is under way."));
 }
 
 /// The banner that says why the first marks are not there.
 void showBanner(MainWindow& window) {
-    const widgets::RaterStudy& study = window.workbench().raters;
+    const widgets::RaterStudy& study = window.session().raters;
     widgets::MessageBar& banner = window.banner();
-    if (!study.isRepeating() || !window.workbench().document.isOpen()) {
+    if (!study.isRepeating() || !window.session().document.isOpen()) {
         banner.setMessage({});
         return;
     }
     const QLocale locale;
-    const QString text = MainWindow::tr("Second round: your first marks are hidden. %1 of %2 joints.")
+    const QString text = MainWindow::tr("Repeat round: your first marks are hidden. %1 of %2 joints.")
                              .arg(locale.toString(study.tasks() - study.openTasks()), locale.toString(study.tasks()));
     if (text != banner.message())
         banner.offer(text, {{MainWindow::tr("Next"),
@@ -78,7 +78,7 @@ void showBanner(MainWindow& window) {
 
 void bindSecondRound(MainWindow& window) {
     Actions& actions = window.actions();
-    widgets::RaterStudy& study = window.workbench().raters;
+    widgets::RaterStudy& study = window.session().raters;
     widgets::RatersPanel* panel = window.workspaces().ratersPanel();
     window.banner().setDismissible(false);
     const auto toggleRound = [&window] { toggle(window); };

@@ -30,7 +30,7 @@ void bindFile(MainWindow& window) {
 
 void bindUndo(MainWindow& window) {
     Actions& actions = window.actions();
-    QUndoStack* stack = window.workbench().document.undoStack();
+    QUndoStack* stack = window.session().document.undoStack();
     QAction* undo = actions.action(id("edit.undo"));
     QAction* redo = actions.action(id("edit.redo"));
     actions.bind(
@@ -43,7 +43,7 @@ void bindUndo(MainWindow& window) {
         redo->setText(stack->canRedo() ? MainWindow::tr("&Redo %1").arg(stack->redoText()) : MainWindow::tr("&Redo"));
     };
     QObject::connect(stack, &QUndoStack::indexChanged, &window, refresh);
-    QObject::connect(&window.workbench().document, &widgets::AnnotationDocument::opened, &window, refresh);
+    QObject::connect(&window.session().document, &widgets::AnnotationDocument::opened, &window, refresh);
     refresh();
 }
 
@@ -152,7 +152,7 @@ void bindMeshLook(MainWindow& window) {
         id("view.recordedMesh"),
         [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kRecorded), on); });
     actions.bindToggle(
-        id("view.modelOfMarks"), [&window](bool on) { window.workbench().model.setOn(on); });
+        id("view.modelOfMarks"), [&window](bool on) { window.session().model.setOn(on); });
     actions.bindToggle(id("view.startMesh"),
                        [layers](bool on) { layers->setLayerShown(id(widgets::LayerPresenter::kStart), on); });
 }
@@ -185,13 +185,13 @@ void bindView(MainWindow& window) {
         actions.bind(
             QStringLiteral("view.maximise%1").arg(number),
             [&window, grid, number] {
-                const auto& shown = window.workbench().shownCameras();
+                const auto& shown = window.session().shownCameras();
                 if (number > static_cast<int>(shown.size()))
                     return;
                 const int camera =
-                    window.workbench().session.dataset()->cameraIndex(shown[static_cast<std::size_t>(number - 1)]);
+                    window.session().opened.dataset()->cameraIndex(shown[static_cast<std::size_t>(number - 1)]);
                 grid->setMaximised(camera);
-                window.workbench().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
+                window.session().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
             });
     }
     actions.bind(id("view.restore"), [&window, grid] {
@@ -222,7 +222,7 @@ void bindView(MainWindow& window) {
 
 void bindMarks(MainWindow& window) {
     Actions& actions = window.actions();
-    widgets::Annotator& annotator = window.workbench().annotator;
+    widgets::Annotator& annotator = window.session().annotator;
     actions.bind(
         id("annotation.accept"), [&annotator] { annotator.accept(); });
     actions.bind(
@@ -260,23 +260,23 @@ void bindMarks(MainWindow& window) {
 
 void goTo(MainWindow& window, const std::optional<int>& frame, const QString& otherwise) {
     if (frame)
-        window.workbench().selection.setFrame(*frame);
+        window.session().selection.setFrame(*frame);
     else
         window.statusLine().sayBriefly(otherwise);
 }
 
 void bindFrames(MainWindow& window) {
     Actions& actions = window.actions();
-    widgets::Workbench& bench = window.workbench();
+    widgets::WindowSession& session = window.session();
     const std::pair<const char*, int> steps[] = {
         {"go.previousFrame", -1}, {"go.nextFrame", 1}, {"go.back10", -10}, {"go.forward10", 10}};
     for (const auto& [name, frames] : steps)
         actions.bind(
-            id(name), [&bench, frames = frames] { bench.annotator.stepFrame(frames); });
+            id(name), [&session, frames = frames] { session.annotator.stepFrame(frames); });
     actions.bind(
-        id("go.firstFrame"), [&bench] { bench.selection.setFrame(0); });
+        id("go.firstFrame"), [&session] { session.selection.setFrame(0); });
     actions.bind(
-        id("go.lastFrame"), [&bench] { bench.selection.setFrame(bench.selection.frameCount() - 1); });
+        id("go.lastFrame"), [&session] { session.selection.setFrame(session.selection.frameCount() - 1); });
     actions.bind(
         id("go.frame"), [&window] { window.framesBar().askForFrame(); });
     actions.bindToggle(id("go.play"), [&window](bool on) { on ? window.playback().play() : window.playback().stop(); });
@@ -290,21 +290,21 @@ void bindFrames(MainWindow& window) {
 
 void bindJumps(MainWindow& window) {
     Actions& actions = window.actions();
-    widgets::Workbench& bench = window.workbench();
+    widgets::WindowSession& session = window.session();
     const auto bind = [&](const char* name, auto find, const QString& otherwise) {
         actions.bind(
             id(name), [&window, find, otherwise] { goTo(window, find(), otherwise); });
     };
-    const auto frame = [&bench] { return bench.selection.frame(); };
-    const auto frames = [&bench] { return bench.coverage.frames(); };
+    const auto frame = [&session] { return session.selection.frame(); };
+    const auto frames = [&session] { return session.coverage.frames(); };
     const QString noBad = MainWindow::tr("No bad joint in that direction.");
     bind(
         "go.nextBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Forward); }, noBad);
     bind(
         "go.previousBad", [=] { return widgets::nextBadFrame(frames(), frame(), Direction::Back); }, noBad);
-    const auto unlabelled = [&bench](Direction way) {
-        return widgets::nextUnlabelledFrame(bench.coverage.frames(), bench.joints, bench.selection.frameCount(),
-                                            bench.selection.frame(), way);
+    const auto unlabelled = [&session](Direction way) {
+        return widgets::nextUnlabelledFrame(session.coverage.frames(), session.joints, session.selection.frameCount(),
+                                            session.selection.frame(), way);
     };
     const QString allDone = MainWindow::tr("Every frame in that direction is done.");
     bind(
@@ -318,8 +318,8 @@ void bindJumps(MainWindow& window) {
     bind(
         "go.previousAnnotated", [=] { return widgets::nextAnnotatedFrame(frames(), frame(), Direction::Back); },
         noMarks);
-    const auto test = [&window, &bench](Direction way) -> std::optional<int> {
-        return widgets::nextOf(window.workspaces().benchmarkPage()->testFrames(), bench.selection.frame(), way);
+    const auto test = [&window, &session](Direction way) -> std::optional<int> {
+        return widgets::nextOf(window.workspaces().benchmarkPage()->testFrames(), session.selection.frame(), way);
     };
     const QString noTest = MainWindow::tr("No test frame in that direction, as the benchmark is set.");
     bind(
@@ -327,7 +327,7 @@ void bindJumps(MainWindow& window) {
     bind(
         "go.previousTest", [=] { return test(Direction::Back); }, noTest);
     bind(
-        "go.lastEdited", [&bench] { return bench.document.lastEditedFrame(); },
+        "go.lastEdited", [&session] { return session.document.lastEditedFrame(); },
         MainWindow::tr("Nothing was edited yet."));
 }
 
@@ -336,7 +336,7 @@ void bindFit(MainWindow& window) {
     widgets::FittingPanel* panel = window.workspaces().fittingPanel();
     actions.bind(
         id("fit.run"), [panel] { panel->fitCurrentFrame(); });
-    actions.bind(id("fit.stop"), [&window] { window.workbench().fits.stop(); });
+    actions.bind(id("fit.stop"), [&window] { window.session().fits.stop(); });
 }
 
 } // namespace

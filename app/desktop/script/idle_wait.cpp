@@ -34,8 +34,8 @@ bool waitFor(MainWindow& window, const std::function<bool()>& condition, int tim
     limit.setSingleShot(true);
     QObject::connect(&limit, &QTimer::timeout, &loop, [&loop] { loop.exit(1); });
     limit.start(timeoutMs);
-    QObject::connect(&window.workbench().pool, &widgets::JobPool::becameIdle, &loop, look, Qt::QueuedConnection);
-    QObject::connect(&window.workbench().frames, &widgets::FrameLoader::frameCompleted, &loop, look,
+    QObject::connect(&window.session().pool, &widgets::JobPool::becameIdle, &loop, look, Qt::QueuedConnection);
+    QObject::connect(&window.session().frames, &widgets::FrameLoader::frameCompleted, &loop, look,
                      Qt::QueuedConnection);
     QTimer again; // not everything that can be waited for says so
     QObject::connect(&again, &QTimer::timeout, &loop, look);
@@ -45,7 +45,7 @@ bool waitFor(MainWindow& window, const std::function<bool()>& condition, int tim
 }
 
 bool waitUntilIdle(MainWindow& window, int timeoutMs) {
-    const auto idle = [&window] { return window.workbench().isIdle(); };
+    const auto idle = [&window] { return window.session().isIdle(); };
     do {
         if (!waitFor(window, idle, timeoutMs))
             return false;

@@ -38,7 +38,7 @@ QString outcomeOf(MainWindow& window, Sender* sender, Done done, Failed failed, 
         ended = true;
     });
     start();
-    if (!waitFor(window, [&] { return ended && window.workbench().pool.isIdle(); }))
+    if (!waitFor(window, [&] { return ended && window.session().pool.isIdle(); }))
         return QStringLiteral("no answer in time");
     return error;
 }
@@ -70,9 +70,9 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
     QObject::connect(
         &m_window.statusLine(), &widgets::StatusLine::said, &scope, [&said](const QString& text) { said = text; });
     QObject::connect(
-        &m_window.workbench().annotator, &widgets::Annotator::nothingDone, &scope,
+        &m_window.session().annotator, &widgets::Annotator::nothingDone, &scope,
         [&refusal](const QString& why) { refusal = why; });
-    QObject::connect(&m_window.workbench().document, &widgets::AnnotationDocument::refused, &scope,
+    QObject::connect(&m_window.session().document, &widgets::AnnotationDocument::refused, &scope,
                      [&](const QString& why) { said = refusal = why; });
     QJsonObject answer = (this->*handler->second)(step);
     settle();
@@ -112,38 +112,38 @@ QString ScriptSteps::outPath(const QJsonObject& step) const {
 }
 
 QJsonObject ScriptSteps::goTo(const QJsonObject& step) {
-    widgets::Workbench& bench = m_window.workbench();
-    if (!bench.session.dataset())
+    widgets::WindowSession& session = m_window.session();
+    if (!session.opened.dataset())
         throw refused("do", QStringLiteral("no dataset is open"));
     const int frame = intField(step, "frame", 0);
     const QString sequence = step.contains(QLatin1String("sequence"))
                                  ? textField(step, "sequence")
-                                 : QString::fromStdString(bench.session.sequence()->name);
-    if (sequence != QString::fromStdString(bench.session.sequence()->name)) {
+                                 : QString::fromStdString(session.opened.sequence()->name);
+    if (sequence != QString::fromStdString(session.opened.sequence()->name)) {
         const QString error =
-            outcomeOf(m_window, &bench.session, &widgets::DatasetSession::sequenceOpened,
-                      &widgets::DatasetSession::openFailed, [&] { bench.session.openSequence(sequence, frame); });
+            outcomeOf(m_window, &session.opened, &widgets::DatasetSession::sequenceOpened,
+                      &widgets::DatasetSession::openFailed, [&] { session.opened.openSequence(sequence, frame); });
         if (!error.isEmpty())
             throw refused("sequence", error);
     }
-    if (frame < 0 || frame >= bench.selection.frameCount())
+    if (frame < 0 || frame >= session.selection.frameCount())
         throw refused("frame",
-                      QStringLiteral("%1 is not within 0..%2").arg(frame).arg(bench.selection.frameCount() - 1));
-    bench.selection.setFrame(frame);
+                      QStringLiteral("%1 is not within 0..%2").arg(frame).arg(session.selection.frameCount() - 1));
+    session.selection.setFrame(frame);
     return {};
 }
 
 QJsonObject ScriptSteps::select(const QJsonObject& step) {
     const core::JointId joint = jointField(step);
-    widgets::Workbench& bench = m_window.workbench();
-    const auto& dataset = bench.session.dataset();
+    widgets::WindowSession& session = m_window.session();
+    const auto& dataset = session.opened.dataset();
     const auto inModel = [&](const core::HandModel& hand) {
         return hand.side == joint.hand && hand.skeleton.boneIndex(joint.joint) >= 0;
     };
     if (!dataset ||
-        (!bench.joints.contains(joint) && std::none_of(dataset->hands.begin(), dataset->hands.end(), inModel)))
+        (!session.joints.contains(joint) && std::none_of(dataset->hands.begin(), dataset->hands.end(), inModel)))
         throw refused("joint", QStringLiteral("unknown joint \"%1\"").arg(QString::fromStdString(joint.joint)));
-    bench.selection.setJoint(joint);
+    session.selection.setJoint(joint);
     return {};
 }
 
@@ -199,7 +199,7 @@ QJsonObject ScriptSteps::fit(const QJsonObject& step) {
             throw refused("target", QStringLiteral("expected \"recorded\" or \"masks\""));
         request.target = target == QLatin1String("masks") ? widgets::FitTarget::Masks : widgets::FitTarget::Recorded;
     }
-    widgets::FitRunner& fits = m_window.workbench().fits;
+    widgets::FitRunner& fits = m_window.session().fits;
     const QString error = outcomeOf(m_window, &fits, &widgets::FitRunner::finished, &widgets::FitRunner::failed,
                                     [&] { m_window.workspaces().fittingPanel()->fit(request); });
     if (!error.isEmpty())
@@ -207,7 +207,7 @@ QJsonObject ScriptSteps::fit(const QJsonObject& step) {
     for (const widgets::MethodOutcome& method : fits.outcome()->methods)
         if (!method.failure.isEmpty())
             throw refused("methods", method.failure);
-    m_window.workbench().selection.setFrame(request.test);
+    m_window.session().selection.setFrame(request.test);
     return {};
 }
 
@@ -222,16 +222,16 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
     const core::JointId joint = jointField(step);
-    widgets::Workbench& bench = m_window.workbench();
-    QJsonObject answer = jointJson(bench.reconstructions.compute(bench.selection.frame(), joint));
+    widgets::WindowSession& session = m_window.session();
+    QJsonObject answer = jointJson(session.reconstructions.compute(session.selection.frame(), joint));
     answer[QStringLiteral("hand")] = widgets::toQString(core::sideName(joint.hand));
     answer[QStringLiteral("joint")] = QString::fromStdString(joint.joint);
-    answer[QStringLiteral("frame")] = bench.selection.frame();
+    answer[QStringLiteral("frame")] = session.selection.frame();
     return answer;
 }
 
 QJsonObject ScriptSteps::printResults() {
-    const auto& outcome = m_window.workbench().fits.outcome();
+    const auto& outcome = m_window.session().fits.outcome();
     if (!outcome)
         throw refused("what", QStringLiteral("nothing was fitted yet"));
     QJsonArray rows;
@@ -253,7 +253,7 @@ QJsonObject ScriptSteps::printResults() {
 QJsonObject ScriptSteps::exportAnnotations(const QJsonObject& step) {
     const QString kind = textField(step, "to");
     const QString path = outPath(step);
-    widgets::AnnotationFiles& files = m_window.workbench().files;
+    widgets::AnnotationFiles& files = m_window.session().files;
     const QString error = outcomeOf(m_window, &files, &widgets::AnnotationFiles::exported,
                                     &widgets::AnnotationFiles::failed, [&] { files.exportTo(kind, path); });
     if (!error.isEmpty())
@@ -269,7 +269,7 @@ QJsonObject ScriptSteps::shot(const QJsonObject& step) {
     if (!part->isVisible())
         throw refused("of", QStringLiteral("\"%1\" is not shown now").arg(name));
     settle();
-    if (!waitFor(m_window, [this] { return m_window.workbench().checks.isUpToDate(); }))
+    if (!waitFor(m_window, [this] { return m_window.session().checks.isUpToDate(); }))
         throw refused("do", QStringLiteral("no answer in time"));
     m_window.workspaces().scene()->finishDrawing();
     drawNow(m_window);

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <QCoreApplication>
+#include "widgets/text/local_text.h"
 
 namespace app {
 
@@ -78,9 +78,7 @@ constexpr FormatRow kFormats[] = {
      QT_TRANSLATE_NOOP("app::FileActions", "3D joints and the cameras"), "csv"},
 };
 
-QString translated(const char* source) {
-    return QCoreApplication::translate("app::FileActions", source);
-}
+constexpr widgets::LocalText translated{"app::FileActions"};
 
 } // namespace
 

@@ -28,7 +28,7 @@ enum Column { kFootage, kCamera };
 NewDatasetWindow::NewDatasetWindow(MainWindow& window)
     : QDialog(&window)
     , m_window(window)
-    , m_maker(window.workbench().pool)
+    , m_maker(window.session().pool)
     , m_message(new widgets::MessageBar(this))
     , m_calibration(new QLineEdit(this))
     , m_unit(new QComboBox(this))

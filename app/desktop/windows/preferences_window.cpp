@@ -128,7 +128,7 @@ QWidget* PreferencesWindow::makeMemory() {
         tr("Pictures of recent frames are kept in so much memory: stepping back then needs no reading."));
     connect(memory, qOverload<int>(&QSpinBox::valueChanged), this, [this](int megabytes) {
         m_window.settings().setValue(kMemory, megabytes);
-        m_window.workbench().frames.setBudget(bytes(megabytes));
+        m_window.session().frames.setBudget(bytes(megabytes));
     });
     return memory;
 }
@@ -153,7 +153,7 @@ PreferencesWindow& showPreferences(MainWindow& window) {
 
 void applyPreferences(MainWindow& window) {
     const int megabytes = window.settings().value(kMemory, kDefaultMemoryMb).toInt();
-    window.workbench().frames.setBudget(bytes(std::clamp(megabytes, kLeastMemoryMb, kMostMemoryMb)));
+    window.session().frames.setBudget(bytes(std::clamp(megabytes, kLeastMemoryMb, kMostMemoryMb)));
 }
 
 } // namespace app

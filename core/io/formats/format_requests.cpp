@@ -62,8 +62,7 @@ void addMark(ImportRequest& job, int frame, const JointId& joint, const std::str
 void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
               const std::optional<double>& likelihood) {
     if (job.notes.acceptsFrame(frame) && isLikelyEnough(job, likelihood)) {
-        Edit edit =
-            proposeEdit(job.set, job.dataset.cameras, frame, job.options.rater, {{joint, pointInWorld}}, "import");
+        Edit edit = proposeEdit(job.set, job.dataset.cameras, frame, job.options.rater, {{joint, pointInWorld}});
         for (MarkChange& change : edit.marks)
             change.after->likelihood = likelihood;
         apply(job.set, edit);

@@ -142,7 +142,7 @@ std::vector<JournalEntry> AnnotationTables::readEntries(EntryState state, std::i
         entries.push_back({journal.integer64(0),
                            std::string(journal.text(1)),
                            std::string(journal.text(2)),
-                           {std::string(journal.text(3)), {}, {}}});
+                           {parseEditLabel(journal.text(3)), {}, {}}});
     }
     const std::string select =
         "SELECT c.entry, c.frame, c.rater, c.hand, c.joint, c.camera, x_before, y_before, placement_before, "
@@ -194,7 +194,7 @@ void AnnotationTables::applyEdit(const Edit& edit, const std::string& rater, con
 void AnnotationTables::applyMark(const MarkChange& change, const std::string& rater, const std::string& time,
                                  const Edit& edit) {
     if (change.after && !change.after->px.allFinite())
-        refuse("edit \"" + edit.label + "\"", "a pixel position is not finite");
+        refuse("edit \"" + editLabel(edit.description) + "\"", "a pixel position is not finite");
     int changed = 0;
     if (change.before) {
         constexpr const char* kUpdate = "UPDATE mark SET x = ?, y = ?, placement = ?, state = ?, likelihood = ?, "
@@ -229,9 +229,9 @@ void AnnotationTables::applyMark(const MarkChange& change, const std::string& ra
         changed = 1; // nothing before, nothing after
     }
     if (changed != 1) {
-        refuse("edit \"" + edit.label + "\"", jointLabel(change.key.joint) + " in " + change.key.camera + ", frame " +
-                                                  std::to_string(change.key.frame) +
-                                                  " is not in the state that the edit starts from");
+        refuse("edit \"" + editLabel(edit.description) + "\"",
+               jointLabel(change.key.joint) + " in " + change.key.camera + ", frame " +
+                   std::to_string(change.key.frame) + " is not in the state that the edit starts from");
     }
 }
 
@@ -242,7 +242,8 @@ void AnnotationTables::applyNote(const NoteChange& change, const std::string& ra
     const std::string before =
         current.m_statement.executeStep() ? current.m_statement.getColumn(0).getString() : std::string();
     if (before != change.before)
-        refuse("edit \"" + edit.label + "\"", "the note of frame " + std::to_string(change.frame) + " is another one");
+        refuse("edit \"" + editLabel(edit.description) + "\"",
+               "the note of frame " + std::to_string(change.frame) + " is another one");
     const Run run(prepared(change.after.empty() ? "DELETE FROM note WHERE frame = ?"
                                                 : "INSERT OR REPLACE INTO note VALUES(?, ?, ?, ?)"));
     run.m_statement.bind(1, change.frame);
@@ -256,7 +257,7 @@ void AnnotationTables::applyNote(const NoteChange& change, const std::string& ra
 
 void AnnotationTables::addEntry(const Edit& edit, const std::string& rater, const std::string& time) {
     const Run run(prepared("INSERT INTO journal(label, rater, time, state) VALUES(?, ?, ?, 0)"));
-    run.m_statement.bind(1, edit.label);
+    run.m_statement.bind(1, editLabel(edit.description));
     run.m_statement.bind(2, rater);
     run.m_statement.bind(3, time);
     run.m_statement.exec();

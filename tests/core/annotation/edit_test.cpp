@@ -35,7 +35,7 @@ protected:
         std::map<MarkKey, std::optional<Mark>> wanted;
         for (int i = draw(5); i >= 0; --i)
             wanted[randomKey()] = randomMark();
-        Edit edit{"random " + std::to_string(draw(1000)), {}, {}};
+        Edit edit{{.text = "random " + std::to_string(draw(1000))}, {}, {}};
         for (const auto& [key, mark] : wanted)
             edit.marks.push_back({key, core::markAt(set, key), mark});
         if (draw(2)) {
@@ -77,7 +77,7 @@ TEST_F(EditProperties, MergedDoesBothAndUndoesBoth) {
         ASSERT_EQ(direct, set);
         core::apply(direct, core::inverse(both));
         ASSERT_EQ(direct, before);
-        ASSERT_EQ(both.label, first.label);
+        ASSERT_EQ(both.description, first.description);
         ASSERT_TRUE(core::merged(first, core::inverse(first)).empty());
     }
 }
@@ -106,15 +106,15 @@ TEST(Edit, RefusesAWrongStartAndChangesNothing) {
     AnnotationSet set;
     set.marks[b] = Mark{{5, 5}};
     const AnnotationSet before = set;
-    const Edit edit{"two", {{a, std::nullopt, Mark{{1, 1}}}, {b, std::nullopt, Mark{{2, 2}}}}, {}};
+    const Edit edit{{.text = "two"}, {{a, std::nullopt, Mark{{1, 1}}}, {b, std::nullopt, Mark{{2, 2}}}}, {}};
     EXPECT_THROW(core::apply(set, edit), core::Error);
     EXPECT_EQ(set, before);
-    const Edit twice{"twice", {{a, std::nullopt, Mark{{1, 1}}}, {a, std::nullopt, Mark{{2, 2}}}}, {}};
+    const Edit twice{{.text = "twice"}, {{a, std::nullopt, Mark{{1, 1}}}, {a, std::nullopt, Mark{{2, 2}}}}, {}};
     EXPECT_THROW(core::apply(set, twice), core::Error);
-    const Edit note{"note", {}, {{1, "something", ""}}};
+    const Edit note{{.text = "note"}, {}, {{1, "something", ""}}};
     EXPECT_THROW(core::apply(set, note), core::Error);
     EXPECT_EQ(set, before);
-    EXPECT_THROW(core::merged({"", {{a, {}, Mark{{1, 1}}}}, {}}, {"", {{a, Mark{{2, 2}}, {}}}, {}}), core::Error);
+    EXPECT_THROW(core::merged({{}, {{a, {}, Mark{{1, 1}}}}, {}}, {{}, {{a, Mark{{2, 2}}, {}}}, {}}), core::Error);
 }
 
 } // namespace

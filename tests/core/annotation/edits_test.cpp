@@ -31,7 +31,7 @@ protected:
         core::apply(m_set, edit);
         AnnotationSet back = m_set;
         core::apply(back, core::inverse(edit));
-        ASSERT_EQ(back, before) << edit.label;
+        ASSERT_EQ(back, before) << core::editLabel(edit.description);
     }
     /// Clicks a joint in the first three cameras.
     void click(int frame, const JointId& joint, const Vector3d& point) {
@@ -51,7 +51,7 @@ TEST_F(Edits, PlacingMovesAndKeepsWhatTheAnnotatorSaid) {
     EXPECT_EQ(mark(4, kIndex, 3), (Mark{{10.25, 20.5}, Placement::Manual, MarkState::Visible}));
     perform(core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Occluded));
     const Edit move = core::placeEdit(m_set, key(4, kIndex, 3), {11, 21});
-    EXPECT_EQ(move.label, "move left index_mcp in cam3");
+    EXPECT_EQ(core::editLabel(move.description), "move left index_mcp in cam3");
     perform(move);
     EXPECT_EQ(mark(4, kIndex, 3), (Mark{{11, 21}, Placement::Manual, MarkState::Occluded}));
     perform(core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Unplaceable));
@@ -59,7 +59,7 @@ TEST_F(Edits, PlacingMovesAndKeepsWhatTheAnnotatorSaid) {
     EXPECT_TRUE(
         core::stateEdit(m_set, key(4, kIndex, 3), MarkState::Occluded).empty()); // there is no place to be occluded
     const Edit place = core::placeEdit(m_set, key(4, kIndex, 3), {1, 2});
-    EXPECT_EQ(place.label, "place left index_mcp in cam3");
+    EXPECT_EQ(core::editLabel(place.description), "place left index_mcp in cam3");
     perform(place);
     EXPECT_EQ(mark(4, kIndex, 3)->state, MarkState::Visible);
     perform(core::removeEdit(m_set, key(4, kIndex, 3)));
@@ -125,12 +125,11 @@ TEST_F(Edits, CopiedPosesAreProposalsOnly) {
 
 TEST_F(Edits, ProposalsMakeWayForClicksForAcceptanceAndForNewerProposals) {
     const Vector3d point(10, 20, -15), elsewhere(30, -20, 5);
-    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose"));
+    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}));
     ASSERT_EQ(m_set.marks.size(), 8u);
     EXPECT_TRUE(core::acceptEdit(m_set, m_cameras, 5, kRater, kIndex).empty()) << "a guess gives no point";
-    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}, "propose").empty())
-        << "the same again";
-    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose"));
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, elsewhere}}).empty()) << "the same again";
+    perform(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}));
     EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], point)).norm(), 1e-9);
     perform(core::placeEdit(m_set, key(5, kIndex, 0), *core::project(m_cameras[0], elsewhere)));
     perform(core::placeEdit(m_set, key(5, kIndex, 2), *core::project(m_cameras[2], elsewhere)));
@@ -139,8 +138,7 @@ TEST_F(Edits, ProposalsMakeWayForClicksForAcceptanceAndForNewerProposals) {
     EXPECT_EQ(mark(5, kIndex, 3)->placement, Placement::Auto);
     EXPECT_LT((mark(5, kIndex, 3)->px - *core::project(m_cameras[3], elsewhere)).norm(), 1e-6)
         << "the reprojection, not the guess";
-    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}, "propose").empty())
-        << "what is accepted stays";
+    EXPECT_TRUE(core::proposeEdit(m_set, m_cameras, 5, kRater, {{kIndex, point}}).empty()) << "what is accepted stays";
 }
 
 TEST_F(Edits, InterpolationFillsOnlyTheFramesBetween) {

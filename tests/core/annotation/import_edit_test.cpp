@@ -42,7 +42,7 @@ protected:
     }
     AnnotationSet after(ImportMode mode) {
         AnnotationSet set = m_set;
-        const core::Edit edit = core::importEdit(m_set, m_file, "import x", mode);
+        const core::Edit edit = core::importEdit(m_set, m_file, "x", mode);
         core::apply(set, edit);
         AnnotationSet back = set;
         core::apply(back, core::inverse(edit));

@@ -28,7 +28,7 @@ protected:
         core::AnnotationSet set;
         for (const auto& [joint, point] : test::fiveFingerJoints(*dataset, 0.01 * frame))
             test::clickEverywhere(set, dataset->cameras, frame, rater, joint, point, sigmaPx, &random);
-        document.push(core::importEdit(document.annotations(), set, "import"));
+        document.push(core::importEdit(document.annotations(), set, ""));
     }
     /// Waits until the second round has begun.
     void begin(double share, unsigned seed) {

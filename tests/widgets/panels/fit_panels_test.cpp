@@ -27,7 +27,7 @@ protected:
     }
     /// The page came after the dataset was opened: once more, so that it knows the sequences.
     void reopen() {
-        bench.session.openDataset(QString::fromStdString((folder / "dataset").string()), QStringLiteral("a"), 12);
+        session.opened.openDataset(QString::fromStdString((folder / "dataset").string()), QStringLiteral("a"), 12);
         settle();
     }
     /// A run of all methods on some pairs, to its end.
@@ -37,7 +37,7 @@ protected:
             box->setChecked(box->text() == QStringLiteral("dch-thres") || box->text() == QStringLiteral("ch"));
         differences().setText(QStringLiteral("1, 3"));
         child<QDoubleSpinBox>(benchmark)->setValue(5);
-        bench.benchmarks.run(benchmark.request());
+        session.benchmarks.run(benchmark.request());
         settle();
     }
     QTableView& benchmarkTable(const char* name) {
@@ -49,9 +49,9 @@ protected:
                               [](const QLineEdit* field) { return field->text().startsWith(QStringLiteral("1, 5")); });
     }
 
-    widgets::FittingPanel fitting{bench.selection, bench.fits};
-    widgets::InspectPage inspect{bench};
-    widgets::BenchmarkPage benchmark{bench};
+    widgets::FittingPanel fitting{session.selection, session.fits};
+    widgets::InspectPage inspect{session};
+    widgets::BenchmarkPage benchmark{session};
 };
 
 TEST_F(FitPanelsTest, AFitFillsTableAndColumns) {
@@ -68,7 +68,7 @@ TEST_F(FitPanelsTest, AFitFillsTableAndColumns) {
     EXPECT_EQ(inspect.iteration(), 0);
     inspect.setIteration(1000);
     EXPECT_EQ(inspect.iteration(), inspect.lastIteration());
-    bench.session.openSequence(QStringLiteral("b"));
+    session.opened.openSequence(QStringLiteral("b"));
     settle();
     EXPECT_EQ(table.model()->rowCount(), 0);
     EXPECT_EQ(inspect.grid()->count(), 0);
@@ -78,7 +78,7 @@ TEST_F(FitPanelsTest, ColumnsLookAtTheHandsTogether) {
     fitting.fit({8, 12, {"ch", "best"}, widgets::FitTarget::Recorded});
     settle();
     widgets::CameraView& first = *inspect.grid()->view(0);
-    const QRectF hands = bench.fits.outcome()->handsPx[0];
+    const QRectF hands = session.fits.outcome()->handsPx[0];
     EXPECT_NEAR(first.viewportToImage(QRectF(first.viewport()->rect()).center()).x(), hands.center().x(), 1);
     const double whole = std::min(first.viewport()->width() / 270.0, first.viewport()->height() / 480.0);
     EXPECT_GT(first.scale(), 1.2 * whole) << "the hands, not the whole image";
@@ -105,17 +105,17 @@ TEST_F(FitPanelsTest, TheBenchmarkRunsWhatItsFieldsSay) {
     EXPECT_EQ(request.methods, (std::vector<std::string>{"dch-thres"}));
     EXPECT_EQ(request.pairs.differences, (std::vector<int>{1, 3}));
     EXPECT_NEAR(request.pairs.fraction, 0.05, 1e-12);
-    bench.benchmarks.run(request);
+    session.benchmarks.run(request);
     settle();
-    ASSERT_TRUE(bench.benchmarks.results());
+    ASSERT_TRUE(session.benchmarks.results());
     auto tables = benchmark.findChildren<QTableView*>();
     std::sort(tables.begin(), tables.end(),
               [](const QTableView* a, const QTableView* b) { return a->model()->rowCount() < b->model()->rowCount(); });
     EXPECT_EQ(tables[0]->model()->rowCount(), 2); // start, dch-thres
-    EXPECT_EQ(tables[1]->model()->rowCount(), static_cast<int>(bench.benchmarks.results()->rows.size()));
+    EXPECT_EQ(tables[1]->model()->rowCount(), static_cast<int>(session.benchmarks.results()->rows.size()));
     const std::set<int> tests = benchmark.testFrames();
     std::set<int> ran;
-    for (const core::FramePair& pair : bench.benchmarks.results()->pairs)
+    for (const core::FramePair& pair : session.benchmarks.results()->pairs)
         if (pair.sequence == "a")
             ran.insert(pair.test);
     EXPECT_EQ(tests, ran);
@@ -129,7 +129,7 @@ TEST_F(FitPanelsTest, TheBenchmarkRunsWhatItsFieldsSay) {
                        tables[1]->visualRect(tables[1]->model()->index(0, 0)).center());
     ASSERT_TRUE(opened);
     EXPECT_EQ(opened->methods, request.methods);
-    const auto& pairs = bench.benchmarks.results()->pairs;
+    const auto& pairs = session.benchmarks.results()->pairs;
     EXPECT_TRUE(std::any_of(pairs.begin(), pairs.end(), [&](const core::FramePair& pair) {
         return pair.start == opened->start && pair.test == opened->test;
     }));
@@ -146,7 +146,7 @@ TEST_F(FitPanelsTest, HalfTypedDifferencesAreRefusedInWords) {
     ASSERT_NE(run, buttons.end());
     QTest::mouseClick(*run, Qt::LeftButton);
     EXPECT_TRUE(child<widgets::MessageBar>(benchmark)->message().contains(QStringLiteral("\u201cx\u201d")));
-    EXPECT_FALSE(bench.benchmarks.isRunning());
+    EXPECT_FALSE(session.benchmarks.isRunning());
 }
 
 /// The image of a view without what is drawn over it.
@@ -160,7 +160,7 @@ QImage picture(widgets::CameraView& view) {
 TEST_F(FitPanelsTest, InspectShowsThePicturesOfItsOwnPair) {
     fitting.fit({8, 12, {"ch", "best"}, widgets::FitTarget::Recorded});
     settle();
-    const core::FrameSource frames(*bench.session.dataset(), *bench.session.sequence(), *bench.session.motion());
+    const core::FrameSource frames(*session.opened.dataset(), *session.opened.sequence(), *session.opened.motion());
     const auto expected = [&](const widgets::CameraView& like, int camera, int frame) {
         const cv::Mat image = frames.read(camera, frame);
         widgets::CameraView view;
@@ -172,8 +172,8 @@ TEST_F(FitPanelsTest, InspectShowsThePicturesOfItsOwnPair) {
         view.lookAt(like.viewportToImage(QRectF(like.viewport()->rect()).center()), like.scale());
         return view.grabPicture();
     };
-    bench.selection.setFrame(13);      // the key D
-    bench.selection.setCamera("cam1"); // the key E
+    session.selection.setFrame(13);      // the key D
+    session.selection.setCamera("cam1"); // the key E
     settle();
     for (int i = 0; i < inspect.grid()->count(); ++i) {
         widgets::CameraView& view = *inspect.grid()->view(i);
@@ -238,29 +238,29 @@ TEST_F(FitPanelsTest, BenchmarkRowsAreShownWhileItRuns) {
     child<QDoubleSpinBox>(benchmark)->setValue(40);
     std::vector<std::size_t> rows; // at every update before the end
     bool tableShown = false;
-    QObject::connect(&bench.benchmarks, &widgets::BenchmarkRunner::updated, &benchmark, [&] {
-        if (!bench.benchmarks.isRunning() || !bench.benchmarks.results())
+    QObject::connect(&session.benchmarks, &widgets::BenchmarkRunner::updated, &benchmark, [&] {
+        if (!session.benchmarks.isRunning() || !session.benchmarks.results())
             return;
-        rows.push_back(bench.benchmarks.results()->rows.size());
+        rows.push_back(session.benchmarks.results()->rows.size());
         tableShown = tableShown || benchmarkTable("benchmarkSummary").isVisible();
     });
-    bench.benchmarks.run(benchmark.request());
+    session.benchmarks.run(benchmark.request());
     settle();
-    const std::size_t all = bench.benchmarks.results()->rows.size();
+    const std::size_t all = session.benchmarks.results()->rows.size();
     ASSERT_GE(rows.size(), 2u);
     EXPECT_TRUE(tableShown);
     EXPECT_LT(rows.front(), all);
     EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
-    EXPECT_FALSE(bench.benchmarks.results()->stopped);
+    EXPECT_FALSE(session.benchmarks.results()->stopped);
 }
 
 TEST_F(FitPanelsTest, SavedResultsAreTheCommandsAndOpenAgain) {
     runBenchmark();
-    const auto found = *bench.benchmarks.results();
+    const auto found = *session.benchmarks.results();
     ASSERT_FALSE(found.rows.empty());
     const QString out = QString::fromStdString((folder / "results").string());
-    QSignalSpy saved(&bench.benchmarks, &widgets::BenchmarkRunner::saved);
-    bench.benchmarks.save(out);
+    QSignalSpy saved(&session.benchmarks, &widgets::BenchmarkRunner::saved);
+    session.benchmarks.save(out);
     settle();
     ASSERT_EQ(saved.count(), 1);
     for (const char* file : {"run.json", "pairs.json", "finished.jsonl", "results.csv", "joints.csv", "curves.csv",
@@ -273,27 +273,27 @@ TEST_F(FitPanelsTest, SavedResultsAreTheCommandsAndOpenAgain) {
         EXPECT_EQ(core::readTextFile(folder / "results" / file), core::readTextFile(folder / "command" / file)) << file;
 
     reopen();
-    ASSERT_FALSE(bench.benchmarks.results());
-    QSignalSpy opened(&bench.benchmarks, &widgets::BenchmarkRunner::opened);
-    bench.benchmarks.open(out);
+    ASSERT_FALSE(session.benchmarks.results());
+    QSignalSpy opened(&session.benchmarks, &widgets::BenchmarkRunner::opened);
+    session.benchmarks.open(out);
     settle();
     ASSERT_EQ(opened.count(), 1);
     EXPECT_TRUE(opened[0][1].toString().isEmpty()) << opened[0][1].toString().toStdString();
-    EXPECT_EQ(bench.benchmarks.results()->rows, found.rows);
+    EXPECT_EQ(session.benchmarks.results()->rows, found.rows);
     EXPECT_TRUE(benchmarkTable("benchmarkSummary").isVisible());
     EXPECT_EQ(benchmarkTable("benchmarkSummary").model()->rowCount(), 3) << "start, ch, dch-thres";
 }
 
 TEST_F(FitPanelsTest, SavingReplacesNoOtherResults) {
     runBenchmark();
-    QSignalSpy failed(&bench.benchmarks, &widgets::BenchmarkRunner::fileFailed);
+    QSignalSpy failed(&session.benchmarks, &widgets::BenchmarkRunner::fileFailed);
     std::filesystem::create_directories(folder / "mine");
     core::writeFileAtomically(folder / "mine/table.md", "mine");
-    bench.benchmarks.save(QString::fromStdString((folder / "mine").string()));
+    session.benchmarks.save(QString::fromStdString((folder / "mine").string()));
     settle();
     EXPECT_EQ(failed.count(), 1);
     EXPECT_EQ(core::readTextFile(folder / "mine/table.md"), "mine");
-    bench.benchmarks.open(QString::fromStdString((folder / "mine").string()));
+    session.benchmarks.open(QString::fromStdString((folder / "mine").string()));
     settle();
     EXPECT_EQ(failed.count(), 2) << "it holds no results";
     EXPECT_FALSE(child<widgets::MessageBar>(benchmark)->message().isEmpty());
@@ -314,7 +314,7 @@ TEST_F(FitPanelsTest, APairOpensWithAllOfItsMethods) {
 }
 
 TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
-    core::Dataset bare = *bench.session.dataset();
+    core::Dataset bare = *session.opened.dataset();
     for (core::Sequence& sequence : bare.sequences) {
         sequence.motion.clear();
         for (core::ViewSource& view : sequence.views)
@@ -322,7 +322,7 @@ TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
     }
     core::rewriteDatasetFile(bare);
     reopen();
-    bench.fits.run(fitting.request());
+    session.fits.run(fitting.request());
     EXPECT_TRUE(child<widgets::MessageBar>(fitting)->message().contains(
         QStringLiteral("needs silhouettes: attach a folder of masks, or make them")));
     const auto buttons = fitting.findChildren<QPushButton*>();
@@ -340,14 +340,14 @@ TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
         core::writePng(folder / "masks" / camera.name / "000012.png",
                        core::renderHandsMask(camera, bare.hands, test::tinyMotion(13).back()));
     }
-    widgets::MaskAttacher attacher(bench.session, bench.selection, bench.pool);
+    widgets::MaskAttacher attacher(session.opened, session.selection, session.pool);
     QSignalSpy failed(&attacher, &widgets::MaskAttacher::failed);
     attacher.attach(QString::fromStdString((folder / "masks").string()));
     settle();
     ASSERT_EQ(failed.count(), 0) << failed[0][0].toString().toStdString();
-    EXPECT_TRUE(bench.fits.hasMasks());
+    EXPECT_TRUE(session.fits.hasMasks());
     EXPECT_FALSE((*attach)->isVisible());
-    EXPECT_EQ(bench.selection.frame(), 12) << "the same place";
+    EXPECT_EQ(session.selection.frame(), 12) << "the same place";
     EXPECT_TRUE(core::hasMasks(core::readDataset(folder / "dataset").sequences[0])) << "kept in the file";
     attacher.attach(QString::fromStdString((folder / "nowhere").string()));
     settle();

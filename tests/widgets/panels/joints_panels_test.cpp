@@ -18,18 +18,18 @@ protected:
         panel.resize(300, 600);
         panel.show();
     }
-    widgets::JointsPanel panel{bench.joints, bench.document, bench.reconstructions, bench.selection};
+    widgets::JointsPanel panel{session.joints, session.document, session.reconstructions, session.selection};
 };
 
 TEST_F(JointsPanelTest, RowsAndDotsSelect) {
     QTableView& table = *panel.table();
     ASSERT_EQ(table.model()->rowCount(), 4);
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, table.visualRect(table.model()->index(2, 0)).center());
-    EXPECT_EQ(bench.selection.joint(), kRightPalm);
+    EXPECT_EQ(session.selection.joint(), kRightPalm);
     const auto dot = panel.diagram()->dotPosition(index);
     ASSERT_TRUE(dot);
     test::click(panel.diagram(), *dot);
-    EXPECT_EQ(bench.selection.joint(), index);
+    EXPECT_EQ(session.selection.joint(), index);
     EXPECT_EQ(table.currentIndex().row(), 1);
 }
 
@@ -38,7 +38,7 @@ TEST_F(JointsPanelTest, TheDotSaysHowFarAJointIs) {
         const QImage picture = panel.diagram()->grab().toImage();
         return picture.pixelColor(panel.diagram()->dotPosition(index)->toPoint());
     };
-    bench.selection.setJoint(kRightPalm);
+    session.selection.setJoint(kRightPalm);
     const QColor before = colourAt();
     for (int camera = 0; camera < 8; ++camera)
         click(index, camera);
@@ -52,23 +52,23 @@ TEST_F(JointsPanelTest, NotesBelongToTheirFrameAndAreNeverLost) {
     widgets::NoteEdit& note = *panel.note();
     QTest::keyClicks(&note, QStringLiteral("thumb hidden"));
     QTest::keyClick(&note, Qt::Key_Return);
-    EXPECT_EQ(bench.document.annotations().notes.at(12), "thumb hidden");
-    bench.selection.setFrame(13);
+    EXPECT_EQ(session.document.annotations().notes.at(12), "thumb hidden");
+    session.selection.setFrame(13);
     EXPECT_TRUE(note.text().isEmpty());
     QTest::keyClicks(&note, QStringLiteral("blurred"));
-    bench.session.openSequence(QStringLiteral("b")); // without Enter, and without leaving the field
+    session.opened.openSequence(QStringLiteral("b")); // without Enter, and without leaving the field
     settle();
     EXPECT_TRUE(note.text().isEmpty());
-    bench.session.openSequence(QStringLiteral("a"));
+    session.opened.openSequence(QStringLiteral("a"));
     settle();
-    EXPECT_EQ(bench.document.annotations().notes.at(13), "blurred");
-    bench.document.undoStack()->undo();
-    EXPECT_EQ(bench.document.annotations().notes.count(13), 0u);
+    EXPECT_EQ(session.document.annotations().notes.at(13), "blurred");
+    session.document.undoStack()->undo();
+    EXPECT_EQ(session.document.annotations().notes.count(13), 0u);
 }
 
 TEST_F(JointsPanelTest, NamesCanBeReadInANarrowWindow) {
-    bench.joints.setChoice(widgets::JointChoice::TwentyOne, *bench.session.dataset());
-    widgets::JointsPanel narrow(bench.joints, bench.document, bench.reconstructions, bench.selection);
+    session.joints.setChoice(widgets::JointChoice::TwentyOne, *session.opened.dataset());
+    widgets::JointsPanel narrow(session.joints, session.document, session.reconstructions, session.selection);
     for (const int width : {200, 240, 290, 420}) {
         narrow.resize(width, 600);
         narrow.show();
@@ -83,7 +83,7 @@ TEST_F(JointsPanelTest, NamesCanBeReadInANarrowWindow) {
 }
 
 TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
-    widgets::StatusLine line(bench.document, bench.reconstructions, bench.selection);
+    widgets::StatusLine line(session.document, session.reconstructions, session.selection);
     line.resize(900, 24);
     line.show();
     const auto says = [&](const char* words) {

@@ -14,7 +14,7 @@ protected:
         panel.show();
     }
     QTableView& table() { return *child<QTableView>(panel); }
-    widgets::QualityPanel panel{bench};
+    widgets::QualityPanel panel{session};
 };
 
 TEST_F(QualityPanelTest, ListsTheClickThatDisagreesAndJumpsThere) {
@@ -24,19 +24,19 @@ TEST_F(QualityPanelTest, ListsTheClickThatDisagreesAndJumpsThere) {
     ASSERT_EQ(table().model()->rowCount(), 1);
     EXPECT_TRUE(cell(table(), 0, widgets::FindingModel::What).contains(QStringLiteral("cam3")));
     EXPECT_EQ(cell(table(), 0, widgets::FindingModel::Joint), QStringLiteral("L index_mcp"));
-    bench.selection.setCamera("cam0");
-    bench.selection.setJoint({core::Side::Right, "index_mcp"});
+    session.selection.setCamera("cam0");
+    session.selection.setJoint({core::Side::Right, "index_mcp"});
     QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
                       table().visualRect(table().model()->index(0, 0)).center());
-    EXPECT_EQ(bench.selection.camera(), "cam3");
-    EXPECT_EQ(bench.selection.joint(), index);
+    EXPECT_EQ(session.selection.camera(), "cam3");
+    EXPECT_EQ(session.selection.joint(), index);
 }
 
 TEST_F(QualityPanelTest, TheWholeSequenceCanBeListed) {
     for (const int camera : {0, 1, 2, 3, 4})
         click(index, camera, camera == 3 ? 40 : 0);
     settle();
-    bench.selection.setFrame(20);
+    session.selection.setFrame(20);
     EXPECT_EQ(table().model()->rowCount(), 0);
     child<QComboBox>(panel)->setCurrentIndex(1);
     ASSERT_EQ(table().model()->rowCount(), 1);
@@ -44,7 +44,7 @@ TEST_F(QualityPanelTest, TheWholeSequenceCanBeListed) {
     EXPECT_EQ(cell(table(), 0, widgets::FindingModel::Frame), QStringLiteral("12"));
     QTest::mouseClick(table().viewport(), Qt::LeftButton, {},
                       table().visualRect(table().model()->index(0, 0)).center());
-    EXPECT_EQ(bench.selection.frame(), 12);
+    EXPECT_EQ(session.selection.frame(), 12);
 }
 
 TEST_F(QualityPanelTest, TheThresholdDecidesWhatIsBad) {
@@ -55,7 +55,7 @@ TEST_F(QualityPanelTest, TheThresholdDecidesWhatIsBad) {
     QSignalSpy changed(&panel, &widgets::QualityPanel::badRmsPxChanged);
     child<QDoubleSpinBox>(panel)->setValue(0.3);
     ASSERT_EQ(changed.count(), 1);
-    EXPECT_DOUBLE_EQ(bench.coverage.badRmsPx(), 0.3);
+    EXPECT_DOUBLE_EQ(session.coverage.badRmsPx(), 0.3);
     ASSERT_EQ(table().model()->rowCount(), 1);
     EXPECT_TRUE(cell(table(), 0, 0).contains(QStringLiteral("px")));
 }
@@ -71,7 +71,7 @@ protected:
         panel.show();
         settle();
     }
-    widgets::RatersPanel panel{bench};
+    widgets::RatersPanel panel{session.raters, session.selection, session.reconstructions, session.opened};
 };
 
 TEST_F(RatersPanelTest, ShowsHowFarTwoRatersAgree) {
@@ -95,8 +95,8 @@ TEST_F(RatersPanelTest, ShowsHowFarTwoRatersAgree) {
 }
 
 TEST_F(RatersPanelTest, TellsHowTheSecondRoundGoes) {
-    bench.raters.beginRepeating(1, 3);
-    ASSERT_TRUE(test::waitUntil([&] { return bench.raters.isRepeating(); }));
+    session.raters.beginRepeating(1, 3);
+    ASSERT_TRUE(test::waitUntil([&] { return session.raters.isRepeating(); }));
     const auto labels = panel.findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
                             [](const QLabel* label) { return label->text().contains(QStringLiteral("1 of 1")); }));

@@ -13,21 +13,21 @@ protected:
     }
     /// The workspaces came after the dataset was opened: once more, so that they know.
     void reopen() {
-        bench.session.openDataset(QString::fromStdString((folder / "dataset").string()), QStringLiteral("a"), 12);
+        session.opened.openDataset(QString::fromStdString((folder / "dataset").string()), QStringLiteral("a"), 12);
         settle();
     }
-    widgets::Workspaces spaces{bench};
+    widgets::Workspaces spaces{session};
 };
 
 TEST_F(ViewPanelsTest, HiddenAndReorderedCamerasAreRemembered) {
     auto* list = child<QListWidget>(*spaces.viewPanel());
     ASSERT_EQ(list->count(), 8);
     list->item(2)->setCheckState(Qt::Unchecked);
-    EXPECT_EQ(bench.shownCameras().size(), 7u);
+    EXPECT_EQ(session.shownCameras().size(), 7u);
     EXPECT_FALSE(spaces.grid()->view(2)->isVisible());
     reopen();
-    EXPECT_EQ(bench.shownCameras().size(), 7u);
-    EXPECT_EQ(std::count(bench.shownCameras().begin(), bench.shownCameras().end(), "cam2"), 0);
+    EXPECT_EQ(session.shownCameras().size(), 7u);
+    EXPECT_EQ(std::count(session.shownCameras().begin(), session.shownCameras().end(), "cam2"), 0);
 }
 
 TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
@@ -38,7 +38,7 @@ TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
     reopen();
     EXPECT_DOUBLE_EQ(spaces.grid()->view(1)->adjustment().brightness, 0.25);
     EXPECT_DOUBLE_EQ(spaces.grid()->view(1)->adjustment().gamma, 0.75);
-    bench.selection.setCamera("cam1");
+    session.selection.setCamera("cam1");
     auto* brightness = child<QSlider>(*spaces.viewPanel(), 1); // after the mesh's opacity
     EXPECT_EQ(brightness->value(), 25);
     options.setAdjustmentsFromText("nonsense\n0.5 2 1 cam 3 with blanks\n");
@@ -48,12 +48,12 @@ TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
 }
 
 TEST_F(ViewPanelsTest, TheModelOfTheMarksIsALayer) {
-    bench.model.setOn(true);
-    for (const core::Bone& bone : bench.session.dataset()->hands[0].skeleton.bones)
+    session.model.setOn(true);
+    for (const core::Bone& bone : session.opened.dataset()->hands[0].skeleton.bones)
         for (const int camera : {0, 3, 5})
             click({core::Side::Left, bone.name}, camera);
     settle();
-    EXPECT_FALSE(bench.model.fit()) << "two joints of a hand are not enough";
+    EXPECT_FALSE(session.model.fit()) << "two joints of a hand are not enough";
     spaces.layers()->setAnnotatedPose(core::HandPoses{test::tinyMotion(13).back()[0], core::Pose()}, 12);
     settle();
     spaces.grid()->finishDrawing();
@@ -69,7 +69,7 @@ TEST_F(ViewPanelsTest, TheSelectedJointIsNamedInTheCurrentViewOnly) {
         click(index, camera);
     settle();
     for (const char* name : {"cam0", "cam3"}) {
-        bench.selection.setCamera(name);
+        session.selection.setCamera(name);
         for (const widgets::CameraView* view : spaces.grid()->views()) {
             const auto& marks = view->marks();
             const bool isNamed =

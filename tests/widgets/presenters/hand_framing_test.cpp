@@ -18,13 +18,13 @@ protected:
         reopen("dataset");
     }
     void reopen(const char* name) {
-        bench.session.openDataset(QString::fromStdString((folder / name).string()), QStringLiteral("a"), 12);
+        session.opened.openDataset(QString::fromStdString((folder / name).string()), QStringLiteral("a"), 12);
         settle();
     }
     widgets::CameraView& view(int camera) { return *spaces.grid()->view(camera); }
     QPointF pixel(const core::JointId& joint, int camera) const {
         const Eigen::Vector2d px =
-            *core::project(bench.session.dataset()->cameras[static_cast<std::size_t>(camera)], truth(joint, 12));
+            *core::project(session.opened.dataset()->cameras[static_cast<std::size_t>(camera)], truth(joint, 12));
         return {px.x(), px.y()};
     }
     static double wholeScale(const widgets::CameraView& view) {
@@ -43,7 +43,7 @@ protected:
         core::writeDataset(dataset, {{}, {}}, folder / name);
     }
     const core::JointId right{Side::Right, "index_mcp"};
-    widgets::Workspaces spaces{bench};
+    widgets::Workspaces spaces{session};
 };
 
 TEST_F(HandFramingTest, ASequenceOpensWithTheHandsFillingEveryView) {
@@ -59,7 +59,7 @@ TEST_F(HandFramingTest, ASequenceOpensWithTheHandsFillingEveryView) {
 TEST_F(HandFramingTest, ZoomAndPanStayWhenTheFrameChanges) {
     const double scale = view(3).scale();
     const QPointF corner = view(3).viewportToImage({0, 0});
-    bench.selection.setFrame(20);
+    session.selection.setFrame(20);
     settle();
     EXPECT_DOUBLE_EQ(view(3).scale(), scale);
     EXPECT_EQ(view(3).viewportToImage({0, 0}), corner);
@@ -83,7 +83,7 @@ TEST_F(HandFramingTest, AMaximisedViewIsFilledByTheHands) {
 }
 
 TEST_F(HandFramingTest, EveryHandIsNamedBeforeTheFirstClick) {
-    ASSERT_TRUE(bench.document.annotations().marks.empty());
+    ASSERT_TRUE(session.document.annotations().marks.empty());
     for (int camera = 0; camera < 8; ++camera) {
         const auto& labels = view(camera).handLabels();
         ASSERT_EQ(labels.size(), 2u) << camera;
@@ -113,8 +113,8 @@ TEST_F(HandFramingTest, FootageIsFramedByMarksOnceThereAreSome) {
     core::Mark made;
     for (const int camera : {0, 3}) {
         made.px = {pixel(index, camera).x(), pixel(index, camera).y()};
-        bench.document.push(
-            core::placeEdit(bench.document.annotations(), {12, "ann", index, "cam" + std::to_string(camera)}, made.px));
+        session.document.push(core::placeEdit(session.document.annotations(),
+                                              {12, "ann", index, "cam" + std::to_string(camera)}, made.px));
     }
     EXPECT_TRUE(spaces.framing()->frameHands());
     for (const int camera : {0, 3, 5}) {
@@ -145,7 +145,7 @@ TEST_F(HandFramingTest, AHiddenHandLeavesThePicture) {
         click(index, camera);
         click(right, camera);
     }
-    bench.selection.setJoint({Side::Right, "forearm"});
+    session.selection.setJoint({Side::Right, "forearm"});
     const auto marksOf = [&](Side hand) {
         const auto& marks = view(0).marks();
         return std::count_if(marks.begin(), marks.end(),
@@ -155,7 +155,7 @@ TEST_F(HandFramingTest, AHiddenHandLeavesThePicture) {
     spaces.marks()->setHandShown(Side::Left, false);
     EXPECT_EQ(marksOf(Side::Left), 0);
     EXPECT_EQ(marksOf(Side::Right), 1);
-    bench.selection.setJoint(index);
+    session.selection.setJoint(index);
     EXPECT_EQ(marksOf(Side::Left), 1) << "what is worked on is seen";
     spaces.marks()->setHandShown(Side::Left, true);
     EXPECT_EQ(marksOf(Side::Left), 1);
@@ -174,7 +174,7 @@ TEST_F(HandFramingTest, TheTitleOfTheViewToClickNextSaysSo) {
     EXPECT_TRUE(asking().isEmpty()) << "one click does not tell which view helps most";
     for (const int camera : {3, 5}) {
         click(index, camera);
-        const QString advice = widgets::adviceText(index, bench.reconstructions.selected());
+        const QString advice = widgets::adviceText(index, session.reconstructions.selected());
         ASSERT_EQ(asking().size(), 1) << advice.toStdString();
         EXPECT_TRUE(advice.contains(asking().front())) << advice.toStdString();
     }

@@ -33,7 +33,7 @@ protected:
         core::AnnotationSet set;
         for (const std::string rater : {"ann <first>", "bob"})
             test::clickEverywhere(set, m_dataset.cameras, 1, rater, {Side::Left, "index_mcp"}, {0, 0, 0}, 1, &m_random);
-        store.commit(core::importEdit({}, set, "import"), "ann");
+        store.commit(core::importEdit({}, set, ""), "ann");
     }
     std::string report() {
         core::writeAnnotationReport(m_dataset, m_folder / "report.html");
@@ -78,7 +78,7 @@ TEST_F(AnnotationReportTest, OneSharedClickIsNoAgreementOfPoints) {
     const std::string camera = m_dataset.cameras[0].name;
     set.marks[{1, "ann", {Side::Left, "index_mcp"}, camera}] = {{100, 100}};
     set.marks[{1, "bob", {Side::Left, "index_mcp"}, camera}] = {{109, 100}};
-    store.commit(core::importEdit({}, set, "import"), "ann");
+    store.commit(core::importEdit({}, set, ""), "ann");
     EXPECT_TRUE(
         contains(report(), "<td>0</td><td></td><td></td><td></td><td></td><td></td><td></td><td>1</td><td>9.00</td>"))
         << report();

@@ -128,7 +128,7 @@ TEST_F(AnnotationStoreTest, AmendingJoinsTheNewestEntry) {
     const Edit first = place(3, 10);
     const MarkKey key = first.marks[0].key;
     const auto move = [&key](double from, double to) {
-        return Edit{"move", {{key, Mark{{from, 2.5}}, Mark{{to, 2.5}}}}, {}};
+        return Edit{{.text = "move"}, {{key, Mark{{from, 2.5}}, Mark{{to, 2.5}}}}, {}};
     };
     store.commit(first, "ann");
     store.commit(move(10, 11), "ann");

@@ -28,7 +28,7 @@ inline core::ErrorCode errorOf(const std::function<void()>& work) {
 
 /// Puts a mark into a frame that has none.
 inline core::Edit place(int frame, double x) {
-    return {"place",
+    return {{.text = "place"},
             {{core::MarkKey{frame, "ann", {core::Side::Left, "wrist"}, "cam0"}, std::nullopt, core::Mark{{x, 2.5}}}},
             {}};
 }

@@ -23,12 +23,12 @@ namespace widgets {
 
 /// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and
 /// the work that goes on in the background.
-class Workbench : public QObject {
+class WindowSession : public QObject {
     Q_OBJECT
 
 public:
-    explicit Workbench(QObject* parent = nullptr);
-    ~Workbench() override;
+    explicit WindowSession(QObject* parent = nullptr);
+    ~WindowSession() override;
 
     JobPool pool;
     Selection selection;
@@ -37,7 +37,7 @@ public:
     Reconstructions reconstructions;
     Annotator annotator;
     Coverage coverage;
-    DatasetSession session;
+    DatasetSession opened;
     FrameLoader frames;
     FitRunner fits;
     AnnotationFiles files;

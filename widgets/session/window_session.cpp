@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/session/workbench.h"
+#include "widgets/session/window_session.h"
 
 #include <algorithm>
 #include <sstream>
@@ -38,21 +38,21 @@ std::vector<std::string> knownLines(const std::string& text, const core::Dataset
 
 } // namespace
 
-Workbench::Workbench(QObject* parent)
+WindowSession::WindowSession(QObject* parent)
     : QObject(parent)
     , reconstructions(document, selection)
     , annotator(document, selection, reconstructions, joints)
     , coverage(document, pool)
-    , session(document, pool)
+    , opened(document, pool)
     , frames(pool)
     , fits(document, pool)
-    , files(document, session, pool)
+    , files(document, opened, pool)
     , benchmarks(pool)
     , checks(document, pool)
     , model(document, selection, reconstructions, pool)
     , raters(document, selection, pool) {
-    connect(&session, &DatasetSession::datasetOpened, this, &Workbench::takeDataset);
-    connect(&session, &DatasetSession::sequenceOpened, this, &Workbench::takeSequence);
+    connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
+    connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
     connect(&joints, &JointList::changed, this, [this] {
         if (!m_restoring)
@@ -60,29 +60,29 @@ Workbench::Workbench(QObject* parent)
     });
 }
 
-Workbench::~Workbench() = default;
+WindowSession::~WindowSession() = default;
 
-void Workbench::setShownCameras(const std::vector<std::string>& cameras) {
+void WindowSession::setShownCameras(const std::vector<std::string>& cameras) {
     annotator.setCameraOrder(cameras);
     document.setSetting(kCamerasSetting, joined(cameras));
     emit shownCamerasChanged();
 }
 
-void Workbench::takeDataset() {
-    reconstructions.setDataset(session.dataset());
-    annotator.setDataset(session.dataset());
-    coverage.setDataset(session.dataset());
-    benchmarks.setDataset(session.dataset());
-    checks.setDataset(session.dataset());
-    model.setDataset(session.dataset());
-    raters.setDataset(session.dataset());
+void WindowSession::takeDataset() {
+    reconstructions.setDataset(opened.dataset());
+    annotator.setDataset(opened.dataset());
+    coverage.setDataset(opened.dataset());
+    benchmarks.setDataset(opened.dataset());
+    checks.setDataset(opened.dataset());
+    model.setDataset(opened.dataset());
+    raters.setDataset(opened.dataset());
 }
 
-void Workbench::takeSequence(int frame) {
-    const core::Sequence& sequence = *session.sequence();
-    frames.setSequence(session.dataset(), &sequence, session.motion());
-    fits.setSequence(session.dataset(), &sequence, session.motion());
-    const core::PictureGaps gaps = core::pictureGaps(*session.dataset(), sequence);
+void WindowSession::takeSequence(int frame) {
+    const core::Sequence& sequence = *opened.sequence();
+    frames.setSequence(opened.dataset(), &sequence, opened.motion());
+    fits.setSequence(opened.dataset(), &sequence, opened.motion());
+    const core::PictureGaps gaps = core::pictureGaps(*opened.dataset(), sequence);
     reconstructions.setPictureGaps(gaps);
     coverage.setPictureGaps(gaps);
     restoreChoices();
@@ -97,8 +97,8 @@ void Workbench::takeSequence(int frame) {
     emit ready();
 }
 
-void Workbench::restoreChoices() {
-    const core::Dataset& dataset = *session.dataset();
+void WindowSession::restoreChoices() {
+    const core::Dataset& dataset = *opened.dataset();
     m_restoring = true;
     if (const auto text = document.setting(kJointsSetting); !text || !joints.setFromText(*text, dataset))
         joints.setChoice(joints.choice() == JointChoice::Custom ? JointChoice::Fourteen : joints.choice(), dataset);

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Reasons and kinds are data; the window says all of them in the person's language.
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include <gtest/gtest.h>
+
+#include "app/desktop/resources.h"
+#include "widgets/jobs/fit_pair.h"
+#include "widgets/text/advice.h"
+#include "widgets/text/edit_text.h"
+#include "widgets/text/store_text.h"
+
+namespace {
+
+class ReasonsInGerman : public testing::Test {
+protected:
+    ReasonsInGerman() {
+        app::initResources();
+        EXPECT_TRUE(m_german.load(QStringLiteral("handlens_de"), QStringLiteral(":/translations")));
+    }
+    ~ReasonsInGerman() override { QCoreApplication::removeTranslator(&m_german); }
+
+    /// Expects that `say` gives a sentence, and another one while the language is German.
+    template <class Say>
+    void expectTranslated(const Say& say) {
+        QCoreApplication::removeTranslator(&m_german);
+        const QString english = say();
+        QCoreApplication::installTranslator(&m_german);
+        const QString german = say();
+        EXPECT_FALSE(english.isEmpty());
+        EXPECT_FALSE(german.isEmpty());
+        EXPECT_NE(german, english) << english.toStdString();
+    }
+
+private:
+    QTranslator m_german;
+};
+
+core::Edit editOf(core::EditKind kind, core::MarkState state, int marks) {
+    core::Edit edit;
+    edit.description.kind = kind;
+    edit.description.state = state;
+    for (int camera = 0; camera < marks; ++camera)
+        edit.marks.push_back({{1, "ann", {core::Side::Left, "wrist"}, "cam" + std::to_string(camera)},
+                              std::nullopt,
+                              core::Mark{{1, 2}}});
+    if (kind == core::EditKind::Note)
+        edit = {{.kind = kind, .firstFrame = 3}, {}, {{3, "", "text"}}};
+    return edit;
+}
+
+TEST_F(ReasonsInGerman, EveryTriangulationFailure) {
+    using core::TriangulationFailure;
+    for (int failure = 1; failure <= static_cast<int>(TriangulationFailure::ViewsDisagree); ++failure)
+        expectTranslated([&] { return widgets::failureInWords(static_cast<TriangulationFailure>(failure)); });
+}
+
+TEST_F(ReasonsInGerman, EveryKindOfEdit) {
+    for (int kind = 0; kind <= static_cast<int>(core::EditKind::Import); ++kind)
+        for (const int marks : {1, 4})
+            for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable})
+                expectTranslated(
+                    [&] { return widgets::editText(editOf(static_cast<core::EditKind>(kind), state, marks)); });
+}
+
+TEST_F(ReasonsInGerman, AnUnknownLabelOfAFileIsShownAsItStands) {
+    core::Edit edit = editOf(core::EditKind::Other, core::MarkState::Visible, 2);
+    edit.description = core::parseEditLabel("a step of a later version");
+    EXPECT_EQ(widgets::editText(edit), QStringLiteral("a step of a later version"));
+}
+
+TEST_F(ReasonsInGerman, EveryReasonForReadingOnly) {
+    using Kind = core::ReadOnlyReason::Kind;
+    for (int kind = 1; kind <= static_cast<int>(Kind::ReadOnlyFile); ++kind)
+        for (const char* holder : {"", "ann@lab, process 12"})
+            expectTranslated([&] { return widgets::readOnlyInWords({static_cast<Kind>(kind), holder}); });
+}
+
+TEST_F(ReasonsInGerman, EveryRefusalOfAFitPair) {
+    for (const auto refusal : {widgets::FitRefusal::NoStartPose, widgets::FitRefusal::NoTestMasks})
+        expectTranslated([&] { return widgets::fitRefusalText(refusal); });
+}
+
+} // namespace
