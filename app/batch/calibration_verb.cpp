@@ -40,6 +40,17 @@ std::set<std::string> kindNames(bool toWrite) {
     return names;
 }
 
+/// A line for each kind, in the order in which they are tried.
+std::string kindList() {
+    std::string text = "Kinds:";
+    for (const core::CalibrationKind& kind : core::calibrationKinds()) {
+        const std::string name(kind.name);
+        text += "\n  " + name + std::string(name.size() < 12 ? 12 - name.size() : 1, ' ') +
+                std::string(kind.description) + (kind.canWrite ? "; can be written" : "");
+    }
+    return text;
+}
+
 } // namespace
 
 void addCalibrationVerb(CLI::App& program) {
@@ -54,6 +65,7 @@ void addCalibrationVerb(CLI::App& program) {
         ->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->options.section, "Which capture of an InterHand file");
     verb->add_option("--out", arguments->out, "The file to write")->required();
+    verb->footer(kindList());
     verb->callback([arguments] { convert(*arguments); });
 }
 

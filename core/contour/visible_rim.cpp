@@ -88,6 +88,12 @@ struct FastCamera {
                 intrinsics(1, 1) * n.y() + intrinsics(1, 2)};
     }
 
+    /// False beyond the fold of the lens model, where a point would be shown mirrored.
+    bool holdsAt(const Eigen::Vector3f& world) const {
+        const Eigen::Vector3f p = rotation * world + translation;
+        return lensHolds(camera, (p.head<2>() / std::max(p.z(), 1.0f)).cast<double>());
+    }
+
     /// Image normal at a rim point: the camera-frame normal over the focal lengths, carried through the lens by the
     /// inverse transpose of its Jacobian.
     Eigen::Vector2f imageNormal(const Eigen::Vector3f& world, const Eigen::Vector3f& normal) const {
@@ -190,6 +196,8 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
         RimPoint rim = crossing(points, hand, a, b, fa / (fa - fb));
         rim.px = camera.project(rim.point);
         if (rim.px.x() < 0.5f || rim.px.y() < 0.5f || rim.px.x() > right || rim.px.y() > bottom)
+            continue;
+        if (camera.lens && !camera.holdsAt(rim.point))
             continue;
         rim.normalPx = camera.imageNormal(rim.point, rim.normal);
         if (!scratch.coverage.covers(rim.px + outwardPx * rim.normalPx))

@@ -7,12 +7,14 @@
 
 #include <Eigen/LU>
 
+#include "core/geometry/lens_fold.h"
+
 namespace core {
 
 namespace {
 
-std::array<double, 8> coefficients(const Camera& camera) {
-    std::array<double, 8> k{};
+LensCoefficients coefficients(const Camera& camera) {
+    LensCoefficients k{};
     std::copy_n(camera.distortion.begin(), std::min<std::size_t>(8, camera.distortion.size()), k.begin());
     return k;
 }
@@ -55,6 +57,15 @@ Eigen::Vector2d distortFisheye(const Camera& camera, const Eigen::Vector2d& n, E
     return scale * n;
 }
 
+/// A value that is negative or small where the lens may fold back before the normalised point: with u = r^2, the slope
+/// of the radial map, 1 + 3 k1 u + 5 k2 u^2 + 7 k3 u^3, is at least 1 plus its negative terms, on the whole way to the
+/// point, and tangential terms change the Jacobian by at most 8 (|p1| + |p2|) r <= 4 (|p1| + |p2|) (1 + u).
+double foldMargin(const LensCoefficients& k, double u) {
+    const auto loss = [](double term) { return std::min(term, 0.0); };
+    return 1 + loss(3 * k[0] * u) + loss(5 * k[1] * u * u) + loss(7 * k[4] * u * u * u) -
+           4 * (std::abs(k[2]) + std::abs(k[3])) * (1 + u);
+}
+
 } // namespace
 
 bool Camera::hasLens() const {
@@ -67,13 +78,28 @@ Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised,
                           : distortRational(camera, normalised, jacobian);
 }
 
+bool lensHolds(const Camera& camera, const Eigen::Vector2d& n) {
+    const LensCoefficients k = coefficients(camera);
+    const bool isPolynomial = !camera.fisheye && k[5] == 0 && k[6] == 0 && k[7] == 0;
+    if (isPolynomial && foldMargin(k, n.squaredNorm()) > 0.01)
+        return true; // every ordinary lens
+    if (!isBeforeFold(k, camera.fisheye, n.squaredNorm()))
+        return false;
+    Eigen::Matrix2d jacobian;
+    distort(camera, n, &jacobian);
+    return jacobian.determinant() > 0;
+}
+
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld) {
     const Eigen::Vector3d p = camera.cameraFromWorld * pointInWorld;
     if (!(p.z() > 1e-9))
         return std::nullopt;
     Eigen::Vector2d n = p.head<2>() / p.z();
-    if (camera.hasLens())
+    if (camera.hasLens()) {
+        if (!lensHolds(camera, n))
+            return std::nullopt;
         n = distort(camera, n);
+    }
     return camera.intrinsics.topLeftCorner<2, 2>() * n + camera.intrinsics.topRightCorner<2, 1>();
 }
 
@@ -82,6 +108,8 @@ std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen:
     if (!(p.z() > 1e-9))
         return std::nullopt;
     const Eigen::Vector2d n = p.head<2>() / p.z();
+    if (camera.hasLens() && !lensHolds(camera, n))
+        return std::nullopt;
     Matrix23d normalisedByPoint;
     normalisedByPoint << 1 / p.z(), 0, -n.x() / p.z(), 0, 1 / p.z(), -n.y() / p.z();
     Eigen::Matrix2d lens;
@@ -107,13 +135,13 @@ std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vect
         Eigen::Matrix2d jacobian;
         const Eigen::Vector2d error = distort(camera, n, &jacobian) - target;
         if (error.cwiseAbs().maxCoeff() < 1e-13)
-            return n;
+            return lensHolds(camera, n) ? std::optional(n) : std::nullopt;
         if (!(jacobian.determinant() > 1e-6))
             return std::nullopt; // the lens model folds over here
         n -= jacobian.inverse() * error;
     }
     const double left = (distort(camera, n) - target).norm();
-    return left < 1e-10 ? std::optional(n) : std::nullopt;
+    return left < 1e-10 && lensHolds(camera, n) ? std::optional(n) : std::nullopt;
 }
 
 std::optional<PlueckerLine> viewingRay(const Camera& camera, const Eigen::Vector2d& px) {

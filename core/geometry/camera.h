@@ -44,12 +44,17 @@ struct Projection {
     Matrix23d pxByPointInWorld;
 };
 
-/// The recorded (distorted) pixel of a world point; nothing if it lies on or behind the camera's plane.
+/// The recorded (distorted) pixel of a world point; empty if it lies on or behind the camera's plane,
+/// or beyond the radius at which the lens model folds back (it would be shown mirrored).
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld);
 std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen::Vector3d& pointInWorld);
 
 /// Lens distortion of normalised coordinates (x/z, y/z), and its 2x2 Jacobian if asked for.
 Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian = nullptr);
+
+/// False for normalised coordinates beyond the radius at which the lens model folds back, or where its tangential terms
+/// turn the image over: no pixel shows them.
+bool lensHolds(const Camera& camera, const Eigen::Vector2d& normalised);
 
 /// Normalised coordinates of a recorded pixel, by Newton iteration to 1e-12; nothing where the lens model
 /// cannot be inverted (far outside the image).

@@ -115,7 +115,13 @@ Polyline sample(const Camera& camera, const Stretch& stretch, const Eigen::Vecto
     for (int i = 0; i <= segments; ++i) {
         const double s = distanceAt(stretch, origin, direction, static_cast<double>(i) / segments);
         const Eigen::Vector3d p = origin + s * direction;
-        const Eigen::Vector2d n = distort(camera, p.head<2>() / p.z());
+        const Eigen::Vector2d undistorted = p.head<2>() / p.z();
+        if (!lensHolds(camera, undistorted)) {
+            if (line.empty())
+                continue; // it may come back into the image
+            break;
+        }
+        const Eigen::Vector2d n = distort(camera, undistorted);
         line.push_back(camera.intrinsics.topLeftCorner<2, 2>() * n + camera.intrinsics.topRightCorner<2, 1>());
     }
     return line;

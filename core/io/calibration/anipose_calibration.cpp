@@ -7,14 +7,20 @@
 
 #include "core/error.h"
 #include "core/io/calibration/calibration_readers.h"
-#include "core/io/files/text_file.h"
 #include "core/text/number_text.h"
 
 namespace core {
 
-namespace fs = std::filesystem;
-
 namespace {
+
+toml::table parseToml(const CalibrationSource& source) {
+    try {
+        return toml::parse(source.text());
+    } catch (const toml::parse_error& failure) {
+        throw Error(ErrorCode::BadInput, source.path().string(), "line " + std::to_string(failure.source().begin.line),
+                    "not TOML: " + std::string(failure.description()));
+    }
+}
 
 /// A section of the file, with its name for errors.
 struct Section {
@@ -107,20 +113,41 @@ std::string formatCamera(const Camera& camera, std::size_t index) {
 
 } // namespace
 
-std::vector<Camera> readAnipose(const fs::path& file) {
-    const std::string text = readTextFile(file);
-    toml::table document;
-    try {
-        document = toml::parse(text);
-    } catch (const toml::parse_error& failure) {
-        throw Error(ErrorCode::BadInput, file.string(), "line " + std::to_string(failure.source().begin.line),
-                    "not TOML: " + std::string(failure.description()));
-    }
+bool looksLikeAnipose(const CalibrationSource& source) {
+    return source.hasExtension({".toml"});
+}
+
+std::vector<Camera> readAnipose(const CalibrationSource& source, const CalibrationOptions&) {
+    const std::string file = source.path().string();
+    const toml::table document = parseToml(source);
     std::vector<Camera> cameras;
     for (const auto& [key, node] : document) {
         const std::string name(key.str());
         if (const toml::table* table = node.as_table(); table != nullptr && name != "metadata")
-            cameras.push_back(cameraOf({*table, name, file.string()}));
+            cameras.push_back(cameraOf({*table, name, file}));
+    }
+    return cameras;
+}
+
+bool looksLikeCaliscope(const CalibrationSource& source) {
+    return source.hasExtension({".toml"}) && source.holds("rotation_count");
+}
+
+std::vector<Camera> readCaliscope(const CalibrationSource& source, const CalibrationOptions&) {
+    const std::string file = source.path().string();
+    const toml::table document = parseToml(source);
+    const toml::table* list = document["cameras"].as_table(); // newer files; older ones have [cam_N] at the top
+    std::vector<Camera> cameras;
+    for (const auto& [key, node] : list != nullptr ? *list : document) {
+        const std::string number(key.str());
+        const toml::table* table = node.as_table();
+        if (table == nullptr || (list == nullptr && !number.starts_with("cam_")))
+            continue;
+        // Cameras without a place in the world stay out.
+        if ((*table)["ignore"].value<bool>().value_or(false) || !(*table)["translation"].is_array())
+            continue;
+        const std::string name = list == nullptr ? number : "cam_" + number;
+        cameras.push_back(cameraOf({*table, name, file}));
     }
     return cameras;
 }

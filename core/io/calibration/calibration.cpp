@@ -2,17 +2,15 @@
 #include "core/io/calibration/calibration.h"
 
 #include <algorithm>
-#include <cctype>
-
-#include <nlohmann/json.hpp>
+#include <cmath>
+#include <iterator>
 
 #include "core/error.h"
 #include "core/io/calibration/calibration_readers.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/calibration/tzionas_cameras.h"
 #include "core/io/files/atomic_file.h"
-#include "core/io/files/json_file.h"
-#include "core/io/files/text_file.h"
+#include "core/text/number_text.h"
 
 namespace core {
 
@@ -20,86 +18,122 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const CalibrationKind& kindNamed(std::string_view name) {
-    for (const CalibrationKind& kind : calibrationKinds())
-        if (kind.name == name)
-            return kind;
+using Cameras = std::vector<Camera>;
+using Source = CalibrationSource;
+using Options = CalibrationOptions;
+
+/// How one kind is recognised, read and written.
+struct Row {
+    CalibrationKind kind;
+    bool (*looksAlike)(const Source&); ///< what the extension and a look at the content tell
+    Cameras (*read)(const Source&, const Options&);
+    void (*write)(const fs::path&, const Cameras&); ///< nullptr: cannot be written
+    const char* note = "";                          ///< what a reader of the cameras should know, if no unit was given
+};
+
+/// Programs of OpenCV's kind read fx, fy, cx and cy only: a skew would be lost in silence.
+void refuseSkew(const fs::path& file, const Cameras& cameras) {
+    constexpr double kTolerancePx = 0.01;
+    for (const Camera& camera : cameras) {
+        const double skew = camera.intrinsics(0, 1);
+        if (std::abs(skew) * camera.size.height / (2 * camera.intrinsics(1, 1)) > kTolerancePx) {
+            throw Error(ErrorCode::Unsupported, file.string(), camera.name + ".K",
+                        "has a skew of " + fixedText(skew, 3) + " px, which programs that read this kind ignore");
+        }
+    }
+}
+
+void writeAnipose(const fs::path& file, const Cameras& cameras) {
+    refuseSkew(file, cameras);
+    writeFileAtomically(file, formatAnipose(cameras));
+}
+
+void writeOpenCv(const fs::path& file, const Cameras& cameras) {
+    refuseSkew(file, cameras);
+    writeFileAtomically(file, formatOpenCv(cameras, file.extension().string()));
+}
+
+constexpr const char* kNoScale =
+    "such files have no scale of their own: give --mm-per-unit, from a length that you know";
+
+/// All kinds, in the order in which they are tried: the first that looks alike is it, so a kind that takes every file
+/// of an extension stands behind those that look closer.
+constexpr Row kRows[] = {
+    {{"handlens", "cameras.json of a dataset", 1, true}, looksLikeOwnCameras, readOwnCameras, writeCameras},
+    {{"caliscope", "Caliscope's camera_array.toml (in metres)", 1000, false},
+     looksLikeCaliscope,
+     readCaliscope,
+     nullptr},
+    {{"anipose", "calibration.toml of Anipose", 1, true}, looksLikeAnipose, readAnipose, writeAnipose},
+    {{"pose2sim", "Calib.toml of Pose2Sim (Anipose's, in metres)", 1000, false},
+     [](const Source&) { return false; }, // only the unit tells it from Anipose's
+     readAnipose,
+     nullptr},
+    {{"easymocap", "EasyMocap's intri.yml and extri.yml (usually in metres)", 1000, false},
+     looksLikeEasyMocap,
+     readEasyMocap,
+     nullptr},
+    {{"dannce", "DANNCE's *_params.mat (a folder) or project file, Label3D's project file", 1, false},
+     looksLikeDannce,
+     readDannce,
+     nullptr},
+    {{"handpose3d", "a folder of handpose3d's c0.dat and rot_trans_c0.dat (the unit is not said; usually centimetres)",
+      10, false},
+     looksLikeHandpose3d,
+     readHandpose3d,
+     nullptr,
+     "these files do not say their unit of length: centimetres are assumed (--mm-per-unit 10); compare a length "
+     "that you know, such as a palm's width. (In handpose3d's own example a unit is about 45 mm.)"},
+    {{"colmap", "COLMAP's text model: a folder with cameras.txt and images.txt", 1, false},
+     looksLikeColmap,
+     readColmap,
+     nullptr,
+     kNoScale},
+    {{"kalibr", "Kalibr's camchain.yaml (in metres)", 1000, false}, looksLikeKalibr, readKalibr, nullptr},
+    {{"jarvis", "a folder of JARVIS YAML files", 1, false}, looksLikeJarvis, readJarvis, nullptr},
+    {{"interhand", "InterHand2.6M camera JSON", 1, false}, looksLikeInterHand, readInterHand, nullptr},
+    {{"hanco", "HanCo calibration JSON (in metres)", 1000, false}, looksLikeHanCo, readHanCo, nullptr},
+    {{"nerfstudio", "transforms.json of nerfstudio", 1, false}, looksLikeNerfstudio, readNerfstudio, nullptr, kNoScale},
+    {{"dlt", "DLT coefficients, CSV with eleven rows and a column per camera", 1, false},
+     looksLikeDlt,
+     readDlt,
+     nullptr,
+     "these files do not say their unit of length: millimetres are assumed; otherwise give --mm-per-unit"},
+    {{"qualisys", "calibration .qca.txt of Qualisys", 1, false}, looksLikeQualisys, readQualisys, nullptr},
+    {{"xmalab", "a folder of XMALab's MayaCam 2.0 files", 1, false},
+     looksLikeXmaLab,
+     readXmaLab,
+     nullptr,
+     "these files do not say their unit of length: millimetres are assumed; otherwise give --mm-per-unit"},
+    {{"opencv", "OpenCV YAML, XML or JSON, all cameras in one file or a folder of files", 1, true},
+     looksLikeOpenCv,
+     readOpenCv,
+     writeOpenCv},
+    {{"tzionas", "Cameras.txt of the method's authors", 1, false},
+     [](const Source& source) { return source.hasExtension({".txt"}); },
+     [](const Source& source, const Options& options) { return readTzionasCameras(source.path(), options.size); },
+     nullptr}};
+
+const Row& rowNamed(std::string_view name) {
+    for (const Row& row : kRows)
+        if (row.kind.name == name)
+            return row;
     throw Error(ErrorCode::Usage, "", "kind", "\"" + std::string(name) + "\" is not a known kind of calibration");
 }
 
-Error unknownKind(const fs::path& path) {
-    return Error(ErrorCode::Unsupported, path.string(), "",
-                 "is not a calibration of a known kind (if it is one, say which with --from)");
-}
-
-std::string sniffJson(const fs::path& file) {
-    const nlohmann::json value = readJsonFile(file);
-    if (value.is_object()) {
-        const nlohmann::json& inner = !value.empty() && value.begin()->is_object() ? *value.begin() : value;
-        if (value.contains("format"))
-            return "handlens";
-        if (value.contains("campos") || inner.contains("campos"))
-            return "interhand";
-        if (value.contains("K") && value.contains("M"))
-            return "hanco";
-        if (value.contains("camera_matrix") || value.contains("cameras"))
-            return "opencv";
+const Row& rowThatLooksLike(const Source& source) {
+    std::string tried;
+    for (const Row& row : kRows) {
+        if (row.looksAlike(source))
+            return row;
+        tried += (tried.empty() ? "" : ", ") + std::string(row.kind.name);
     }
-    throw unknownKind(file);
+    throw Error(ErrorCode::Unsupported, source.path().string(), "",
+                "is not a calibration of a known kind: tried " + tried + " (if it is one, say which with --from)");
 }
 
-std::string sniffYaml(const fs::path& file) {
-    const std::string text = readTextFile(file);
-    const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };
-    if (has("intrinsicMatrix"))
-        return "jarvis";
-    if (has("camera_matrix"))
-        return "opencv";
-    if (has("names:") && (has("K_") || has("R_")))
-        return "easymocap";
-    throw unknownKind(file);
-}
-
-std::string sniffFolder(const fs::path& folder) {
-    if (fs::exists(folder / "intri.yml"))
-        return "easymocap";
-    if (!calibrationFiles(folder, {".mat"}).empty())
-        return "dannce";
-    if (isHandpose3d(folder))
-        return "handpose3d";
-    const std::vector<fs::path> files = calibrationFiles(folder, {".yml", ".yaml", ".xml"});
-    if (files.empty())
-        throw unknownKind(folder);
-    return sniffYaml(files.front());
-}
-
-std::string lowerExtension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-std::vector<Camera> readKind(const fs::path& path, const std::string& kind, const CalibrationOptions& options) {
-    if (kind == "handlens")
-        return readCameras(path);
-    if (kind == "anipose")
-        return readAnipose(path);
-    if (kind == "opencv")
-        return readOpenCv(path);
-    if (kind == "easymocap")
-        return readEasyMocap(path);
-    if (kind == "jarvis")
-        return readJarvis(path);
-    if (kind == "dannce")
-        return readDannce(path);
-    if (kind == "interhand")
-        return readInterHand(path, options.section);
-    if (kind == "hanco")
-        return readHanCo(path);
-    if (kind == "handpose3d")
-        return readHandpose3d(path);
-    return readTzionasCameras(path, options.size);
+const Row& rowOf(const Source& source, const Options& options) {
+    return options.kind.empty() ? rowThatLooksLike(source) : rowNamed(options.kind);
 }
 
 /// Rotations that were written with few digits are made orthonormal; other matrices are left for checkCameras to
@@ -133,47 +167,27 @@ void tidyLens(Camera& camera) {
 } // namespace
 
 const std::vector<CalibrationKind>& calibrationKinds() {
-    static const std::vector<CalibrationKind> kinds{
-        {"handlens", "cameras.json of a dataset", 1, true},
-        {"anipose", "calibration.toml of Anipose", 1, true},
-        {"opencv", "OpenCV YAML, XML or JSON, all cameras in one file or a folder of files", 1, true},
-        {"easymocap", "EasyMocap's intri.yml and extri.yml (usually in metres)", 1000, false},
-        {"jarvis", "a folder of JARVIS YAML files", 1, false},
-        {"dannce", "a folder of DANNCE's *_params.mat", 1, false},
-        {"interhand", "InterHand2.6M camera JSON", 1, false},
-        {"hanco", "HanCo calibration JSON (in metres)", 1000, false},
-        {"handpose3d",
-         "a folder of handpose3d's c0.dat and rot_trans_c0.dat (the unit is not said; usually centimetres)", 10, false},
-        {"tzionas", "Cameras.txt of the method's authors", 1, false}};
+    static const std::vector<CalibrationKind> kinds = [] {
+        std::vector<CalibrationKind> list;
+        for (const Row& row : kRows)
+            list.push_back(row.kind);
+        return list;
+    }();
     return kinds;
 }
 
 std::string sniffCalibration(const fs::path& path) {
-    if (fs::is_directory(path))
-        return sniffFolder(path);
-    const std::string extension = lowerExtension(path);
-    if (extension == ".toml")
-        return "anipose";
-    if (extension == ".json")
-        return sniffJson(path);
-    if (extension == ".yml" || extension == ".yaml" || extension == ".xml")
-        return sniffYaml(path);
-    if (extension == ".mat")
-        return "dannce";
-    if (extension == ".txt")
-        return "tzionas";
-    if (extension == ".dat" && isHandpose3d(path))
-        return "handpose3d";
-    throw unknownKind(path);
+    return std::string(rowThatLooksLike(Source(path)).kind.name);
 }
 
 std::vector<Camera> readCalibration(const fs::path& path, const CalibrationOptions& options) {
     std::error_code ignored;
     if (!fs::exists(path, ignored))
         throw Error(ErrorCode::NotFound, path.string(), "", "no such file or folder");
-    const std::string kind = options.kind.empty() ? sniffCalibration(path) : options.kind;
-    const double mmPerUnit = options.mmPerUnit.value_or(kindNamed(kind).mmPerUnit);
-    std::vector<Camera> cameras = readKind(path, kind, options);
+    const Source source(path);
+    const Row& row = rowOf(source, options);
+    const double mmPerUnit = options.mmPerUnit.value_or(row.kind.mmPerUnit);
+    std::vector<Camera> cameras = row.read(source, options);
     if (cameras.empty())
         throw Error(ErrorCode::BadInput, path.string(), "", "holds no cameras");
     for (Camera& camera : cameras) {
@@ -196,52 +210,25 @@ std::vector<Camera> readCalibration(const fs::path& path, const CalibrationOptio
 
 void writeCalibration(const fs::path& file, std::string_view kind, const std::vector<Camera>& cameras) {
     checkCameras(cameras, file.string());
-    if (kind == "handlens")
-        writeCameras(file, cameras);
-    else if (kind == "anipose")
-        writeFileAtomically(file, formatAnipose(cameras));
-    else if (kind == "opencv")
-        writeFileAtomically(file, formatOpenCv(cameras, lowerExtension(file)));
-    else
+    const auto writable = std::find_if(std::begin(kRows), std::end(kRows),
+                                       [kind](const Row& row) { return row.kind.name == kind && row.write; });
+    if (writable == std::end(kRows))
         throw Error(ErrorCode::Usage, "", "--to", "\"" + std::string(kind) + "\" cannot be written");
+    writable->write(file, cameras);
 }
 
-std::vector<fs::path> calibrationFiles(const fs::path& path, const std::vector<std::string>& extensions) {
-    if (!fs::is_directory(path))
-        return {path};
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry : fs::directory_iterator(path))
-        if (entry.is_regular_file() &&
-            std::find(extensions.begin(), extensions.end(), lowerExtension(entry.path())) != extensions.end())
-            files.push_back(entry.path());
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
-        return naturalLess(a.filename().string(), b.filename().string());
-    });
-    return files;
-}
-
-bool naturalLess(std::string_view a, std::string_view b) {
-    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
-    std::size_t i = 0, j = 0;
-    while (i < a.size() && j < b.size()) {
-        if (isDigit(a[i]) && isDigit(b[j])) {
-            const std::size_t endA = std::min(a.find_first_not_of("0123456789", i), a.size());
-            const std::size_t endB = std::min(b.find_first_not_of("0123456789", j), b.size());
-            std::string_view numberA = a.substr(i, endA - i), numberB = b.substr(j, endB - j);
-            numberA.remove_prefix(std::min(numberA.find_first_not_of('0'), numberA.size()));
-            numberB.remove_prefix(std::min(numberB.find_first_not_of('0'), numberB.size()));
-            if (numberA != numberB)
-                return numberA.size() != numberB.size() ? numberA.size() < numberB.size() : numberA < numberB;
-            i = endA;
-            j = endB;
-        } else if (a[i] != b[j]) {
-            return a[i] < b[j];
-        } else {
-            ++i;
-            ++j;
-        }
-    }
-    return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
+std::vector<std::string> calibrationNotes(const fs::path& path, const CalibrationOptions& options,
+                                          const std::vector<Camera>& cameras) {
+    const Row& row = rowOf(Source(path), options);
+    std::vector<std::string> notes;
+    if (*row.note != '\0' && !options.mmPerUnit)
+        notes.emplace_back(row.note);
+    const std::string unit = unitNote(cameras, options.mmPerUnit.value_or(row.kind.mmPerUnit));
+    if (!unit.empty())
+        notes.push_back(unit);
+    for (const std::string& lens : lensNotes(cameras))
+        notes.push_back(lens);
+    return notes;
 }
 
 } // namespace core

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/geometry/camera.h"
+#include "core/io/calibration/calibration_notes.h"
+#include "core/io/calibration/calibration_options.h"
 
 namespace core {
 
@@ -18,15 +19,8 @@ struct CalibrationKind {
     double mmPerUnit = 1;         ///< the unit that such files are usually in
     bool canWrite = false;
 };
-/// All kinds: handlens, anipose, opencv, easymocap, jarvis, dannce, interhand, hanco, handpose3d, tzionas.
+/// All kinds, one row of the table in calibration.cpp each.
 const std::vector<CalibrationKind>& calibrationKinds();
-
-struct CalibrationOptions {
-    std::string kind;                ///< empty: told from the content
-    std::optional<ImageSize> size;   ///< for files that hold none; files that do hold one keep theirs
-    std::optional<double> mmPerUnit; ///< overrides the kind's usual unit
-    std::string section;             ///< which capture of an InterHand file; empty if there is one only
-};
 
 /// Which kind of calibration a file or folder holds. Throws Error(Unsupported) if it is none of the known ones.
 std::string sniffCalibration(const std::filesystem::path& path);
@@ -39,11 +33,6 @@ std::vector<Camera> readCalibration(const std::filesystem::path& path, const Cal
 
 /// Writes all cameras into one file of that kind (mm). Throws Error(Usage) for a kind that cannot be written.
 void writeCalibration(const std::filesystem::path& file, std::string_view kind, const std::vector<Camera>& cameras);
-
-/// What is odd about the length unit of cameras that were read with `mmPerUnit` (readCalibration's, resolved), with the
-/// --mm-per-unit that would mend it, English; empty if nothing is. Cameras that are less than 100 mm (or more than 200
-/// m) from where they look are of another unit.
-std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit = 1);
 
 /// unitNote for cameras that readCalibration made of `path`, and a word on kinds whose files do not say their unit.
 std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options,

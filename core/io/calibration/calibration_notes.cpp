@@ -4,7 +4,8 @@
 #include <cstdio>
 
 #include "core/geometry/camera_target.h"
-#include "core/io/calibration/calibration.h"
+#include "core/geometry/lens_coverage.h"
+#include "core/io/calibration/calibration_notes.h"
 
 namespace core {
 
@@ -52,21 +53,14 @@ std::string unitNote(const std::vector<Camera>& cameras, double mmPerUnit) {
     return "";
 }
 
-std::vector<std::string> calibrationNotes(const std::filesystem::path& path, const CalibrationOptions& options,
-                                          const std::vector<Camera>& cameras) {
-    const std::string kind = options.kind.empty() ? sniffCalibration(path) : options.kind;
-    const std::vector<CalibrationKind>& kinds = calibrationKinds();
-    const auto known =
-        std::find_if(kinds.begin(), kinds.end(), [&](const CalibrationKind& one) { return one.name == kind; });
+std::vector<std::string> lensNotes(const std::vector<Camera>& cameras) {
     std::vector<std::string> notes;
-    if (kind == "handpose3d" && !options.mmPerUnit) {
-        notes.push_back("these files do not say their unit of length: centimetres are assumed (--mm-per-unit 10); "
-                        "compare a length that you know, such as "
-                        "a palm's width. (In handpose3d's own example a unit is about 45 mm.)");
+    for (const Camera& camera : cameras) {
+        const double coverage = lensCoverage(camera);
+        if (coverage < 1)
+            notes.push_back(camera.name + ": the lens model holds in " + number(std::floor(100 * coverage), "%.0f") +
+                            " % of the image");
     }
-    const std::string unit = unitNote(cameras, options.mmPerUnit.value_or(known == kinds.end() ? 1 : known->mmPerUnit));
-    if (!unit.empty())
-        notes.push_back(unit);
     return notes;
 }
 

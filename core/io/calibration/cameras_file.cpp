@@ -79,13 +79,17 @@ void checkCameras(const std::vector<Camera>& cameras, const std::string& file) {
     }
 }
 
-std::vector<Camera> readCameras(const std::filesystem::path& file) {
-    const json value = readOwnFile(file, "cameras");
+std::vector<Camera> camerasFromJson(const json& document, const std::string& file) {
+    checkOwnDocument(document, "cameras", file);
     std::vector<Camera> cameras;
-    for (const json& item : value["cameras"])
-        cameras.push_back(cameraFromJson(item, file.string(), "cameras[" + std::to_string(cameras.size()) + "]"));
-    checkCameras(cameras, file.string());
+    for (const json& item : document["cameras"])
+        cameras.push_back(cameraFromJson(item, file, "cameras[" + std::to_string(cameras.size()) + "]"));
+    checkCameras(cameras, file);
     return cameras;
+}
+
+std::vector<Camera> readCameras(const std::filesystem::path& file) {
+    return camerasFromJson(readJsonFile(file), file.string());
 }
 
 ordered_json camerasToJson(const std::vector<Camera>& cameras) {

@@ -13,6 +13,8 @@ namespace core {
 
 /// Reads a cameras file (format "handlens-cameras"). Throws Error naming the file and the field.
 std::vector<Camera> readCameras(const std::filesystem::path& file);
+/// The same of a file that is already parsed; `file` is named in errors.
+std::vector<Camera> camerasFromJson(const nlohmann::json& document, const std::string& file);
 void writeCameras(const std::filesystem::path& file, const std::vector<Camera>& cameras);
 
 /// The list of cameras as it stands in a cameras file and in exports.

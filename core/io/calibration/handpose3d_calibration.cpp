@@ -75,11 +75,12 @@ Eigen::Matrix3d matrixOf(const fs::path& file, const std::string& title) {
 
 } // namespace
 
-bool isHandpose3d(const fs::path& path) {
-    return !pairsOf(folderOf(path)).empty();
+bool looksLikeHandpose3d(const CalibrationSource& source) {
+    return (source.isFolder() || source.hasExtension({".dat"})) && !pairsOf(folderOf(source.path())).empty();
 }
 
-std::vector<Camera> readHandpose3d(const fs::path& path) {
+std::vector<Camera> readHandpose3d(const CalibrationSource& source, const CalibrationOptions&) {
+    const fs::path& path = source.path();
     const std::vector<FilePair> pairs = pairsOf(folderOf(path));
     if (pairs.empty()) {
         throw Error(ErrorCode::NotFound, path.string(), "",

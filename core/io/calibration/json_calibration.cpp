@@ -5,11 +5,11 @@
 
 #include "core/error.h"
 #include "core/io/calibration/calibration_readers.h"
+#include "core/io/calibration/cameras_file.h"
 #include "core/io/files/json_file.h"
 
 namespace core {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
@@ -33,10 +33,25 @@ const json& capture(const json& document, const std::string& section, const std:
 
 } // namespace
 
-std::vector<Camera> readInterHand(const fs::path& path, const std::string& section) {
-    const std::string file = path.string();
-    const json document = readJsonFile(path);
-    const json& cameras = capture(document, section, file);
+bool looksLikeOwnCameras(const CalibrationSource& source) {
+    return source.hasExtension({".json"}) && source.json().is_object() && source.json().contains("format");
+}
+
+std::vector<Camera> readOwnCameras(const CalibrationSource& source, const CalibrationOptions&) {
+    return camerasFromJson(source.json(), source.path().string());
+}
+
+bool looksLikeInterHand(const CalibrationSource& source) {
+    if (!source.hasExtension({".json"}) || !source.json().is_object())
+        return false;
+    const json& value = source.json();
+    const json& inner = !value.empty() && value.begin()->is_object() ? *value.begin() : value;
+    return value.contains("campos") || inner.contains("campos");
+}
+
+std::vector<Camera> readInterHand(const CalibrationSource& source, const CalibrationOptions& options) {
+    const std::string file = source.path().string();
+    const json& cameras = capture(source.json(), options.section, file);
     std::vector<Camera> result;
     for (const auto& [name, position] : member(cameras, "campos", file, "").items()) {
         Camera camera;
@@ -56,9 +71,14 @@ std::vector<Camera> readInterHand(const fs::path& path, const std::string& secti
     return result;
 }
 
-std::vector<Camera> readHanCo(const fs::path& path) {
-    const std::string file = path.string();
-    const json document = readJsonFile(path);
+bool looksLikeHanCo(const CalibrationSource& source) {
+    return source.hasExtension({".json"}) && source.json().is_object() && source.json().contains("K") &&
+           source.json().contains("M");
+}
+
+std::vector<Camera> readHanCo(const CalibrationSource& source, const CalibrationOptions&) {
+    const std::string file = source.path().string();
+    const json& document = source.json();
     const json& intrinsics = member(document, "K", file, "");
     const json& poses = member(document, "M", file, "");
     if (!intrinsics.is_array() || !poses.is_array() || intrinsics.size() != poses.size())

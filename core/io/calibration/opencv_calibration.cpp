@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <opencv2/core.hpp>
@@ -178,9 +179,16 @@ Camera easyMocapCamera(const Storage& intrinsics, const Storage& extrinsics, con
 
 } // namespace
 
-std::vector<Camera> readOpenCv(const fs::path& path) {
+bool looksLikeOpenCv(const CalibrationSource& source) {
+    if (source.hasExtension({".json"}))
+        return source.json().is_object() &&
+               (source.json().contains("camera_matrix") || source.json().contains("cameras"));
+    return source.isMarkup() && source.holds("camera_matrix");
+}
+
+std::vector<Camera> readOpenCv(const CalibrationSource& source, const CalibrationOptions&) {
     std::vector<Camera> cameras;
-    for (const fs::path& file : calibrationFiles(path, {".yml", ".yaml", ".xml", ".json"})) {
+    for (const fs::path& file : calibrationFiles(source.path(), {".yml", ".yaml", ".xml", ".json"})) {
         const Storage storage(file);
         guarded(storage, [&] {
             const cv::FileNode list = storage.root()["cameras"];
@@ -195,7 +203,9 @@ std::vector<Camera> readOpenCv(const fs::path& path) {
     return cameras;
 }
 
-std::string formatOpenCv(const std::vector<Camera>& cameras, const std::string& extension) {
+std::string formatOpenCv(const std::vector<Camera>& cameras, std::string extension) {
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const bool isKnown = extension == ".xml" || extension == ".json";
     cv::FileStorage storage(isKnown ? extension : ".yml", cv::FileStorage::WRITE | cv::FileStorage::MEMORY);
     storage << "cameras"
@@ -206,17 +216,28 @@ std::string formatOpenCv(const std::vector<Camera>& cameras, const std::string& 
     return storage.releaseAndGetString();
 }
 
-std::vector<Camera> readJarvis(const fs::path& path) {
+bool looksLikeJarvis(const CalibrationSource& source) {
+    return source.isMarkup() && source.holds("intrinsicMatrix");
+}
+
+std::vector<Camera> readJarvis(const CalibrationSource& source, const CalibrationOptions&) {
     std::vector<Camera> cameras;
-    for (const fs::path& file : calibrationFiles(path, {".yml", ".yaml"})) {
+    for (const fs::path& file : calibrationFiles(source.path(), {".yml", ".yaml"})) {
         const Storage storage(file);
         cameras.push_back(guarded(storage, [&] { return jarvisCamera(storage, file.stem().string()); }));
     }
     return cameras;
 }
 
-std::vector<Camera> readEasyMocap(const fs::path& path) {
-    const fs::path folder = fs::is_directory(path) ? path : path.parent_path();
+bool looksLikeEasyMocap(const CalibrationSource& source) {
+    if (source.isFolder())
+        return fs::exists(source.path() / "intri.yml");
+    return source.isMarkup() && !source.holds("intrinsicMatrix") && !source.holds("camera_matrix") &&
+           source.holds("names:") && (source.holds("K_") || source.holds("R_"));
+}
+
+std::vector<Camera> readEasyMocap(const CalibrationSource& source, const CalibrationOptions&) {
+    const fs::path folder = source.isFolder() ? source.path() : source.path().parent_path();
     const Storage intrinsics(folder / "intri.yml"), extrinsics(folder / "extri.yml");
     return guarded(intrinsics, [&] {
         const cv::FileNode names = intrinsics.root()["names"];

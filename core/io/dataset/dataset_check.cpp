@@ -153,6 +153,8 @@ void checkDataset(Findings& findings, const fs::path& folder) {
     const Dataset dataset = readDataset(folder);
     if (const std::string unit = unitNote(dataset.cameras); !unit.empty())
         findings.push_back({true, dataset.camerasFile + ": " + unit});
+    for (const std::string& lens : lensNotes(dataset.cameras))
+        findings.push_back({true, dataset.camerasFile + ": " + lens});
     for (const Sequence& sequence : dataset.sequences) {
         attempt(
             findings,

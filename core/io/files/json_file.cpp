@@ -103,16 +103,20 @@ json readJsonFile(const fs::path& file) {
 
 json readOwnFile(const fs::path& file, const std::string& kind) {
     json value = readJsonFile(file);
+    checkOwnDocument(value, kind, file.string());
+    return value;
+}
+
+void checkOwnDocument(const json& value, const std::string& kind, const std::string& file) {
     const std::string format = "handlens-" + kind;
     if (!value.is_object() || !value.contains("format") || value["format"] != format)
-        throw Error(ErrorCode::BadInput, file.string(), "format", "is not \"" + format + "\"");
+        throw Error(ErrorCode::BadInput, file, "format", "is not \"" + format + "\"");
     if (value.contains("version") && value["version"].is_number() && value["version"] > kKnownVersion) {
-        throw Error(ErrorCode::Newer, file.string(), "version",
+        throw Error(ErrorCode::Newer, file, "version",
                     value["version"].dump() + " was written by a newer Handlens; this one reads up to " +
                         std::to_string(kKnownVersion));
     }
-    checkSchema(value, kind, file.string());
-    return value;
+    checkSchema(value, kind, file);
 }
 
 std::string formatJson(const ordered_json& value) {

@@ -22,6 +22,8 @@ nlohmann::json parseJson(std::string_view text, const std::string& file);
 /// version is not known), then the whole is checked against the schema of that kind
 /// (resources/schemas/<kind>.schema.json).
 nlohmann::json readOwnFile(const std::filesystem::path& file, const std::string& kind);
+/// The same checks of a file that is already parsed; `file` is named in errors.
+void checkOwnDocument(const nlohmann::json& value, const std::string& kind, const std::string& file);
 
 /// How deep lists and objects are nested in JSON-like text, found without parsing: a hostile file must not reach
 /// recursive code.

@@ -48,6 +48,8 @@ ordered_json camerasJson(const std::vector<Camera>& cameras) {
         json["camrot"][camera.name] = jsonOf(camera.cameraFromWorld.rotation);
         json["focal"][camera.name] = {camera.intrinsics(0, 0), camera.intrinsics(1, 1)};
         json["princpt"][camera.name] = {camera.intrinsics(0, 2), camera.intrinsics(1, 2)};
+        if (camera.intrinsics(0, 1) != 0) // not in the original either
+            json["skew"][camera.name] = camera.intrinsics(0, 1);
         if (camera.hasLens()) { // not in the original, whose images have no distortion left
             json["distortion"][camera.name] = camera.distortion;
             json["fisheye"][camera.name] = camera.fisheye;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/calib3d.hpp>
 
+#include "core/geometry/lens_coverage.h"
 #include "tests/support/random_values.h"
 
 namespace {
@@ -200,6 +201,69 @@ TEST(Camera, HasNoRayWhereTheLensModelCannotBeInverted) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(core::undistort(barrel, {nan, 3}));
     EXPECT_FALSE(core::viewingRay(barrel, {nan, 3}));
+}
+
+/// The smallest radius at which the radial map of the camera's lens stops growing, by small steps.
+double foldRadius(const Camera& camera) {
+    constexpr double kStep = 1e-4;
+    double before = 0;
+    for (double r = kStep; r < 20; r += kStep) {
+        const double now = core::distort(camera, {r, 0}).x();
+        if (!(now > before))
+            return r;
+        before = now;
+    }
+    return 1e9;
+}
+
+TEST(Camera, ShowsNothingBeyondTheRadiusAtWhichTheLensFoldsBack) {
+    test::RandomValues random("fold");
+    std::vector<Camera> cameras{makeCamera({-0.96, 0, 0, 0, 0}),
+                                makeCamera({-0.96, 1.1, 0, 0, -0.6}),
+                                makeCamera({-0.5, -0.4, 0, 0}),
+                                makeCamera({0.3, -0.9, 0, 0, 0.2}),
+                                makeCamera({-0.9, 0.2, 0, 0, 0, 0.1, 0.05, 0.0}),
+                                makeCamera({0.2, 0, 0, 0, 0, -0.6, 0.01, 0.02}),
+                                makeCamera({-0.4, 0.05, 0, 0}, true),
+                                makeCamera({0.05, -0.2, 0, 0.01}, true)};
+    for (const Camera& camera : cameras) {
+        const double fold = foldRadius(camera);
+        for (int trial = 0; trial < 300; ++trial) {
+            const double radius = random.between(0.01, 3), turn = random.between(0, 6.3);
+            if (std::abs(radius - fold) < 1e-3)
+                continue;
+            const Vector3d point = pointAt(camera, radius * Vector2d(std::cos(turn), std::sin(turn)), 500);
+            EXPECT_EQ(core::project(camera, point).has_value(), radius < fold) << radius << " of " << fold;
+            EXPECT_EQ(core::projectWithJacobian(camera, point).has_value(), radius < fold) << radius << " of " << fold;
+        }
+    }
+}
+
+TEST(Camera, ShowsNothingWhereTangentialTermsTurnTheImageOver) {
+    const Camera camera = makeCamera({-0.3, 0, 0.02, 0.01});
+    for (double angle = 0; angle < 6.3; angle += 0.1) {
+        bool isLost = false;
+        for (double r = 0.01; r < 1.3; r += 0.005) {
+            const Vector2d n = r * Vector2d(std::cos(angle), std::sin(angle));
+            Eigen::Matrix2d jacobian;
+            core::distort(camera, n, &jacobian);
+            isLost = isLost || jacobian.determinant() < 0;
+            if (isLost)
+                EXPECT_FALSE(core::project(camera, pointAt(camera, n, 500))) << r << " at " << angle;
+            else if (r < 0.9)
+                EXPECT_TRUE(core::project(camera, pointAt(camera, n, 500))) << r << " at " << angle;
+        }
+    }
+}
+
+TEST(LensCoverage, IsThePartOfTheImageWithinTheFold) {
+    EXPECT_EQ(core::lensCoverage(makeCamera({})), 1);
+    for (const Camera& camera : allLenses())
+        EXPECT_EQ(core::lensCoverage(camera), 1) << camera.distortion.size() << camera.fisheye;
+    // r (1 - 0.96 r^2) grows up to r = 0.5893 and is 0.3928 there: a disc of 0.3928 fx by 0.3928 fy.
+    Camera camera = makeCamera({-0.96, 0, 0, 0});
+    camera.intrinsics << 1000, 0, 639.5, 0, 1000, 479.5, 0, 0, 1;
+    EXPECT_NEAR(core::lensCoverage(camera), M_PI * 392.8 * 392.8 / (1280 * 960), 0.005);
 }
 
 TEST(Camera, IsInsideFromThePixelEdges) {

@@ -51,6 +51,17 @@ TEST(UnitNote, WorksOnAFileAndGoesWithTheOption) {
             .empty());
 }
 
+TEST(LensNotes, SayInHowMuchOfTheImageAFoldedLensHolds) {
+    std::vector<core::Camera> cameras = test::cameraRing(3);
+    EXPECT_TRUE(core::lensNotes(cameras).empty());
+    core::Camera& camera = cameras[1];
+    camera.size = {1280, 960};
+    camera.intrinsics << 1000, 0, 639.5, 0, 1000, 479.5, 0, 0, 1;
+    camera.distortion = {-0.96, 0, 0, 0};
+    EXPECT_EQ(core::lensNotes(cameras),
+              std::vector<std::string>{camera.name + ": the lens model holds in 39 % of the image"});
+}
+
 class Handpose3d : public testing::Test {
 protected:
     void write(const std::string& intrinsics, const std::string& pose, double tx) {

@@ -277,6 +277,10 @@ TEST_F(Calibration, ReflectionsAreRefusedWhateverTheKind) {
 
 TEST_F(Calibration, UnknownAndMissingFilesAreNamed) {
     expectRefused(write("a.json", "{\"a\": 1}"), "not a calibration of a known kind", Unsupported);
+    std::string names;
+    for (const core::CalibrationKind& kind : core::calibrationKinds())
+        names += (names.empty() ? "" : ", ") + std::string(kind.name);
+    expectRefused(write("a.json", "{\"a\": 1}"), "tried " + names + " (", Unsupported);
     expectRefused(write("a.yml", "a: 1"), "not a calibration of a known kind", Unsupported);
     expectRefused(write("a.xyz", "1"), "not a calibration of a known kind", Unsupported);
     expectRefused(m_folder / "none.toml", "no such file", NotFound);
