@@ -46,7 +46,7 @@ std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, 
         [](const FrameCoverage::value_type& entry) {
             return std::any_of(
                 entry.second.begin(), entry.second.end(),
-                [](const auto& hand) { return hand.second.done + hand.second.partial > 0; });
+                [](const auto& hand) { return hand.second.marked() > 0; });
         });
 }
 
