@@ -107,8 +107,8 @@ std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set
 /// Raters that have marks in a frame (or, without a frame, anywhere), ascending.
 std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> frame = std::nullopt);
 
-/// How many joints of one hand in one frame are in which state, for timelines. A joint with settled marks is exactly one
-/// of done, partial and bad.
+/// How many joints of one hand in one frame are in which state, for timelines. A joint with settled marks is exactly
+/// one of done, partial and bad.
 struct HandCoverage {
     int done = 0;
     int partial = 0;

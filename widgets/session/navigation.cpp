@@ -45,8 +45,7 @@ std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, 
         coverage, frame, way,
         [](const FrameCoverage::value_type& entry) {
             return std::any_of(
-                entry.second.begin(), entry.second.end(),
-                [](const auto& hand) { return hand.second.marked() > 0; });
+                entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.marked() > 0; });
         });
 }
 

@@ -174,6 +174,7 @@ ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& se
         ImportRequest job{dataset, sequence, options, map, path, notes, imported.set};
         handler.read(job);
         imported.warnings = notes.warnings();
+        imported.unknownParts = notes.unknownParts();
         imported.otherVideos = notes.otherVideos();
     }
     if (handler.format.namesRaters && options.raterForAll)

@@ -70,6 +70,15 @@ void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::
     }
 }
 
+void leaveOutPart(ImportRequest& job, const std::string& part) {
+    if (job.map.isIdentity()) {
+        job.notes.leaveOutPart(part, "left_index_mcp");
+        return;
+    }
+    const JointMapEntry& first = job.map.entries().front();
+    job.notes.leaveOutPart(part, first.hand ? first.name : "left_" + first.name);
+}
+
 std::vector<fs::path> viewFiles(const fs::path& path, const std::string& extension) {
     if (!fs::exists(path))
         throw Error(ErrorCode::NotFound, path.string(), "", "there is no such file or folder");

@@ -51,6 +51,9 @@ void addMark(ImportRequest& job, int frame, const JointId& joint, const std::str
 void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
               const std::optional<double>& likelihood = std::nullopt);
 
+/// Leaves out a mark of a body part that stands for no joint.
+void leaveOutPart(ImportRequest& job, const std::string& part);
+
 /// Likelihoods in tables of labels, such as our own: a mark whose place is estimated is half as likely as one that is
 /// seen.
 inline constexpr double kVisibleLikelihood = 1.0;

@@ -204,7 +204,7 @@ void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool 
         if (mark && joint)
             addMark(job, *frame, *joint, *camera, *mark);
         else if (mark)
-            job.notes.leaveOut("body part \"" + name + "\", which is not a joint of the map");
+            leaveOutPart(job, name);
     }
 }
 
