@@ -299,6 +299,7 @@ std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vec
         hand.done += !bad && joint.status == JointStatus::Done;
         hand.partial += !bad && joint.status == JointStatus::Partial;
         hand.bad += bad;
+        hand.badDone += bad && joint.status == JointStatus::Done;
         hand.occluded += hasOccluded(joint);
     }
     return coverage;

@@ -114,6 +114,8 @@ struct HandCoverage {
     int partial = 0;
     int bad = 0;      ///< isBad, whether done or partial
     int occluded = 0; ///< among all of them: a mark whose place is estimated
+    int badDone = 0;  ///< among the bad ones: every view is placed or unplaceable
+    int finished() const { return done + badDone; }
     int marked() const { return done + partial + bad; }
     bool operator==(const HandCoverage&) const = default;
 };
