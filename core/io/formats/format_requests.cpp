@@ -7,6 +7,8 @@
 
 #include "core/annotation/edits.h"
 #include "core/error.h"
+#include "core/io/dataset/instants.h"
+#include "core/io/formats/label_videos.h"
 #include "core/text/number_text.h"
 
 namespace core {
@@ -79,6 +81,13 @@ void leaveOutPart(ImportRequest& job, const std::string& part) {
     job.notes.leaveOutPart(part, first.hand ? first.name : "left_" + first.name);
 }
 
+bool holdsFiles(const fs::path& path, const std::string& extension) {
+    return fs::is_directory(path) &&
+           std::any_of(
+               fs::recursive_directory_iterator(path), fs::recursive_directory_iterator(),
+               [&extension](const auto& entry) { return entry.path().extension() == extension; });
+}
+
 std::vector<fs::path> viewFiles(const fs::path& path, const std::string& extension) {
     if (!fs::exists(path))
         throw Error(ErrorCode::NotFound, path.string(), "", "there is no such file or folder");
@@ -129,6 +138,48 @@ std::string cameraOfFile(const ImportRequest& job, const fs::path& file) {
         return *camera;
     throw Error(ErrorCode::BadInput, file.string(), "camera",
                 "neither the file's name nor its folder's says which camera it is for");
+}
+
+namespace {
+
+/// Pictures are numbered as the sequence's frames are: where its footage is numbered otherwise, that has to be said.
+void remarkShift(ImportRequest& job, const std::string& camera) {
+    for (const ViewSource& view : job.sequence.views) {
+        const bool isShifted =
+            view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
+        if (view.camera == camera && isShifted) {
+            job.notes.remark("the footage of " + camera +
+                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
+                             "sequence, not of the video");
+        }
+    }
+}
+
+} // namespace
+
+std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& video, const fs::path& file) {
+    std::optional<VideoOfSequence> found = VideoOfSequence{};
+    if (!video.empty()) {
+        found = job.options.videos.empty() ? videoOfSequence(job.dataset, job.sequence, video)
+                                           : videoAskedFor(job.dataset, job.sequence, video, job.options.videos);
+    }
+    if (!found) {
+        job.notes.leaveOutVideo(video);
+        return std::nullopt;
+    }
+    if (found->camera.empty())
+        return cameraOfFile(job, file);
+    if (!job.options.camera.empty() && job.options.camera != found->camera) {
+        job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
+        return std::nullopt;
+    }
+    remarkShift(job, found->camera);
+    return found->camera;
+}
+
+std::optional<JointId> jointOfPart(const ImportRequest& job, const std::string& part, const std::string& track) {
+    const auto joint = job.map.jointOf(part);
+    return joint || track.empty() ? joint : job.map.jointOf(track + "_" + part);
 }
 
 std::optional<int> trailingNumber(const std::string& name) {
