@@ -7,8 +7,6 @@
 
 #include "core/annotation/edits.h"
 #include "core/error.h"
-#include "core/io/dataset/instants.h"
-#include "core/io/formats/label_videos.h"
 #include "core/text/number_text.h"
 
 namespace core {
@@ -138,43 +136,6 @@ std::string cameraOfFile(const ImportRequest& job, const fs::path& file) {
         return *camera;
     throw Error(ErrorCode::BadInput, file.string(), "camera",
                 "neither the file's name nor its folder's says which camera it is for");
-}
-
-namespace {
-
-/// Pictures are numbered as the sequence's frames are: where its footage is numbered otherwise, that has to be said.
-void remarkShift(ImportRequest& job, const std::string& camera) {
-    for (const ViewSource& view : job.sequence.views) {
-        const bool isShifted =
-            view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
-        if (view.camera == camera && isShifted) {
-            job.notes.remark("the footage of " + camera +
-                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
-                             "sequence, not of the video");
-        }
-    }
-}
-
-} // namespace
-
-std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& video, const fs::path& file) {
-    std::optional<VideoOfSequence> found = VideoOfSequence{};
-    if (!video.empty()) {
-        found = job.options.videos.empty() ? videoOfSequence(job.dataset, job.sequence, video)
-                                           : videoAskedFor(job.dataset, job.sequence, video, job.options.videos);
-    }
-    if (!found) {
-        job.notes.leaveOutVideo(video);
-        return std::nullopt;
-    }
-    if (found->camera.empty())
-        return cameraOfFile(job, file);
-    if (!job.options.camera.empty() && job.options.camera != found->camera) {
-        job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
-        return std::nullopt;
-    }
-    remarkShift(job, found->camera);
-    return found->camera;
 }
 
 std::optional<JointId> jointOfPart(const ImportRequest& job, const std::string& part, const std::string& track) {
