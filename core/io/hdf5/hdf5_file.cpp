@@ -92,8 +92,8 @@ bool isNumber(hid_t type) {
 }
 
 /// A dataset with its type, its extent and its number of elements.
-struct Dataset {
-    Dataset(const Hdf5File& file, std::int64_t id, const std::string& path)
+struct OpenDataset {
+    OpenDataset(const Hdf5File& file, std::int64_t id, const std::string& path)
         : data(file.has(path) ? H5Dopen2(id, path.c_str(), H5P_DEFAULT) : H5I_INVALID_HID, H5Dclose)
         , type(data.isValid() ? H5Dget_type(data) : H5I_INVALID_HID, H5Tclose)
         , space(data.isValid() ? H5Dget_space(data) : H5I_INVALID_HID, H5Sclose) {
@@ -110,7 +110,7 @@ struct Dataset {
 
 /// The type of one field of a table, and its place in the records.
 struct Field {
-    Field(const Hdf5File& file, const Dataset& table, const std::string& path, const std::string& name)
+    Field(const Hdf5File& file, const OpenDataset& table, const std::string& path, const std::string& name)
         : index(H5Tget_class(table.type) == H5T_COMPOUND ? H5Tget_member_index(table.type, name.c_str()) : -1)
         , type(index >= 0 ? H5Tget_member_type(table.type, static_cast<unsigned>(index)) : H5I_INVALID_HID, H5Tclose) {
         if (index < 0)
@@ -172,7 +172,7 @@ std::vector<std::string> Hdf5File::childrenOf(const std::string& group) const {
 }
 
 Hdf5Numbers Hdf5File::numbers(const std::string& path) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     if (!isNumber(set.type))
         refuse(path, "numbers are expected");
     Hdf5Numbers numbers{shapeOf(set.space), std::vector<double>(set.count)};
@@ -182,11 +182,11 @@ Hdf5Numbers Hdf5File::numbers(const std::string& path) const {
 }
 
 bool Hdf5File::holdsTexts(const std::string& path) const {
-    return H5Tget_class(Dataset(*this, m_file, path).type) == H5T_STRING;
+    return H5Tget_class(OpenDataset(*this, m_file, path).type) == H5T_STRING;
 }
 
 std::vector<std::string> Hdf5File::texts(const std::string& path) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     if (H5Tget_class(set.type) != H5T_STRING)
         refuse(path, "texts are expected");
     auto texts = readTexts(set.type, set.space, set.count, [&set](hid_t type, void* to) {
@@ -198,7 +198,7 @@ std::vector<std::string> Hdf5File::texts(const std::string& path) const {
 }
 
 std::vector<std::string> Hdf5File::fieldsOf(const std::string& path) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     if (H5Tget_class(set.type) != H5T_COMPOUND)
         refuse(path, "a table with named fields is expected");
     std::vector<std::string> names;
@@ -211,7 +211,7 @@ std::vector<std::string> Hdf5File::fieldsOf(const std::string& path) const {
 }
 
 Hdf5Numbers Hdf5File::numbers(const std::string& path, const std::string& field) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     const Field member(*this, set, path, field);
     const bool isArray = H5Tget_class(member.type) == H5T_ARRAY;
     const Id element(isArray ? H5Tget_super(member.type) : H5Tcopy(member.type), H5Tclose);
@@ -231,12 +231,12 @@ Hdf5Numbers Hdf5File::numbers(const std::string& path, const std::string& field)
 }
 
 bool Hdf5File::holdsTexts(const std::string& path, const std::string& field) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     return H5Tget_class(Field(*this, set, path, field).type) == H5T_STRING;
 }
 
 std::vector<std::string> Hdf5File::texts(const std::string& path, const std::string& field) const {
-    const Dataset set(*this, m_file, path);
+    const OpenDataset set(*this, m_file, path);
     const Field member(*this, set, path, field);
     if (H5Tget_class(member.type) != H5T_STRING)
         refuse(path + ", " + field, "texts are expected");
