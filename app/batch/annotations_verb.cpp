@@ -61,7 +61,7 @@ void printCheck(const core::Dataset& dataset, const core::AnnotationSet& set) {
 void requireSomething(const AnnotationsArguments& arguments, const core::ImportedAnnotations& imported) {
     if (!imported.set.marks.empty() || !imported.set.notes.empty())
         return;
-    if (!imported.otherVideos.empty()) {
+    if (!imported.otherVideos.empty() && imported.unknownParts.empty()) {
         std::string names;
         for (const std::string& video : imported.otherVideos)
             names += (names.empty() ? "" : ", ") + video;

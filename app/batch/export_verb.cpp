@@ -22,7 +22,8 @@ struct ExportArguments {
 std::string exportKinds() {
     std::string kinds;
     for (const core::AnnotationFormat& format : core::annotationFormats())
-        kinds += (kinds.empty() ? "" : ", ") + std::string(format.kind);
+        if (format.canExport)
+            kinds += (kinds.empty() ? "" : ", ") + std::string(format.kind);
     return kinds;
 }
 

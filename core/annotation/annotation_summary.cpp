@@ -19,7 +19,7 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
     for (const int frame : settledFrames(set, rater)) {
         ++summary.frames;
         for (const auto& [hand, coverage] : coverageOf(set, cameras, frame, rater, badRmsPx, options, gaps)) {
-            summary.doneByFrame[frame] += coverage.done;
+            summary.doneByFrame[frame] += coverage.finished();
             summary.joints.done += coverage.done;
             summary.joints.partial += coverage.partial;
             summary.joints.bad += coverage.bad;

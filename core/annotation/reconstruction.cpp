@@ -292,9 +292,11 @@ std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vec
     for (const auto& [id, joint] :
          reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt, gaps.at(frame)})) {
         HandCoverage& hand = coverage[id.hand];
-        hand.done += joint.status == JointStatus::Done;
-        hand.partial += joint.status == JointStatus::Partial;
-        hand.bad += isBad(joint, badRmsPx);
+        const bool bad = isBad(joint, badRmsPx);
+        hand.done += !bad && joint.status == JointStatus::Done;
+        hand.partial += !bad && joint.status == JointStatus::Partial;
+        hand.bad += bad;
+        hand.badDone += bad && joint.status == JointStatus::Done;
         hand.occluded += hasOccluded(joint);
     }
     return coverage;

@@ -106,12 +106,16 @@ std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set
 /// Raters that have marks in a frame (or, without a frame, anywhere), ascending.
 std::vector<std::string> ratersOf(const AnnotationSet& set, std::optional<int> frame = std::nullopt);
 
-/// How many joints of one hand in one frame are in which state, for timelines.
+/// How many joints of one hand in one frame are in which state, for timelines. A joint with settled marks is exactly
+/// one of done, partial and bad.
 struct HandCoverage {
     int done = 0;
     int partial = 0;
-    int bad = 0;      ///< among them: isBad
-    int occluded = 0; ///< among them: a mark whose place is estimated
+    int bad = 0;      ///< isBad, whether done or partial
+    int occluded = 0; ///< among all of them: a mark whose place is estimated
+    int badDone = 0;  ///< among the bad ones: every view is placed or unplaceable
+    int finished() const { return done + badDone; }
+    int marked() const { return done + partial + bad; }
     bool operator==(const HandCoverage&) const = default;
 };
 std::map<Side, HandCoverage> coverageOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,

@@ -136,13 +136,13 @@ QString QualityPanel::nothingText() const {
 void QualityPanel::refreshSummary() {
     int frames = 0, done = 0, partial = 0, bad = 0;
     for (const auto& [frame, hands] : m_session.coverage.frames()) {
-        const int before = done + partial;
+        const int before = done + partial + bad;
         for (const auto& [hand, state] : hands) {
             done += state.done;
             partial += state.partial;
             bad += state.bad;
         }
-        frames += done + partial > before; // proposals alone do not count as marks
+        frames += done + partial + bad > before; // proposals alone do not count as marks
     }
     if (frames == 0) {
         m_summary->setText(nothingText());

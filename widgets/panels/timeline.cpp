@@ -101,10 +101,10 @@ void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane)
     const double step = m_frames > 0 ? lane.width() / m_frames : 0;
     for (const auto& [frame, hands] : m_coverage) {
         const auto found = hands.find(hand);
-        if (found == hands.end() || found->second.done + found->second.partial == 0)
+        if (found == hands.end() || found->second.marked() == 0)
             continue;
         const double width = std::max(2.0, step - (step > 4 ? 1 : 0));
-        const double share = joints > 0 ? double(found->second.done + found->second.partial) / joints : 1.0;
+        const double share = joints > 0 ? double(found->second.marked()) / joints : 1.0;
         const double filled = std::clamp(share, 0.35, 1.0) * lane.height();
         const QRectF bar(lane.left() + frame * step, lane.bottom() - filled, width, filled);
         painter.fillRect(bar, stateColour(found->second, joints));

@@ -82,7 +82,8 @@ void AnnotationFiles::importFrom(const QString& kind, const QString& path, const
 
 void AnnotationFiles::takeImport(const QString& kind, const QString& path,
                                  std::shared_ptr<const core::ImportedAnnotations> read) {
-    if (read->set.marks.empty() && read->set.notes.empty() && !read->otherVideos.empty()) {
+    const bool isEmpty = read->set.marks.empty() && read->set.notes.empty();
+    if (isEmpty && read->unknownParts.empty() && !read->otherVideos.empty()) {
         QStringList videos;
         for (const std::string& video : read->otherVideos)
             videos << QString::fromStdString(video);

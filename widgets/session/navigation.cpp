@@ -24,7 +24,7 @@ bool isDone(const FrameCoverage& coverage, const JointList& joints, int frame) {
         return false;
     const auto handDone = [&](core::Side hand) {
         const auto state = found->second.find(hand);
-        return (state == found->second.end() ? 0 : state->second.done) >= joints.count(hand);
+        return (state == found->second.end() ? 0 : state->second.finished()) >= joints.count(hand);
     };
     return handDone(core::Side::Left) && handDone(core::Side::Right);
 }
@@ -45,8 +45,7 @@ std::optional<int> nextAnnotatedFrame(const FrameCoverage& coverage, int frame, 
         coverage, frame, way,
         [](const FrameCoverage::value_type& entry) {
             return std::any_of(
-                entry.second.begin(), entry.second.end(),
-                [](const auto& hand) { return hand.second.done + hand.second.partial > 0; });
+                entry.second.begin(), entry.second.end(), [](const auto& hand) { return hand.second.marked() > 0; });
         });
 }
 

@@ -39,6 +39,8 @@ ExportWindow::ExportWindow(const QString& kind, QWidget* parent)
     setWindowTitle(tr("Export annotations"));
     setAttribute(Qt::WA_DeleteOnClose);
     for (const core::AnnotationFormat& format : core::annotationFormats()) {
+        if (!format.canExport)
+            continue;
         auto* item = new QListWidgetItem(annotationFormatText(format.kind).name, m_kinds);
         item->setData(Qt::UserRole, widgets::toQString(format.kind));
         if (widgets::toQString(format.kind) == kind)

@@ -31,8 +31,9 @@ struct AnnotationImportOptions {
 /// What an import brought.
 struct ImportedAnnotations {
     AnnotationSet set;
-    std::vector<std::string> warnings;    ///< what was left out, and what is odd; for people
-    std::vector<std::string> otherVideos; ///< whose labels were left out because they are not this sequence's
+    std::vector<std::string> warnings;     ///< what was left out, and what is odd; for people
+    std::vector<std::string> unknownParts; ///< body parts of this sequence's labels that stand for no joint
+    std::vector<std::string> otherVideos;  ///< whose labels were left out because they are not this sequence's
 };
 
 } // namespace core

@@ -37,10 +37,12 @@ const std::vector<Handler>& handlers() {
         {{"coco", "COCO keypoints (JSON)", true, false}, writeCocoAnnotations, readCocoAnnotations, "coco"},
         {{"anipose2d", "Anipose 2D tables, a CSV file per camera", true, true}, writeAnipose2d, readPoseTables, ""},
         {{"anipose3d", "Anipose 3D table (CSV)", true, false}, writeAnipose3d, readAnipose3d, ""},
-        {{"deeplabcut", "DeepLabCut or Lightning Pose labels, a CSV file per camera", true, true},
+        {{"deeplabcut", "DeepLabCut or Lightning Pose labels, a CSV file per camera (HDF5 is read, too)", true, true},
          writeDeepLabCut,
          readPoseTables,
          ""},
+        {{"sleap", "SLEAP project (.slp) or analysis export (.h5)", true, false, false, false}, nullptr, readSleap, ""},
+        {{"label3d", "Label3D session or DANNCE labels (.mat)", true, false, false, false}, nullptr, readLabel3d, ""},
         {{"trc", "Marker trajectories (TRC)", false, false}, writeTrc, nullptr, ""},
         {{"interhand", "InterHand2.6M-style joints and cameras (JSON)", false, true},
          writeInterHand,
@@ -145,6 +147,8 @@ const AnnotationFormat& annotationFormat(std::string_view kind) {
 std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set,
                               std::string_view kind, const fs::path& path, const AnnotationExportOptions& options) {
     const Handler& handler = handlerOf(kind);
+    if (!handler.format.canExport)
+        throw Error(ErrorCode::Unsupported, "", std::string(kind), "can be read, not written");
     const bool isOfAll = handler.format.namesRaters && !options.rater;
     const std::string rater = isOfAll ? std::string() : chosenRater(sequence, set, options.rater);
     if (!handler.write) {
@@ -174,6 +178,7 @@ ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& se
         ImportRequest job{dataset, sequence, options, map, path, notes, imported.set};
         handler.read(job);
         imported.warnings = notes.warnings();
+        imported.unknownParts = notes.unknownParts();
         imported.otherVideos = notes.otherVideos();
     }
     if (handler.format.namesRaters && options.raterForAll)

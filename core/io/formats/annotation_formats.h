@@ -18,14 +18,17 @@ struct AnnotationFormat {
     bool canImport = false;
     bool isFolder = false;    ///< the export is a folder with one file per view or frame
     bool namesRaters = false; ///< it holds everybody's annotations, with their names
+    bool canExport = true;
 };
-/// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, trc, interhand, freihand, csv, csv-marks.
+/// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, sleap, label3d, trc, interhand, freihand,
+/// csv, csv-marks.
 const std::vector<AnnotationFormat>& annotationFormats();
 /// The format of that kind. Throws Error(Usage), naming those that there are, for another.
 const AnnotationFormat& annotationFormat(std::string_view kind);
 
 /// Writes the annotations of one sequence: beside `path`, then renamed; never half a file. Returns whose they are, ""
-/// for everybody's. Throws Error(Usage) for an unknown kind, Error(Io) if it cannot be written.
+/// for everybody's. Throws Error(Usage) for an unknown kind,
+/// Error(Unsupported) for one that can only be read, Error(Io) if it cannot be written.
 std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set,
                               std::string_view kind, const std::filesystem::path& path,
                               const AnnotationExportOptions& options = {});

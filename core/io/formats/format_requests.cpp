@@ -69,6 +69,22 @@ void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::
     }
 }
 
+void leaveOutPart(ImportRequest& job, const std::string& part) {
+    if (job.map.isIdentity()) {
+        job.notes.leaveOutPart(part, "left_index_mcp");
+        return;
+    }
+    const JointMapEntry& first = job.map.entries().front();
+    job.notes.leaveOutPart(part, first.hand ? first.name : "left_" + first.name);
+}
+
+bool holdsFiles(const fs::path& path, const std::string& extension) {
+    return fs::is_directory(path) &&
+           std::any_of(
+               fs::recursive_directory_iterator(path), fs::recursive_directory_iterator(),
+               [&extension](const auto& entry) { return entry.path().extension() == extension; });
+}
+
 std::vector<fs::path> viewFiles(const fs::path& path, const std::string& extension) {
     if (!fs::exists(path))
         throw Error(ErrorCode::NotFound, path.string(), "", "there is no such file or folder");
@@ -119,6 +135,11 @@ std::string cameraOfFile(const ImportRequest& job, const fs::path& file) {
         return *camera;
     throw Error(ErrorCode::BadInput, file.string(), "camera",
                 "neither the file's name nor its folder's says which camera it is for");
+}
+
+std::optional<JointId> jointOfPart(const ImportRequest& job, const std::string& part, const std::string& track) {
+    const auto joint = job.map.jointOf(part);
+    return joint || track.empty() ? joint : job.map.jointOf(track + "_" + part);
 }
 
 std::optional<int> trailingNumber(const std::string& name) {

@@ -51,13 +51,25 @@ void addMark(ImportRequest& job, int frame, const JointId& joint, const std::str
 void addPoint(ImportRequest& job, int frame, const JointId& joint, const Eigen::Vector3d& pointInWorld,
               const std::optional<double>& likelihood = std::nullopt);
 
+/// Leaves out a mark of a body part that stands for no joint.
+void leaveOutPart(ImportRequest& job, const std::string& part);
+
 /// Likelihoods in tables of labels, such as our own: a mark whose place is estimated is half as likely as one that is
 /// seen.
 inline constexpr double kVisibleLikelihood = 1.0;
 inline constexpr double kOccludedLikelihood = 0.5;
 
+/// Whose view the labels of a video are of; nothing, and it is counted, if it is not of this sequence. A video without
+/// a camera's name is that of `file`'s camera; so is no name at all.
+std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& video,
+                                         const std::filesystem::path& file);
+/// The joint of a body part; where its name does not say the hand, the track's name may.
+std::optional<JointId> jointOfPart(const ImportRequest& job, const std::string& part, const std::string& track);
+
 /// Files of one view each: the given file, or those in the given folder and its folders with that extension, in order.
 std::vector<std::filesystem::path> viewFiles(const std::filesystem::path& path, const std::string& extension);
+/// True if it is a folder that holds a file with that extension, itself or in its folders.
+bool holdsFiles(const std::filesystem::path& path, const std::string& extension);
 /// The camera that a file is for: the one of the options; else the only one whose name its stem is or contains as a
 /// word; else that of its folder. Throws Error(BadInput) if that does not tell.
 std::string cameraOfFile(const ImportRequest& job, const std::filesystem::path& file);
@@ -76,6 +88,10 @@ void readAnipose3d(ImportRequest& job);
 void writeDeepLabCut(const ExportRequest& job);
 /// Reads tables with the three header rows scorer, bodyparts, coords: DeepLabCut, Lightning Pose and Anipose 2D.
 void readPoseTables(ImportRequest& job);
+/// Reads SLEAP projects and their analysis exports (HDF5).
+void readSleap(ImportRequest& job);
+/// Reads what Label3D saves and what it exports for DANNCE (MATLAB).
+void readLabel3d(ImportRequest& job);
 void writeTrc(const ExportRequest& job);
 void writeInterHand(const ExportRequest& job);
 void writeFreiHand(const ExportRequest& job);

@@ -155,7 +155,7 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
             }
         }
     }
-    return {std::move(set), notes.warnings(), {}};
+    return {std::move(set), notes.warnings(), {}, {}};
 }
 
 } // namespace core

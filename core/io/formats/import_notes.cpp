@@ -24,6 +24,34 @@ void ImportNotes::leaveOut(const std::string& what) {
     ++m_left[what];
 }
 
+void ImportNotes::leaveOutPart(const std::string& part, const std::string& fitting) {
+    ++m_parts[part];
+    m_fittingPart = fitting;
+}
+
+std::vector<std::string> ImportNotes::unknownParts() const {
+    std::vector<std::string> names;
+    for (const auto& [part, count] : m_parts)
+        names.push_back(part);
+    return names;
+}
+
+std::string ImportNotes::partsText() const {
+    constexpr std::size_t kMostNames = 5;
+    std::size_t marks = 0, named = 0;
+    std::string names;
+    for (const auto& [part, count] : m_parts) {
+        marks += static_cast<std::size_t>(count);
+        if (named < kMostNames)
+            names += (named++ > 0 ? ", " : "") + part;
+    }
+    if (named < m_parts.size())
+        names += " and " + std::to_string(m_parts.size() - named) + " more";
+    return "left out: " + std::to_string(marks) + (marks == 1 ? " mark" : " marks") +
+           " of body parts that are no joints (" + names + "): a name that fits is " + m_fittingPart +
+           "; --map FILE says which joint each name stands for";
+}
+
 void ImportNotes::leaveOutVideo(const std::string& video) {
     ++m_videos[video];
 }
@@ -41,7 +69,10 @@ std::vector<std::string> ImportNotes::otherVideos() const {
 }
 
 std::vector<std::string> ImportNotes::warnings() const {
-    std::vector<std::string> texts = m_remarks;
+    std::vector<std::string> texts;
+    if (!m_parts.empty())
+        texts.push_back(partsText());
+    texts.insert(texts.end(), m_remarks.begin(), m_remarks.end());
     if (!m_videos.empty()) {
         int rows = 0;
         std::string names;

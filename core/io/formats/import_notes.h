@@ -24,6 +24,10 @@ public:
     /// Something else that was left out; equal texts are counted.
     void leaveOut(const std::string& what);
 
+    /// A mark of a body part that stands for no joint; `fitting` is a name that would.
+    void leaveOutPart(const std::string& part, const std::string& fitting);
+    /// The names of such body parts, ascending.
+    std::vector<std::string> unknownParts() const;
     /// A row with labels of another video's picture.
     void leaveOutVideo(const std::string& video);
     /// Something that is worth knowing though nothing was left out.
@@ -31,13 +35,17 @@ public:
     /// The videos of such rows, ascending.
     std::vector<std::string> otherVideos() const;
 
-    /// One sentence for each kind of thing that was left out.
+    /// One sentence for each kind of thing that was left out, unknown body parts first.
     std::vector<std::string> warnings() const;
 
 private:
     const Dataset& m_dataset;
     const Sequence& m_sequence;
+    std::string partsText() const;
+
     std::map<std::string, int> m_left;
+    std::map<std::string, int> m_parts; ///< marks of unknown body parts
+    std::string m_fittingPart;
     std::map<std::string, int> m_videos; ///< rows of other videos
     std::vector<std::string> m_remarks;
 };

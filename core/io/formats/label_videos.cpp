@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/io/dataset/instants.h"
 #include "core/io/footage/file_pattern.h"
 #include "core/io/formats/format_requests.h"
 
@@ -76,6 +77,44 @@ std::optional<VideoOfSequence> videoAskedFor(const Dataset& dataset, const Seque
     if (isWanted(video) || (named && isWanted(without(video, *named))))
         return VideoOfSequence{cameraOfFootage(sequence, video).value_or(named.value_or(std::string()))};
     return std::nullopt;
+}
+
+namespace {
+
+/// Pictures are numbered as the sequence's frames are: where its footage is numbered otherwise, that has to be said.
+void remarkShift(ImportRequest& job, const std::string& camera) {
+    for (const ViewSource& view : job.sequence.views) {
+        const bool isShifted =
+            view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
+        if (view.camera == camera && isShifted) {
+            job.notes.remark("the footage of " + camera +
+                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
+                             "sequence, not of the video");
+        }
+    }
+}
+
+} // namespace
+
+std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& video,
+                                         const std::filesystem::path& file) {
+    std::optional<VideoOfSequence> found = VideoOfSequence{};
+    if (!video.empty()) {
+        found = job.options.videos.empty() ? videoOfSequence(job.dataset, job.sequence, video)
+                                           : videoAskedFor(job.dataset, job.sequence, video, job.options.videos);
+    }
+    if (!found) {
+        job.notes.leaveOutVideo(video);
+        return std::nullopt;
+    }
+    if (found->camera.empty())
+        return cameraOfFile(job, file);
+    if (!job.options.camera.empty() && job.options.camera != found->camera) {
+        job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
+        return std::nullopt;
+    }
+    remarkShift(job, found->camera);
+    return found->camera;
 }
 
 } // namespace core

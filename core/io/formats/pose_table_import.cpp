@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/error.h"
-#include "core/io/dataset/instants.h"
 #include "core/io/files/csv_text.h"
 #include "core/io/formats/format_requests.h"
 #include "core/io/formats/label_videos.h"
+#include "core/io/hdf5/pandas_frame.h"
+#include "core/text/number_text.h"
 
 // Reads tables of one view with the header rows scorer, bodyparts, coords: what people labelled with DeepLabCut or
 // Lightning Pose (x and y; the first column or columns name a picture), and what networks predicted, as Anipose's 2D
-// tables hold it (a likelihood, too; frames count from 0). And tables with one header row as SLEAP writes them:
-// frame_idx, track, <part>.x, <part>.y, <part>.score.
+// tables hold it (a likelihood, too; frames count from 0), as CSV or as the HDF5 file of pandas. And tables with one
+// header row as SLEAP writes them: frame_idx, track, <part>.x, <part>.y, <part>.score.
 namespace core {
 
 namespace fs = std::filesystem;
@@ -35,6 +37,11 @@ struct PoseTable {
     std::size_t firstDataRow = 0;
 
     std::string fieldOf(std::size_t line) const { return "row " + std::to_string(line + 1); }
+    /// Empty if there is none.
+    std::string track(std::size_t line) const {
+        const auto column = static_cast<std::size_t>(trackColumn);
+        return trackColumn >= 0 && column < rows[line].size() ? rows[line][column] : std::string();
+    }
     std::optional<double> value(std::size_t line, int column, const std::string& part) const {
         const CsvRow& row = rows[line];
         return column >= 0 && column < static_cast<int>(row.size())
@@ -75,10 +82,42 @@ void readFlatHeader(PoseTable& table) {
     table.firstDataRow = 1;
 }
 
+/// The rows of a data frame as the CSV table of the same labels holds them: DeepLabCut and Anipose write both.
+std::vector<CsvRow> rowsOfFrame(const Hdf5File& file) {
+    const PandasFrame frame = readPandasFrame(file);
+    const std::size_t levels = frame.columns.empty() ? 0 : frame.columns[0].size();
+    if (levels != 3 && levels != 4) {
+        file.refuse(frame.field,
+                    "has columns of " + std::to_string(levels) +
+                        " levels: scorer, bodyparts, coords are expected, individuals may stand before bodyparts");
+    }
+    const std::size_t indexColumns = frame.rows.empty() ? 1 : frame.rows[0].size();
+    std::vector<CsvRow> rows;
+    for (const char* name : {"scorer", "individuals", "bodyparts", "coords"})
+        if (levels == 4 || std::string_view(name) != "individuals")
+            rows.emplace_back(indexColumns)[0] = name;
+    for (const std::vector<std::string>& column : frame.columns)
+        for (std::size_t level = 0; level < levels; ++level)
+            rows[level].push_back(column[level]);
+    for (std::size_t row = 0; row < frame.rows.size(); ++row) {
+        CsvRow cells = frame.rows[row];
+        for (std::size_t column = 0; column < frame.columns.size(); ++column) {
+            const double value = frame.value(row, column);
+            cells.push_back(std::isfinite(value) ? exactText(value) : "");
+        }
+        rows.push_back(std::move(cells));
+    }
+    return rows;
+}
+
+bool isHdf5(const fs::path& file) {
+    return file.extension() == ".h5" || file.extension() == ".hdf5";
+}
+
 PoseTable readTable(const fs::path& file) {
     PoseTable table;
     table.file = file;
-    table.rows = readCsv(file);
+    table.rows = isHdf5(file) ? rowsOfFrame(Hdf5File(file)) : readCsv(file);
     if (!table.rows.empty() &&
         std::find(table.rows[0].begin(), table.rows[0].end(), kFrameColumn) != table.rows[0].end()) {
         readFlatHeader(table);
@@ -124,15 +163,6 @@ std::string pictureOf(const PoseTable& table, std::size_t line) {
     return path;
 }
 
-/// The joint of a body part in a row, whose hand may be the track's.
-std::optional<JointId> jointOf(const ImportRequest& job, const PoseTable& table, std::size_t line,
-                               const std::string& part) {
-    const auto joint = job.map.jointOf(part);
-    if (joint || table.trackColumn < 0 || table.rows[line].size() <= static_cast<std::size_t>(table.trackColumn))
-        return joint;
-    return job.map.jointOf(table.rows[line][static_cast<std::size_t>(table.trackColumn)] + "_" + part);
-}
-
 /// The mark of one body part in one row, or nothing.
 std::optional<Mark> markOf(const PoseTable& table, std::size_t line, const std::string& name, const PartColumns& part,
                            bool predicted) {
@@ -149,41 +179,6 @@ std::optional<Mark> markOf(const PoseTable& table, std::size_t line, const std::
                                                                               : MarkState::Occluded};
 }
 
-/// Pictures are numbered as the sequence's frames are: where its footage is numbered otherwise, that has to be said.
-void remarkShift(ImportRequest& job, const std::string& camera) {
-    for (const ViewSource& view : job.sequence.views) {
-        const bool isShifted =
-            view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
-        if (view.camera == camera && isShifted) {
-            job.notes.remark("the footage of " + camera +
-                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
-                             "sequence, not of the video");
-        }
-    }
-}
-
-/// Whose view a row is of; nothing, and it is counted, if the row is not of this sequence.
-std::optional<std::string> cameraOfRow(ImportRequest& job, const PoseTable& table, const std::string& picture) {
-    const std::string video = videoOfPicture(picture);
-    std::optional<VideoOfSequence> found = VideoOfSequence{};
-    if (!video.empty()) {
-        found = job.options.videos.empty() ? videoOfSequence(job.dataset, job.sequence, video)
-                                           : videoAskedFor(job.dataset, job.sequence, video, job.options.videos);
-    }
-    if (!found) {
-        job.notes.leaveOutVideo(video);
-        return std::nullopt;
-    }
-    if (found->camera.empty())
-        return cameraOfFile(job, table.file);
-    if (!job.options.camera.empty() && job.options.camera != found->camera) {
-        job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
-        return std::nullopt;
-    }
-    remarkShift(job, found->camera);
-    return found->camera;
-}
-
 void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool predicted) {
     const std::string file = table.file.string();
     const std::size_t lastIndexColumn = table.firstIndexColumn + table.indexColumns - 1;
@@ -195,16 +190,16 @@ void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool 
         throw Error(ErrorCode::BadInput, file, table.fieldOf(line),
                     "\"" + picture + "\" does not end in the number of a frame");
     }
-    const auto camera = cameraOfRow(job, table, picture);
+    const auto camera = cameraOfVideo(job, videoOfPicture(picture), table.file);
     if (!camera)
         return;
     for (const auto& [name, part] : table.parts) {
         const auto mark = markOf(table, line, name, part, predicted);
-        const auto joint = jointOf(job, table, line, name);
+        const auto joint = jointOfPart(job, name, table.track(line));
         if (mark && joint)
             addMark(job, *frame, *joint, *camera, *mark);
         else if (mark)
-            job.notes.leaveOut("body part \"" + name + "\", which is not a joint of the map");
+            leaveOutPart(job, name);
     }
 }
 
@@ -212,7 +207,9 @@ void readRow(ImportRequest& job, const PoseTable& table, std::size_t line, bool 
 
 void readPoseTables(ImportRequest& job) {
     std::vector<PoseTable> tables;
-    for (const fs::path& file : viewFiles(job.path, ".csv"))
+    // DeepLabCut keeps each table as CSV and as HDF5, of which one is enough.
+    const bool onlyHdf5 = !holdsFiles(job.path, ".csv") && holdsFiles(job.path, ".h5");
+    for (const fs::path& file : viewFiles(job.path, onlyHdf5 ? ".h5" : ".csv"))
         tables.push_back(readTable(file));
     const bool predicted = job.options.minLikelihood || std::any_of(tables.begin(), tables.end(), isPredicted);
     for (const PoseTable& table : tables)

@@ -136,6 +136,26 @@ TEST_F(AnnotationsVerb, GuessesComeAsProposals) {
     EXPECT_EQ(stored().marks.size(), 3u);
 }
 
+TEST_F(AnnotationsVerb, UnknownBodyPartsAreTheReasonWhateverElseTheTableHolds) {
+    std::string parts = "bodyparts", coords = "coords", scorer = "scorer", values;
+    for (const char* part : {"IndexMCP", "IndexTip", "MCP2", "MCP3", "MCP4", "Wrist"}) {
+        scorer += ",x,x";
+        parts += std::string(",") + part + "," + part;
+        coords += ",x,y";
+        values += ",10,20";
+    }
+    const std::string file = table(scorer + "\n" + parts + "\n" + coords + "\nlabeled-data/first/img1.png" + values +
+                                   "\nlabeled-data/other/img1.png" + values + "\n");
+    const Ended refused = import("deeplabcut", file, {"--rater", "x"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.err.find("--video"), std::string::npos) << "another session's labels are no way out";
+    EXPECT_NE(refused.err.find("left out: 6 marks of body parts that are no joints (IndexMCP, IndexTip, MCP2, MCP3, "
+                               "MCP4 and 1 more): a name that fits is left_index_mcp; --map FILE"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_TRUE(stored().marks.empty());
+}
+
 TEST_F(AnnotationsVerb, LabelsOfAnotherVideoAreRefusedUntilTheyAreNamed) {
     const std::string file =
         table("scorer,x,x\nbodyparts,left_index_mcp,left_index_mcp\ncoords,x,y\nlabeled-data/monday/img1.png,10,20\n");

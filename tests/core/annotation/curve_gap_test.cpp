@@ -75,7 +75,10 @@ TEST_F(CurveGaps, TwoViewsThatDisagreeAreBadAndSayByHowMuch) {
     ASSERT_FALSE(joint.hasPoint());
     ASSERT_EQ(joint.gaps.size(), 2u);
     EXPECT_TRUE(core::isBad(joint, 5.0));
-    EXPECT_EQ(core::coverageOf(m_set, m_cameras, 3, "ann", 5.0).at(core::Side::Left).bad, 1);
+    const core::HandCoverage coverage = core::coverageOf(m_set, m_cameras, 3, "ann", 5.0).at(core::Side::Left);
+    EXPECT_EQ(coverage.bad, 1);
+    EXPECT_EQ(coverage.partial, 0) << "each joint is counted once";
+    EXPECT_EQ(coverage.marked(), 1);
     const auto findings = core::checkSequence(m_set, m_cameras, "ann", {});
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_DOUBLE_EQ(findings[0].value, joint.gaps[0].px);

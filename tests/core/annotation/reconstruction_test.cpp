@@ -210,7 +210,7 @@ TEST_F(Reconstruction, FrameHoldsEveryJointOfThatRaterAndCoverageCountsThem) {
     mark(2).px += Vector2d(50, 50);
     EXPECT_EQ(core::reconstructFrame(m_set, m_cameras, 3, kRater).size(), 3u);
     const auto coverage = core::coverageOf(m_set, m_cameras, 3, kRater, 5.0);
-    EXPECT_EQ(coverage.at(Side::Left), (core::HandCoverage{1, 0, 1, 0}));
+    EXPECT_EQ(coverage.at(Side::Left), (core::HandCoverage{0, 0, 1, 0, 1}));
     EXPECT_EQ(coverage.at(Side::Right), (core::HandCoverage{0, 2, 0, 1}));
     EXPECT_EQ(core::ratersOf(m_set), (std::vector<std::string>{kRater, "bob"}));
     EXPECT_EQ(core::ratersOf(m_set, 4), std::vector<std::string>{});

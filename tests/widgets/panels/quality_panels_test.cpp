@@ -47,6 +47,16 @@ TEST_F(QualityPanelTest, TheWholeSequenceCanBeListed) {
     EXPECT_EQ(session.selection.frame(), 12);
 }
 
+TEST_F(QualityPanelTest, TheSummaryCountsEveryJointOnce) {
+    for (const int camera : {0, 1, 2, 3, 4})
+        click(index, camera, camera == 3 ? 40 : 0);
+    settle();
+    const auto labels = panel.findChildren<QLabel*>();
+    EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().contains(QStringLiteral("Joints: 0 done, 0 partial, 1 bad."));
+    }));
+}
+
 TEST_F(QualityPanelTest, TheThresholdDecidesWhatIsBad) {
     for (const int camera : {0, 1, 2, 3, 4})
         click(index, camera, camera % 2 == 0 ? 0.8 : -0.8);

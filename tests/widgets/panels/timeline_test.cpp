@@ -74,7 +74,7 @@ TEST_F(TimelineTest, TheLegendExplainsTheColoursThatArePainted) {
     widgets::FrameCoverage frames;
     frames[20][core::Side::Left].done = 14;
     frames[30][core::Side::Left].partial = 14;
-    frames[40][core::Side::Left].bad = frames[40][core::Side::Left].partial = 1;
+    frames[40][core::Side::Left].bad = 1;
     frames[50][core::Side::Left].occluded = frames[50][core::Side::Left].done = 14;
     timeline.setCoverage(frames, 14, 14);
     for (const QColor& painted :
