@@ -2,18 +2,16 @@
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <set>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/batch/interrupt.h"
 #include "app/batch/verbs.h"
-#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset.h"
-#include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/json_file.h"
 #include "core/rig/rig_health.h"
 #include "core/rig/rig_refinement.h"
@@ -30,28 +28,6 @@ struct RigArguments {
     bool refine = false;
 };
 
-std::vector<core::RigJoint> collectJoints(const core::Dataset& dataset, const RigArguments& arguments) {
-    std::vector<core::RigJoint> joints;
-    std::set<std::string> raters;
-    for (const std::string& name : arguments.sequences)
-        dataset.sequence(name); // an unknown one is an error
-    for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
-        const core::Sequence& sequence = dataset.sequences[s];
-        if (!arguments.sequences.empty() && std::find(arguments.sequences.begin(), arguments.sequences.end(),
-                                                      sequence.name) == arguments.sequences.end())
-            continue;
-        const core::AnnotationSet set = core::readAnnotations(dataset, sequence);
-        for (const std::string& rater : core::ratersOf(set))
-            raters.insert(rater);
-        core::addRigJoints(joints, set, dataset.cameras, static_cast<int>(s), arguments.rater);
-    }
-    if (!arguments.rater.empty() && !raters.contains(arguments.rater)) {
-        throw core::Error(core::ErrorCode::NotFound, arguments.dataset, "--rater",
-                          "\"" + arguments.rater + "\" has marked nothing in these sequences");
-    }
-    return joints;
-}
-
 ordered_json cameraJson(const core::CameraHealth& camera) {
     ordered_json item{{"name", camera.camera}, {"clicks", camera.clicks},
                       {"rmsPx", camera.rmsPx}, {"meanPx", {camera.meanPx.x(), camera.meanPx.y()}},
@@ -61,6 +37,7 @@ ordered_json cameraJson(const core::CameraHealth& camera) {
     item["meanSigmaPx"] = camera.meanSigmaPx;
     item["leaveOneOutPx"] = camera.leaveOneOutPx;
     item["scatterPx"] = camera.scatterPx;
+    item["spreadPx"] = camera.spreadPx;
     const Eigen::Matrix2d& v = camera.variationPx;
     item["variationPx"] = {{v(0, 0), v(0, 1)}, {v(1, 0), v(1, 1)}};
     item["wrongClicks"] = camera.wrongClicks;
@@ -159,7 +136,7 @@ void rig(const RigArguments& arguments) {
                           arguments.refine ? "needs --out CAMERAS" : "is for --refine");
     }
     const core::Dataset dataset = core::readDataset(arguments.dataset);
-    const std::vector<core::RigJoint> joints = collectJoints(dataset, arguments);
+    const std::vector<core::RigJoint> joints = core::readRigJoints(dataset, arguments.sequences, arguments.rater);
     const core::RigHealth health = core::judgeRig(dataset.cameras, joints);
     const auto refinement = core::refineRig(dataset.cameras, joints, {}, interruptToken());
     if (interruptToken().stop_requested())

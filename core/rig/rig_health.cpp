@@ -131,6 +131,7 @@ public:
         health.leaveOneOutPx = medianOf(distances);
         findMean(health);
         findVariation(health);
+        findSpread(health);
         findDrift(health);
         findDelay(health);
         const double offPx = health.meanPx.norm();
@@ -196,6 +197,19 @@ private:
             return;
         health.variationPx << fit->unknowns[2], fit->unknowns[3], fit->unknowns[4], fit->unknowns[5];
         health.scatterPx = fit->scatterPx;
+    }
+
+    /// What the camera's clicks have beyond the uncertainty of the others, wrong clicks left out; at least about its
+    /// scatter, a tenth of which is the others'.
+    void findSpread(CameraHealth& health) const {
+        double sum = 0, weights = 0;
+        for (const RigResidual* click : m_clicks) {
+            if (click->weight < 0.1)
+                continue;
+            sum += click->leftOutPx.squaredNorm() - click->othersPx2.trace();
+            weights += 2;
+        }
+        health.spreadPx = std::max(std::sqrt(std::max(weights > 0 ? sum / weights : 0.0, 0.0)), 0.9 * health.scatterPx);
     }
 
     void findDrift(CameraHealth& health) const {

@@ -21,6 +21,7 @@ struct CameraHealth {
     Eigen::Matrix2d variationPx = Eigen::Matrix2d::Zero();
     double leaveOneOutPx = 0; ///< median distance from what the other cameras say
     double scatterPx = 0;     ///< per axis, after mean and variation are taken off
+    double spreadPx = 0;      ///< per axis, of clicks and calibration error together: what a click of it is worth
     /// Change of the mean over the frames of a sequence, px per 100 frames, with its standard deviation.
     std::optional<Eigen::Vector2d> driftPx;
     double driftSigmaPx = 0;

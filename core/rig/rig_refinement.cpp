@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <ceres/ceres.h>
 
@@ -92,7 +93,8 @@ public:
         , m_joints(joints)
         , m_options(options)
         , m_corrections(cameras.size(), CameraCorrection::Zero())
-        , m_points(computeRigResiduals(cameras, joints).pointInWorld) {
+        , m_start(computeRigResiduals(cameras, joints))
+        , m_points(m_start.pointInWorld) {
         m_left.resize(joints.size());
         for (std::size_t j = 0; j < joints.size(); ++j)
             m_left[j].assign(joints[j].clicks.size(), false);
@@ -145,7 +147,12 @@ public:
         return count;
     }
 
+    const RigResiduals& start() const { return m_start; }
     bool isUsed(std::size_t j) const { return m_points[j].allFinite(); }
+    bool hasPoints() const {
+        return std::any_of(
+            m_points.begin(), m_points.end(), [](const auto& point) { return point.allFinite(); });
+    }
     bool isLeftOut(std::size_t j, std::size_t k) const { return m_left[j][k]; }
     const Eigen::Vector3d& point(std::size_t j) const { return m_points[j]; }
     std::vector<Camera> cameras() const {
@@ -198,14 +205,17 @@ private:
     const std::vector<RigJoint>& m_joints;
     const RigRefinementOptions& m_options;
     std::vector<CameraCorrection> m_corrections;
+    RigResiduals m_start;                  // with the cameras as given
     std::vector<Eigen::Vector3d> m_points; // NaN where a joint takes no part
     std::vector<std::vector<bool>> m_left; // clicks that are left out, parallel to the joints' clicks
 };
 
-/// Puts the rig as a whole back: the mean centre and the spread of the centres are those of `before`, and the rotation
-/// between both is the one that takes centres and viewing axes nearest to theirs (Umeyama 1991). Projections of points
-/// that are transformed alike do not change.
-void keepGauge(const std::vector<Camera>& before, std::vector<Camera>& after) {
+/// Puts the rig as a whole back: the spread of the centres is that of `before`, the rotation between both is the one
+/// that takes centres and viewing axes nearest to theirs (Umeyama 1991), and the middle of the clicked joints stays
+/// where most cameras saw it (`meanFrom` goes to `meanTo`): a camera's centre is known less well than the rays that
+/// meet in a joint. Projections of points that are transformed alike do not change.
+void keepGauge(const std::vector<Camera>& before, std::vector<Camera>& after, const Eigen::Vector3d& meanFrom,
+               const Eigen::Vector3d& meanTo) {
     Eigen::Vector3d meanBefore = Eigen::Vector3d::Zero(), meanAfter = Eigen::Vector3d::Zero();
     const double count = static_cast<double>(before.size());
     for (std::size_t c = 0; c < before.size(); ++c) {
@@ -227,11 +237,35 @@ void keepGauge(const std::vector<Camera>& before, std::vector<Camera>& after) {
         svd.matrixU() * Eigen::Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
     const double scale = spreadAfter > 1e-6 ? std::sqrt(spreadBefore / spreadAfter) : 1;
     for (Camera& camera : after) {
-        const Eigen::Vector3d centre = scale * (rotation * (camera.centreInWorld() - meanAfter)) + meanBefore;
+        const Eigen::Vector3d centre = scale * (rotation * (camera.centreInWorld() - meanFrom)) + meanTo;
         RigidMotion& motion = camera.cameraFromWorld;
         motion.rotation = motion.rotation * rotation.transpose();
         motion.translation = -(motion.rotation * centre);
     }
+}
+
+/// The place for `before` of a point of `after`: the one whose projections differ least from those of `pointInAfter`,
+/// robust against a camera that moved far.
+Eigen::Vector3d samePlace(const std::vector<Camera>& before, const std::vector<Camera>& after,
+                          const Eigen::Vector3d& pointInAfter, const Eigen::Vector3d& start) {
+    std::vector<Observation> sight;
+    for (std::size_t c = 0; c < after.size(); ++c)
+        if (const auto px = project(after[c], pointInAfter))
+            sight.push_back({static_cast<int>(c), *px});
+    Eigen::Vector3d place = start;
+    constexpr double kAgreePx = 3; // beyond, a camera counts linearly (Huber)
+    constexpr int kRounds = 10;
+    for (int i = 0; i < kRounds; ++i) {
+        for (Observation& view : sight) {
+            const auto px = project(before[static_cast<std::size_t>(view.camera)], place);
+            view.sigmaPx = std::sqrt(px ? std::max((*px - view.px).norm() / kAgreePx, 1.0) : 1e6);
+        }
+        const auto next = refinePoint(before, sight, place);
+        if (!next)
+            return start;
+        place = *next;
+    }
+    return place;
 }
 
 double rms(double sumOfSquares, int count) {
@@ -243,8 +277,7 @@ std::vector<CameraRefinement> changesOf(const std::vector<Camera>& before, const
     std::vector<CameraRefinement> changes(before.size());
     std::vector<double> squaresBefore(before.size(), 0), squaresAfter(before.size(), 0);
     std::vector<int> used(before.size(), 0);
-    const RigResiduals residuals = computeRigResiduals(before, joints);
-    for (const RigResidual& click : residuals.clicks) {
+    for (const RigResidual& click : bundle.start().clicks) {
         const auto c = static_cast<std::size_t>(click.camera);
         squaresBefore[c] += click.residualPx.squaredNorm();
         ++changes[c].clicks;
@@ -297,6 +330,8 @@ std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const
     double sigmaPx = options.startSigmaPx;
     constexpr int kSolutions = 3;
     for (int i = 0; i < kSolutions; ++i) {
+        if (!bundle.hasPoints())
+            return std::nullopt;
         const ceres::Solver::Summary summary = bundle.solve(sigmaPx, stop);
         if (stop.stop_requested() || !summary.IsSolutionUsable())
             return std::nullopt;
@@ -309,9 +344,17 @@ std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const
     }
     refinement.sigmaPx = sigmaPx;
     refinement.cameras = bundle.cameras();
-    keepGauge(cameras, refinement.cameras);
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        refinement.joints += bundle.isUsed(j);
+    Eigen::Vector3d meanFrom = Eigen::Vector3d::Zero(), meanTo = Eigen::Vector3d::Zero();
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        if (bundle.isUsed(j)) {
+            ++refinement.joints;
+            meanFrom += bundle.point(j);
+            meanTo += bundle.start().pointInWorld[j];
+        }
+    }
+    meanFrom /= refinement.joints;
+    keepGauge(cameras, refinement.cameras, meanFrom,
+              samePlace(cameras, refinement.cameras, meanFrom, meanTo / refinement.joints));
     refinement.frames = countFrames(joints);
     refinement.changes = changesOf(cameras, joints, bundle, refinement);
     return refinement;

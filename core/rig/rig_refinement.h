@@ -47,9 +47,10 @@ struct RigRefinement {
 
 /// Adjusts a calibration to clicks: bundle adjustment (Triggs et al. 2000) of rotations, centres, focal length and
 /// k1, k2 of every camera with weak priors, over all joints that two or more cameras see, in recorded pixels, robust;
-/// points are eliminated. The gauge stays: a similarity afterwards puts the cameras' mean position, spread and
-/// orientation back to what they were. One thread: the result is always the same. Nothing if there are fewer than three
-/// cameras with clicks or too few joints, or if it was stopped.
+/// points are eliminated. The gauge stays: a similarity afterwards puts the spread and the mean orientation of the
+/// cameras back to what they were, and the middle of the clicked joints to where most cameras saw it. One thread: the
+/// result is always the same. Nothing if there are fewer than three cameras with clicks or too few joints, or if it was
+/// stopped.
 std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                                        const RigRefinementOptions& options = {}, std::stop_token stop = {});
 
