@@ -17,6 +17,7 @@
 #include "core/io/dataset/dataset.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_paths.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/footage_check.h"
 #include "core/io/dataset/footage_presence.h"
 #include "core/io/files/json_file.h"
@@ -169,6 +170,9 @@ void checkDataset(Findings& findings, const fs::path& folder) {
         for (const auto& [isNote, text] : checkFootage(dataset, sequence))
             findings.push_back({isNote, text});
     }
+    if (!hasProblem(findings))
+        for (const std::string& sentence : datasetRigFindings(dataset))
+            findings.push_back({true, dataset.camerasFile + ": " + sentence});
 }
 
 void checkFile(Findings& findings, const fs::path& file) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/sequence_pictures.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/gnuplot.h"
@@ -223,6 +224,31 @@ Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
                 gnuplotNamedTics(readableNames(joints)) + gnuplotPlot({line})};
 }
 
+/// What all clicks say of the cameras; empty while there are too few.
+std::string rigHtml(const RigHealth& rig) {
+    if (!rig.isKnown)
+        return "";
+    std::string text = "<h2>Cameras</h2>\n" + tableHead({"camera", "clicks", "rms, px", "mean dx, px", "mean dy, px",
+                                                         "&plusmn;, px", "scatter, px"});
+    for (const CameraHealth& camera : rig.cameras) {
+        const double unknown = camera.isKnown ? 0 : std::nan("");
+        text += "<tr>" + htmlTextCell(camera.camera) + count(camera.clicks) +
+                numberCell(camera.rmsPx, 2, camera.clicks) + htmlNumberCell(camera.meanPx.x() + unknown, 2) +
+                htmlNumberCell(camera.meanPx.y() + unknown, 2) + htmlNumberCell(camera.meanSigmaPx + unknown, 2) +
+                htmlNumberCell(camera.scatterPx + unknown, 2) + "</tr>\n";
+    }
+    text += std::string(kTableEnd) + "<p>Clicked minus projected, over all clicks of the dataset; for the mean, each "
+                                     "joint is placed by the other cameras.</p>\n";
+    const std::vector<std::string> findings = rigFindings(rig);
+    if (!findings.empty()) {
+        text += "<ul>\n";
+        for (const std::string& sentence : findings)
+            text += "<li>" + htmlEscaped(sentence) + "</li>\n";
+        text += "</ul>\n";
+    }
+    return text;
+}
+
 } // namespace
 
 std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequences) {
@@ -241,7 +267,8 @@ std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequ
 }
 
 std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences,
-                                 const std::vector<Figure>& figures, const std::vector<std::string>* pictures) {
+                                 const std::vector<Figure>& figures, const std::vector<std::string>* pictures,
+                                 const RigHealth& rig) {
     std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Annotations of " +
                        htmlEscaped(dataset) + "</title>\n<style>\n" + std::string(kReportStyle) +
                        "</style>\n</head>\n<body>\n<h1>Annotations of " + htmlEscaped(dataset) + "</h1>\n";
@@ -249,7 +276,7 @@ std::string annotationReportHtml(const std::string& dataset, const std::vector<A
     const bool hasBegun = std::any_of(sequences.begin(), sequences.end(),
                                       [](const AnnotationSummary& sequence) { return !sequence.empty(); });
     if (hasBegun) {
-        text += agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) +
+        text += rigHtml(rig) + agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) +
                 figuresHtml(figures, pictures, "it takes as long as this time");
     }
     return text + "</body>\n</html>\n";
@@ -273,7 +300,9 @@ bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& 
     for (const Figure& figure : figures)
         programs.push_back(figure.gnuplot);
     const auto pictures = drawWithGnuplot(programs);
-    writeFileAtomically(path, annotationReportHtml(dataset.name, sequences, figures, pictures ? &*pictures : nullptr));
+    const RigHealth rig = judgeRig(dataset.cameras, readRigJoints(dataset));
+    writeFileAtomically(path,
+                        annotationReportHtml(dataset.name, sequences, figures, pictures ? &*pictures : nullptr, rig));
     return true;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/annotation/annotation_summary.h"
 #include "core/io/dataset/dataset.h"
+#include "core/rig/rig_health.h"
 #include "core/text/gnuplot_text.h"
 
 namespace core {
@@ -18,9 +19,11 @@ namespace core {
 std::vector<Figure> annotationFigures(const std::vector<AnnotationSummary>& sequences);
 
 /// One HTML page that needs no network: progress, raters and their agreement, worst joints, doubts, figures. `pictures`
-/// are the SVGs of the figures, in their order; null if they could not be drawn.
+/// are the SVGs of the figures, in their order; null if they could not be drawn. `rig` holds what the clicks say of the
+/// cameras.
 std::string annotationReportHtml(const std::string& dataset, const std::vector<AnnotationSummary>& sequences,
-                                 const std::vector<Figure>& figures, const std::vector<std::string>* pictures);
+                                 const std::vector<Figure>& figures, const std::vector<std::string>* pictures,
+                                 const RigHealth& rig = {});
 
 struct AnnotationReportOptions {
     double badRmsPx = 2; ///< joints with a larger reprojection error count as bad

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/batch/interrupt.h"
+#include "app/batch/verbs.h"
+#include "core/error.h"
+#include "core/io/calibration/cameras_file.h"
+#include "core/io/dataset/dataset.h"
+#include "core/io/dataset/dataset_rig.h"
+#include "core/io/files/json_file.h"
+#include "core/rig/rig_health.h"
+#include "core/rig/rig_refinement.h"
+
+namespace app {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct RigArguments {
+    std::string dataset, rater, json, out;
+    std::vector<std::string> sequences;
+    bool refine = false;
+};
+
+ordered_json cameraJson(const core::CameraHealth& camera) {
+    ordered_json item{{"name", camera.camera}, {"clicks", camera.clicks},
+                      {"rmsPx", camera.rmsPx}, {"meanPx", {camera.meanPx.x(), camera.meanPx.y()}},
+                      {"off", camera.isOff},   {"known", camera.isKnown}};
+    if (!camera.isKnown)
+        return item;
+    item["meanSigmaPx"] = camera.meanSigmaPx;
+    item["leaveOneOutPx"] = camera.leaveOneOutPx;
+    item["scatterPx"] = camera.scatterPx;
+    item["spreadPx"] = camera.spreadPx;
+    const Eigen::Matrix2d& v = camera.variationPx;
+    item["variationPx"] = {{v(0, 0), v(0, 1)}, {v(1, 0), v(1, 1)}};
+    item["wrongClicks"] = camera.wrongClicks;
+    if (camera.driftPx) {
+        item["driftPxPer100Frames"] = {camera.driftPx->x(), camera.driftPx->y()};
+        item["driftSigmaPx"] = camera.driftSigmaPx;
+    }
+    if (camera.delayFrames) {
+        item["delayFrames"] = *camera.delayFrames;
+        item["delaySigmaFrames"] = camera.delaySigmaFrames;
+    }
+    return item;
+}
+
+ordered_json refinementJson(const core::RigRefinement& refinement) {
+    ordered_json cameras = ordered_json::array();
+    for (const core::CameraRefinement& change : refinement.changes) {
+        ordered_json item{{"name", change.camera},           {"turnDeg", change.turnDeg}, {"shiftMm", change.shiftMm},
+                          {"focalShare", change.focalShare}, {"beforeRmsPx", nullptr},    {"afterRmsPx", nullptr}};
+        if (std::isfinite(change.beforeRmsPx))
+            item["beforeRmsPx"] = change.beforeRmsPx;
+        if (std::isfinite(change.afterRmsPx))
+            item["afterRmsPx"] = change.afterRmsPx;
+        cameras.push_back(item);
+    }
+    return {{"sigmaPx", refinement.sigmaPx},         {"joints", refinement.joints},       {"frames", refinement.frames},
+            {"wrongClicks", refinement.wrongClicks}, {"converged", refinement.converged}, {"cameras", cameras}};
+}
+
+void writeJson(const std::string& file, const core::RigHealth& health,
+               const std::optional<core::RigRefinement>& refinement) {
+    ordered_json document;
+    document["sigmaPx"] = refinement ? ordered_json(refinement->sigmaPx) : ordered_json(nullptr);
+    document["joints"] = health.joints;
+    document["frames"] = health.frames;
+    document["cameras"] = ordered_json::array();
+    for (const core::CameraHealth& camera : health.cameras)
+        document["cameras"].push_back(cameraJson(camera));
+    document["findings"] = core::rigFindings(health);
+    if (refinement)
+        document["refinement"] = refinementJson(*refinement);
+    core::checkSchema(nlohmann::json(document), "rig-health", file);
+    core::writeJsonFile(file, document);
+}
+
+void printHealth(const core::RigHealth& health) {
+    std::printf("%d joints in %d frames; residuals are clicked - projected, px\n", health.joints, health.frames);
+    std::printf("%-12s %7s %7s %17s %9s %9s\n", "camera", "clicks", "rms", "mean dx, dy", "+-", "scatter");
+    for (const core::CameraHealth& camera : health.cameras) {
+        if (!camera.isKnown) {
+            std::printf("%-12s %7d   cannot be known: only %d clicks that others confirm\n", camera.camera.c_str(),
+                        camera.clicks, camera.clicks);
+            continue;
+        }
+        std::printf("%-12s %7d %7.2f %8.2f %8.2f %9.2f %9.2f%s\n", camera.camera.c_str(), camera.clicks, camera.rmsPx,
+                    camera.meanPx.x(), camera.meanPx.y(), camera.meanSigmaPx, camera.scatterPx,
+                    camera.isOff ? "  off" : "");
+    }
+    for (const std::string& sentence : core::rigFindings(health))
+        std::printf("%s\n", sentence.c_str());
+}
+
+void printRefinement(const core::RigRefinement& refinement) {
+    std::printf("refined from %d joints in %d frames; a click scatters by %.2f px per axis; %d wrong clicks\n",
+                refinement.joints, refinement.frames, refinement.sigmaPx, refinement.wrongClicks);
+    std::printf("%-12s %10s %10s %10s %10s %10s\n", "camera", "rms before", "rms after", "turned deg", "moved mm",
+                "focal %");
+    for (const core::CameraRefinement& change : refinement.changes) {
+        std::printf("%-12s %10.2f %10.2f %10.3f %10.2f %+10.3f\n", change.camera.c_str(), change.beforeRmsPx,
+                    change.afterRmsPx, change.turnDeg, change.shiftMm, 100 * change.focalShare);
+    }
+}
+
+/// Whether refining is worth it, and what it still needs.
+void printAdvice(const core::RigHealth& health, const std::vector<core::RigJoint>& joints, bool isPossible) {
+    const int seen = core::countWellSeenJoints(joints), least = core::RigRefinementOptions{}.leastJoints;
+    if (!isPossible) {
+        std::printf("a refinement needs %d joints seen by three cameras or more (there are %d)\n", least, seen);
+        return;
+    }
+    if (!health.anyOff()) {
+        std::printf("the calibration fits the clicks\n");
+        return;
+    }
+    constexpr int kWorthFrames = 3, kWorthJoints = 60; // from there the clicks' own noise hardly moves a camera
+    if (health.frames < kWorthFrames || seen < kWorthJoints)
+        std::printf("refining is worth it from %d frames and %d joints on (there are %d and %d)\n", kWorthFrames,
+                    kWorthJoints, health.frames, seen);
+    else
+        std::printf("worth refining: --refine --out CAMERAS\n");
+}
+
+void rig(const RigArguments& arguments) {
+    if (arguments.refine == arguments.out.empty()) {
+        throw core::Error(core::ErrorCode::Usage, arguments.refine ? "--refine" : "--out", "",
+                          arguments.refine ? "needs --out CAMERAS" : "is for --refine");
+    }
+    const core::Dataset dataset = core::readDataset(arguments.dataset);
+    const std::vector<core::RigJoint> joints = core::readRigJoints(dataset, arguments.sequences, arguments.rater);
+    const core::RigHealth health = core::judgeRig(dataset.cameras, joints);
+    const auto refinement = core::refineRig(dataset.cameras, joints, {}, interruptToken());
+    if (interruptToken().stop_requested())
+        throw Interrupted(arguments.dataset + ": stopped; nothing was written");
+    printHealth(health);
+    if (refinement && arguments.refine)
+        printRefinement(*refinement);
+    else if (refinement)
+        std::printf("a click scatters by %.2f px per axis, the cameras' errors taken off\n", refinement->sigmaPx);
+    if (!arguments.refine)
+        printAdvice(health, joints, refinement.has_value());
+    if (!arguments.json.empty())
+        writeJson(arguments.json, health, refinement);
+    if (!arguments.refine)
+        return;
+    if (!refinement) {
+        throw core::Error(
+            core::ErrorCode::BadInput, arguments.dataset, "annotations",
+            "too few clicks to refine the calibration: " + std::to_string(core::RigRefinementOptions{}.leastJoints) +
+                " joints seen by three cameras or more are needed, there are " +
+                std::to_string(core::countWellSeenJoints(joints)));
+    }
+    core::writeCameras(arguments.out, refinement->cameras);
+    std::printf("%s: the refined cameras (the dataset is as it was)\n", arguments.out.c_str());
+}
+
+} // namespace
+
+void addRigVerb(CLI::App& program) {
+    auto arguments = std::make_shared<RigArguments>();
+    CLI::App* verb =
+        program.add_subcommand("rig", "Judge a dataset's calibration by its clicks, and refine it into a new file");
+    verb->add_option("dataset", arguments->dataset, "The dataset folder; it is never changed")->required();
+    verb->add_option("--sequences", arguments->sequences, "Only these sequences, separated by commas")->delimiter(',');
+    verb->add_option("--rater", arguments->rater, "Only this rater's clicks");
+    verb->add_option("--json", arguments->json, "Write the findings as JSON");
+    verb->add_flag("--refine", arguments->refine, "Adjust the cameras to the clicks (bundle adjustment)");
+    verb->add_option("--out", arguments->out, "The cameras file that --refine writes");
+    verb->callback([arguments] { rig(*arguments); });
+}
+
+} // namespace app

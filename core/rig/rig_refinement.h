@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/rig/rig_clicks.h"
+
+namespace core {
+
+/// How far a calibration may be expected to be off, per camera (standard deviations of weak priors), and when to stop.
+struct RigRefinementOptions {
+    double turnDeg = 0.2;      ///< rotation about each axis
+    double shiftMm = 2;        ///< centre, along each axis
+    double focalShare = 0.003; ///< of the focal length, both axes together
+    double distortion = 0.02;  ///< k1 and k2
+    double startSigmaPx = 1;   ///< scatter of the clicks that the first solution assumes; then it is estimated
+    double robustFactor = 3;   ///< residuals beyond that many sigma count linearly (Huber)
+    int leastJoints = 20;      ///< seen by three cameras or more; with fewer there is no answer
+    int maxIterations = 50;
+    double functionTolerance = 1e-7; ///< ends when |cost change| < it * cost
+};
+
+/// What became of one camera.
+struct CameraRefinement {
+    std::string camera;
+    int clicks = 0;
+    double beforeRmsPx = 0; ///< of its clicks, about points of the calibration as it was (no camera is left out)
+    double afterRmsPx = 0;
+    double turnDeg = 0; ///< by how much it turned
+    double shiftMm = 0; ///< by how much its centre moved
+    double focalShare = 0;
+};
+
+struct RigRefinement {
+    std::vector<Camera> cameras;           ///< as given, but for rotation, translation, focal lengths, k1 and k2
+    std::vector<CameraRefinement> changes; ///< parallel to the cameras
+    double sigmaPx = 0;                    ///< scatter of a click per axis about the refined rig (robust)
+    int joints = 0;                        ///< that took part
+    int frames = 0;
+    int wrongClicks = 0; ///< beyond 5 sigma of the refined rig: they took no part in the last solution
+    int iterations = 0;
+    bool converged = false;
+};
+
+/// Adjusts a calibration to clicks: bundle adjustment (Triggs et al. 2000) of rotations, centres, focal length and
+/// k1, k2 of every camera with weak priors, over all joints that two or more cameras see, in recorded pixels, robust;
+/// points are eliminated. The gauge stays: a similarity afterwards puts the spread and the mean orientation of the
+/// cameras back to what they were, and the middle of the clicked joints to where most cameras saw it. One thread: the
+/// result is always the same. Nothing if there are fewer than three cameras with clicks or too few joints, or if it was
+/// stopped.
+std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
+                                       const RigRefinementOptions& options = {}, std::stop_token stop = {});
+
+/// Joints that refineRig counts: seen by three cameras or more.
+int countWellSeenJoints(const std::vector<RigJoint>& joints);
+
+/// The camera with small corrections: turned by exp(angle, rad) after its rotation, its centre moved (mm), focal
+/// lengths times exp(log focal), k1 and k2 added to: (angle 3, centre 3, log focal, k1, k2).
+using CameraCorrection = Eigen::Matrix<double, 9, 1>;
+Camera corrected(const Camera& camera, const CameraCorrection& correction);
+/// Derivative of the pixel of a point by that correction, at `correction`; nothing if the point is not in front.
+std::optional<Eigen::Matrix<double, 2, 9>> pxByCorrection(const Camera& camera, const CameraCorrection& correction,
+                                                          const Eigen::Vector3d& pointInWorld);
+
+} // namespace core

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "core/rig/rig_health.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/rig/rig_scene.h"
+
+namespace {
+
+using test::RigScene;
+
+TEST(RigResiduals, OfALeftOutViewAreThoseOfATriangulationWithoutIt) {
+    RigScene scene("LeftOut");
+    scene.loosen();
+    const auto joints = scene.clicks({7}, 0.5);
+    const core::RigResiduals rig = core::computeRigResiduals(scene.nominal, joints);
+    ASSERT_EQ(rig.clicks.size(), 14u * 8);
+    for (const core::RigResidual& click : rig.clicks) {
+        // Oracle: the weighted point of the others, by Gauss-Newton.
+        std::vector<core::Observation> others;
+        for (const core::RigResidual& other : rig.clicks)
+            if (other.joint == click.joint && other.camera != click.camera)
+                others.push_back({other.camera, other.px,
+                                  rig.spreadPx[static_cast<std::size_t>(other.camera)] / std::sqrt(other.weight)});
+        const auto point =
+            core::refinePoint(scene.nominal, others, rig.pointInWorld[static_cast<std::size_t>(click.joint)]);
+        ASSERT_TRUE(point);
+        const auto px = core::project(scene.nominal[static_cast<std::size_t>(click.camera)], *point);
+        EXPECT_LT((click.px - *px - click.leftOutPx).norm(), 0.03 + 0.01 * click.leftOutPx.norm());
+    }
+}
+
+TEST(RigHealth, AnExactRigHasNoFindings) {
+    RigScene scene("Exact");
+    const core::RigHealth health = core::judgeRig(scene.nominal, scene.clicks(RigScene::frames(6, 10)));
+    EXPECT_TRUE(health.isKnown);
+    EXPECT_TRUE(core::rigFindings(health).empty());
+    for (const core::CameraHealth& camera : health.cameras) {
+        EXPECT_LT(camera.meanPx.norm(), 0.5);
+        EXPECT_NEAR(camera.scatterPx, 1.08, 0.25); // a click's 1 px, and the others' part of the point
+        EXPECT_EQ(camera.clicks, 6 * 14);
+    }
+}
+
+TEST(RigHealth, NamesTheCameraThatMovedAndHowFar) {
+    RigScene scene("Moved");
+    scene.turn(5, {0.18, -0.22, 0});
+    const core::RigHealth health = core::judgeRig(scene.nominal, scene.clicks(RigScene::frames(6, 10)));
+    const auto middle = Eigen::Vector3d(0, 0, 0);
+    const Eigen::Vector2d shift = *core::project(scene.seen[5], middle) - *core::project(scene.nominal[5], middle);
+    ASSERT_GT(shift.norm(), 8);
+    for (std::size_t c = 0; c < health.cameras.size(); ++c)
+        EXPECT_EQ(health.cameras[c].isOff, c == 5) << c;
+    EXPECT_LT((health.cameras[5].meanPx - shift).norm(), 0.6);
+    const auto findings = core::rigFindings(health);
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_NE(findings[0].find("cam5 is "), std::string::npos) << findings[0];
+    EXPECT_NE(findings[0].find("px off in every frame: its calibration moved"), std::string::npos) << findings[0];
+}
+
+TEST(RigHealth, WrongClicksAreNoCameraThatMoved) {
+    RigScene scene("Wrong");
+    auto joints = scene.clicks(RigScene::frames(6, 10));
+    for (std::size_t j = 0; j < joints.size(); j += 12)
+        joints[j].clicks[3].px += Eigen::Vector2d(70, -40);
+    const core::RigHealth health = core::judgeRig(scene.nominal, joints);
+    EXPECT_FALSE(health.anyOff());
+    EXPECT_EQ(health.cameras[3].wrongClicks, 7);
+    EXPECT_EQ(health.cameras[2].wrongClicks, 0);
+}
+
+TEST(RigHealth, ALatePictureIsTakenForThatAndNotForAMovedCamera) {
+    RigScene scene("Late");
+    const auto joints = scene.clicks(RigScene::frames(40, 2), 0.5, 2, 1.5);
+    const core::RigHealth health = core::judgeRig(scene.nominal, joints);
+    ASSERT_TRUE(health.cameras[2].delayFrames);
+    EXPECT_NEAR(*health.cameras[2].delayFrames, 1.5, 0.1);
+    EXPECT_TRUE(health.cameras[2].isLate);
+    EXPECT_FALSE(health.anyOff());
+    for (std::size_t c = 0; c < health.cameras.size(); ++c)
+        EXPECT_EQ(health.cameras[c].isLate, c == 2) << c << " " << *health.cameras[c].delayFrames;
+}
+
+TEST(RigHealth, WhatCannotBeKnownIsSaid) {
+    RigScene scene("Few");
+    auto joints = scene.clicks(RigScene::frames(4, 10));
+    int kept = 0;
+    for (core::RigJoint& joint : joints)
+        std::erase_if(joint.clicks,
+                      [&kept](const core::Observation& click) { return click.camera == 6 && ++kept > 3; });
+    const core::RigHealth health = core::judgeRig(scene.nominal, joints);
+    EXPECT_FALSE(health.cameras[6].isKnown);
+    EXPECT_EQ(core::rigFindings(health).back(),
+              "cannot be known of cam6 (3 clicks): too few clicks that others confirm");
+    EXPECT_FALSE(core::judgeRig(scene.nominal, {}).isKnown);
+}
+
+} // namespace
