@@ -40,6 +40,7 @@ void addVerbs(CLI::App& program) {
     app::addRelinkVerb(program);
     app::addRenderVerb(program);
     app::addReportVerb(program);
+    app::addSubjectVerb(program);
     app::addTriangulateVerb(program);
 }
 

@@ -24,6 +24,7 @@ void addNewVerb(CLI::App& program);
 void addRelinkVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
 void addReportVerb(CLI::App& program);
+void addSubjectVerb(CLI::App& program);
 void addTriangulateVerb(CLI::App& program);
 
 } // namespace app
