@@ -41,6 +41,7 @@ void addVerbs(CLI::App& program) {
     app::addRenderVerb(program);
     app::addReportVerb(program);
     app::addRigVerb(program);
+    app::addSubjectVerb(program);
     app::addTriangulateVerb(program);
 }
 
