@@ -51,17 +51,37 @@ bool Coverage::covers(const Eigen::Vector2f& px) const {
     return m_cells[static_cast<std::size_t>(y) * m_width + x] != 0;
 }
 
-double Coverage::differencePx2(const cv::Mat& mask) const {
+void Coverage::markIgnored(int row, std::span<const ConvexRegion> ignored,
+                           std::vector<unsigned char>& isIgnored) const {
+    if (ignored.empty())
+        return;
+    isIgnored.assign(static_cast<std::size_t>(m_width), 0);
+    for (const ConvexRegion& region : ignored) {
+        const auto span = region.span(m_originPx.y() + static_cast<float>(row) * m_cellPx);
+        if (!span)
+            continue;
+        const int first = std::max(0, static_cast<int>(std::ceil((span->first - m_originPx.x()) / m_cellPx)));
+        const int last =
+            std::min(m_width - 1, static_cast<int>(std::floor((span->second - m_originPx.x()) / m_cellPx)));
+        for (int column = first; column <= last; ++column)
+            isIgnored[static_cast<std::size_t>(column)] = 1;
+    }
+}
+
+double Coverage::differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored) const {
     std::size_t cells = 0;
+    std::vector<unsigned char> isIgnored;
     for (int row = 0; row < m_height; ++row) {
         const long y = std::lround(m_originPx.y() + static_cast<float>(row) * m_cellPx);
         const unsigned char* observed =
             y >= 0 && y < mask.rows ? mask.ptr<unsigned char>(static_cast<int>(y)) : nullptr;
         const unsigned char* drawn = m_cells.data() + static_cast<std::size_t>(row) * m_width;
+        markIgnored(row, ignored, isIgnored);
         for (int column = 0; column < m_width; ++column) {
             const long x = std::lround(m_originPx.x() + static_cast<float>(column) * m_cellPx);
             const bool inside = observed && x >= 0 && x < mask.cols;
-            cells += inside && (observed[x] != 0) != (drawn[column] != 0);
+            cells += inside && (observed[x] != 0) != (drawn[column] != 0) &&
+                     (isIgnored.empty() || isIgnored[static_cast<std::size_t>(column)] == 0);
         }
     }
     return static_cast<double>(cells) * static_cast<double>(m_cellPx * m_cellPx);
@@ -208,9 +228,10 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
 } // namespace
 
 double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
-                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch) {
+                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
+                               std::span<const ConvexRegion> ignored) {
     drawCoverage(FastCamera(camera), hands, options.cellPx, maskBounds, scratch);
-    return scratch.coverage.differencePx2(mask);
+    return scratch.coverage.differencePx2(mask, ignored);
 }
 
 void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,

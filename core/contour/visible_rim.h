@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
 
+#include "core/contour/forearm.h"
 #include "core/geometry/camera.h"
 #include "core/hand/skinned_surface.h"
 
@@ -33,12 +35,16 @@ public:
     void add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c);
     /// True if the cell under the pixel is covered; false outside.
     bool covers(const Eigen::Vector2f& px) const;
-    /// Area (px^2) where the coverage and the mask disagree, sampled at the cells' centres. mask: CV_8U.
-    double differencePx2(const cv::Mat& mask) const;
+    /// Area (px^2) where the coverage and the mask disagree, sampled at the cells' centres. mask: CV_8U. What lies in
+    /// an `ignored` region does not count.
+    double differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored = {}) const;
     int width() const { return m_width; }
     int height() const { return m_height; }
 
 private:
+    /// isIgnored: one per column of the row; left empty where nothing is ignored.
+    void markIgnored(int row, std::span<const ConvexRegion> ignored, std::vector<unsigned char>& isIgnored) const;
+
     float m_cellPx = 1;
     Eigen::Vector2f m_originPx = Eigen::Vector2f::Zero();
     int m_width = 0;
@@ -69,9 +75,10 @@ struct RimScratch {
 };
 
 /// Area in px^2 of the symmetric difference between the hands' silhouette (of their coverage level, in cells of
-/// options.cellPx) and an observed mask; maskBounds holds all of the mask's foreground.
+/// options.cellPx) and an observed mask, outside the `ignored` regions; maskBounds holds all of the mask's foreground.
 double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
-                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch);
+                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
+                               std::span<const ConvexRegion> ignored = {});
 
 /// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another
 /// hand, nothing outside the image. Deterministic. (method: P(theta, c))

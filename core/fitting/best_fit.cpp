@@ -15,6 +15,15 @@ constexpr double kStartPrior = 1;      ///< mm^2 per rad^2 and correspondence: h
 
 /// Mean distance of the two silhouettes' outlines, px, above which other starts are tried; good fits reach 0.4 to 0.6.
 constexpr double kUnexplainedPx = 0.75;
+/// With noise sigma on the contour, good fits reach at most 2.9 (sigma - 0.3 px): exact contours have a sigma of 0.4 px
+/// from the coarse level of the mesh alone.
+constexpr double kUnexplainedPerNoise = 3.2;
+constexpr double kExactNoisePx = 0.3;
+
+/// Cauchy scale of the last iterations in standard deviations of the contour's noise, which is taken to be at least so
+/// much.
+constexpr double kRobustPerNoise = 2;
+constexpr double kLeastNoisePx = 0.75;
 
 IterationSettings baseSettings(const Method& method) {
     IterationSettings settings;
@@ -51,12 +60,17 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
 }
 
 /// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
-/// the fit is over.
+/// the fit is over. `relative`: how much may be left unexplained goes with the noise of the contours.
 bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
-             const HandPoses& start, FitAttempt& best) {
+             const HandPoses& start, bool relative, FitAttempt& best) {
     double bestScore = refiner.silhouetteDifferencePx(best.poses);
+    double explainedPx = kUnexplainedPx;
+    if (relative && bestScore > explainedPx) {
+        const double noisePx = refiner.contourNoise(best.poses).px;
+        explainedPx = std::max(explainedPx, kUnexplainedPerNoise * (noisePx - kExactNoisePx));
+    }
     for (const StartKind kind : otherStarts) {
-        if (bestScore <= kUnexplainedPx)
+        if (bestScore <= explainedPx)
             return true;
         const bool again = kind == StartKind::Start;
         FitAttempt attempt;
@@ -74,6 +88,14 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std:
     return true;
 }
 
+/// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
+IterationSettings polishSettings(PoseRefiner& refiner, const Method& method, const HandPoses& poses) {
+    IterationSettings settings = baseSettings(method);
+    if (method.best->noise && !method.best->live)
+        settings.robustPx = kRobustPerNoise * std::max(kLeastNoisePx, refiner.contourNoise(poses).px);
+    return settings;
+}
+
 } // namespace
 
 FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& start, std::stop_token stop,
@@ -87,8 +109,10 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitAttempt attempt;
     attempt.poses = start;
     if (loop.run(phases.main, attempt) &&
-        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, attempt)))
+        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, options.noise, attempt))) {
+        loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);
+    }
     return attempt;
 }
 

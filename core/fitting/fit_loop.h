@@ -30,6 +30,9 @@ public:
         , m_progress(progress)
         , m_expected(expectedIterations) {}
 
+    /// From now on, all phases share these settings.
+    void setBase(const IterationSettings& base) { m_base = base; }
+
     /// Runs the phases in their order from attempt.poses on. False if the fit is over: it was stopped or has no
     /// matches, as attempt.termination says. Else the termination is that of the last phase.
     bool run(std::span<const Phase> phases, FitAttempt& attempt);

@@ -11,7 +11,7 @@ namespace core {
 
 /// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one
 /// folder.
-inline constexpr int kEstimatorRevision = 1;
+inline constexpr int kEstimatorRevision = 2;
 
 enum class FitTermination {
     Converged,     ///< the last step was below the phase's limit

@@ -13,6 +13,10 @@ enum class Dt3Backend { Direct, Tensor };
 /// core/fitting/phases.h has both.
 enum class Schedule { RigidFirst, Paper };
 
+/// What a silhouette shows beyond the end of a hand model. Cut: such contour takes no part. Ignore: it is contour as
+/// any.
+enum class Forearm { Cut, Ignore };
+
 /// What `best` adds to DCH-Thres, each part an option of its own, so that its effect can be measured (`best:prior=0`).
 /// Those that are off by default were tried and cost more than they bring.
 struct BestOptions {
@@ -24,6 +28,7 @@ struct BestOptions {
     bool prior = true;      ///< a weak pull of the angles to those of the start
     bool restarts = true;   ///< other starts where silhouettes are left unexplained
     bool polish = true;     ///< the last iterations on the full mesh
+    bool noise = true;      ///< restarts and the last iterations' weights are relative to the contour's noise
     bool bothWays = false;  ///< contour points pull the nearest rim points, too
     bool withinTau = false; ///< only contour points within tau are searched; else the nearest is found, then rejected
     double robustMm = 0;    ///< Cauchy scale of the distance, mm; 0 = none
@@ -49,6 +54,7 @@ struct Method {
     double damping = 1e-3; ///< relative to diag(H)
     Schedule schedule = Schedule::RigidFirst;
     Dt3Backend backend = Dt3Backend::Direct;
+    Forearm forearm = Forearm::Cut;
     bool operator==(const Method&) const = default;
 };
 

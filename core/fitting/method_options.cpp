@@ -85,6 +85,7 @@ constexpr ValueFormat choice() {
 constexpr std::array<std::string_view, 2> kNoYes{"0", "1"};
 constexpr std::array<std::string_view, 2> kBackends{"direct", "tensor"};
 constexpr std::array<std::string_view, 2> kTangents{"polygon", "chord"};
+constexpr std::array<std::string_view, 2> kForearms{"cut", "ignore"};
 constexpr std::array<std::string_view, 2> kSchedules{"rigid", "paper"};
 
 template <auto Field>
@@ -124,6 +125,8 @@ constexpr std::array kOptions{
     option("prior", kBest, flag<&B::prior>(), "a weak pull of the angles to those of the start", "1", "own"),
     option("restarts", kBest, flag<&B::restarts>(), "other starts where silhouettes are left unexplained", "1", "own"),
     option("polish", kBest, flag<&B::polish>(), "last iterations on the full mesh", "1", "own"),
+    option("noise", kBest, flag<&B::noise>(), "restarts and last weights are relative to the contour's noise", "1",
+           "own"),
     option("both", kBest, flag<&B::bothWays>(), "contour points pull the model, too", "0", "own"),
     option("within", kBest, flag<&B::withinTau>(), "only contour points within tau are searched", "0", "own"),
     option("robust", kBest, number<&B::robustMm, 0.0, 1000.0>(), "Cauchy weights with that scale, mm; 0 for none", "0",
@@ -136,6 +139,9 @@ constexpr std::array kOptions{
            "own; the paper names approxPolyDP, no epsilon"),
     option("tangent", kAll, choice<&M::chordTangent, kTangents>(),
            "phi(q) from polygon segments or from a chord of +-7 px", "polygon", "paper: a line representation"),
+    option("forearm", kAll, choice<&M::forearm, kForearms>(),
+           "contour beyond the end of a hand model, where silhouettes go on there: left out, or as any other", "cut",
+           "own; the paper's masks end at the wrist"),
     option("iterations", kPaper, number<&M::maxIterations, 1.0, 1000.0>(), "most iterations of a fit", "25",
            "own; the paper gives none"),
     option("damping", kPaper, number<&M::damping, 0.0, 10.0>(), "damping relative to the diagonal of the normal matrix",

@@ -87,6 +87,8 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
         result.profile.transforms += target.secondsTransform;
     }
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
+    if (method.forearm == Forearm::Cut)
+        refiner.cutForearms(start);
     if (targets.empty()) {
         result.termination = FitTermination::NoMatches;
     } else {

@@ -9,6 +9,7 @@
 
 #include "core/fitting/stopwatch.h"
 #include "core/numeric/box_step.h"
+#include "core/numeric/median.h"
 
 namespace core {
 
@@ -27,6 +28,25 @@ constexpr double kRigidFloor = 1e-3;
 constexpr float kCoarseCellPx = 4;
 constexpr float kCoarseOutwardPx = 4;
 
+/// The contour's noise: of matches within this angle; the standard deviation of a normal distribution per median of its
+/// absolute values.
+constexpr float kNoiseTauRad = 0.39f;
+constexpr double kSigmaPerMedian = 1.4826;
+
+Eigen::Vector2f contourPx(const CameraTarget& target, std::size_t point) {
+    return {target.contour.x[point], target.contour.y[point]};
+}
+
+/// How far the contour point lies from the rim point, across the outline.
+double acrossPx(const RimPoint& rim, const CameraTarget& target, int contourPoint) {
+    return static_cast<double>(rim.normalPx.dot(contourPx(target, static_cast<std::size_t>(contourPoint)) - rim.px));
+}
+
+bool isInside(const std::vector<ConvexRegion>& regions, const Eigen::Vector2f& px) {
+    return std::any_of(
+        regions.begin(), regions.end(), [&](const ConvexRegion& region) { return region.contains(px); });
+}
+
 RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target, int contourPoint, double weight,
                                  const IterationSettings& settings) {
     RayCorrespondence c;
@@ -43,6 +63,10 @@ RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target
         const Eigen::Vector3d offset = c.point - c.rayPoint;
         const double squared = (offset - offset.dot(c.rayDirection) * c.rayDirection).squaredNorm();
         c.weight *= 1 / (1 + squared / (settings.robustMm * settings.robustMm));
+    }
+    if (settings.robustPx > 0) {
+        const double ratio = acrossPx(rim, target, contourPoint) / settings.robustPx;
+        c.weight *= 1 / (1 + ratio * ratio);
     }
     return c;
 }
@@ -64,6 +88,7 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
     FittingHands hands;
     hands.models = std::move(models);
     for (const HandModel& model : hands.models) {
+        hands.cuts.push_back(forearmCut(model));
         auto& levels = hands.levels.emplace_back();
         for (int level = 0; level < kSurfaceLevels; ++level)
             levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
@@ -81,6 +106,7 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
     , m_threads(threads)
     , m_profile(profile)
     , m_views(targets.size())
+    , m_hasForearm(hands.models.size(), 0)
     , m_posed(hands.models.size()) {
     for (View& view : m_views) {
         view.correspondences.resize(hands.models.size());
@@ -136,6 +162,7 @@ void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail deta
         options.outwardPx = kCoarseOutwardPx;
     }
     visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch, view.rim);
+    std::erase_if(view.rim, [&](const RimPoint& rim) { return isInside(view.forearms, rim.px); });
     view.secondsRim += watch.seconds();
 }
 
@@ -143,6 +170,9 @@ void PoseRefiner::matchRim(View& view, const CameraTarget& target, const Iterati
     for (const RimPoint& rim : view.rim) {
         view.matches.clear();
         findMatches(target, settings.rule, rim, view.matches);
+        std::erase_if(view.matches, [&](const WeightedMatch& match) {
+            return isInside(view.forearms, contourPx(target, static_cast<std::size_t>(match.index)));
+        });
         if (view.matches.empty())
             ++view.rejected;
         for (const WeightedMatch& match : view.matches) {
@@ -160,6 +190,8 @@ void PoseRefiner::matchContour(View& view, const CameraTarget& target, const Ite
     const std::size_t wanted = std::min(count, static_cast<std::size_t>(settings.contourPointsPerCamera));
     for (std::size_t k = 0; k < wanted; ++k) {
         const std::size_t q = k * count / wanted;
+        if (isInside(view.forearms, contourPx(target, q)))
+            continue;
         const ContourMatch match =
             index.nearestWithin(target.contour.x[q], target.contour.y[q], target.contour.angleRad[q],
                                 settings.rule.tauRad, settings.rule.gatePx);
@@ -173,6 +205,7 @@ void PoseRefiner::matchContour(View& view, const CameraTarget& target, const Ite
 
 FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& settings) {
     poseSurfaces(poses, settings.detail);
+    placeForearms(poses);
     std::vector<HandLinearisation> linearisations;
     for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         linearisations.emplace_back(m_hands.models[h], m_hands.levels[h][static_cast<std::size_t>(settings.detail)],
@@ -250,22 +283,113 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
 
 double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses) {
     poseSurfaces(poses, Detail::Coarse);
+    placeForearms(poses);
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
     RimOptions options;
     options.cellPx = kCoarseCellPx;
     forEachView([&](View& view, const CameraTarget& target) {
         const Stopwatch watch;
-        view.differencePx2 = core::silhouetteDifferencePx2(m_cameras[static_cast<std::size_t>(target.camera)], sources,
-                                                           options, target.mask, target.maskBounds, view.scratch);
+        view.differencePx2 =
+            core::silhouetteDifferencePx2(m_cameras[static_cast<std::size_t>(target.camera)], sources, options,
+                                          target.mask, target.maskBounds, view.scratch, view.forearms);
+        view.contourPoints = target.contour.size();
+        if (!view.forearms.empty())
+            for (std::size_t q = 0; q < target.contour.size(); ++q)
+                view.contourPoints -= isInside(view.forearms, contourPx(target, q)) ? 1 : 0;
         view.secondsScore += watch.seconds();
     });
     double area = 0;
     std::size_t length = 0;
     for (std::size_t v = 0; v < m_views.size(); ++v) {
         area += m_views[v].differencePx2;
-        length += m_targets[v].contour.size();
+        length += m_views[v].contourPoints;
     }
     return length ? area / static_cast<double>(length) : 0;
+}
+
+namespace {
+
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
+    return boneTransforms(hand.skeleton, pose).front() * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
+}
+
+} // namespace
+
+void PoseRefiner::placeForearms(const HandPoses& poses) {
+    if (std::none_of(m_hasForearm.begin(), m_hasForearm.end(), [](char has) { return has != 0; }))
+        return;
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        m_views[v].forearms.clear();
+        for (std::size_t h = 0; h < poses.size(); ++h) {
+            if (!hasForearm(h))
+                continue;
+            ConvexRegion region = forearmRegion(m_cameras[static_cast<std::size_t>(m_targets[v].camera)],
+                                                m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]));
+            if (!region.empty())
+                m_views[v].forearms.push_back(std::move(region));
+        }
+    }
+}
+
+void PoseRefiner::cutForearms(const HandPoses& poses) {
+    constexpr int kFewest = 8; // pixels to judge by
+    poseSurfaces(poses, Detail::Coarse);
+    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
+    std::vector<int> seen(poses.size(), 0), foreground(poses.size(), 0);
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        const CameraTarget& target = m_targets[v];
+        const Camera& camera = m_cameras[static_cast<std::size_t>(target.camera)];
+        visibleRim(camera, sources, {.cellPx = kCoarseCellPx}, m_views[v].scratch, m_views[v].rim);
+        for (std::size_t h = 0; h < poses.size(); ++h) {
+            for (const Eigen::Vector3d& point :
+                 forearmAxis(m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]))) {
+                const auto px = project(camera, point);
+                if (!px || (px->array() < 0).any() || px->x() > target.mask.cols - 1 ||
+                    px->y() > target.mask.rows - 1 || m_views[v].scratch.coverage.covers(px->cast<float>()))
+                    continue;
+                ++seen[h];
+                foreground[h] += target.mask.at<unsigned char>(static_cast<int>(std::lround(px->y())),
+                                                               static_cast<int>(std::lround(px->x()))) != 0;
+            }
+        }
+    }
+    for (std::size_t h = 0; h < poses.size(); ++h)
+        m_hasForearm[h] = seen[h] >= kFewest && 2 * foreground[h] > seen[h];
+}
+
+void PoseRefiner::measureNoise(View& view, const CameraTarget& target) const {
+    MatchRule rule;
+    rule.distance = DistanceKind::DchThres;
+    rule.tauRad = kNoiseTauRad;
+    std::vector<double> px;
+    for (const RimPoint& rim : view.rim) {
+        view.matches.clear();
+        findMatches(target, rule, rim, view.matches);
+        for (const WeightedMatch& match : view.matches) {
+            if (isInside(view.forearms, contourPx(target, static_cast<std::size_t>(match.index))))
+                continue;
+            px.push_back(std::abs(acrossPx(rim, target, match.index)));
+        }
+    }
+    view.noisePx = px.empty() ? 0 : kSigmaPerMedian * medianOf(px);
+}
+
+PoseRefiner::Noise PoseRefiner::contourNoise(const HandPoses& poses) {
+    constexpr int kPoints = 120;
+    poseSurfaces(poses, Detail::Medium);
+    placeForearms(poses);
+    forEachView([&](View& view, const CameraTarget& target) {
+        extractRim(view, target, Detail::Medium, kPoints);
+        const Stopwatch watch;
+        measureNoise(view, target);
+        view.secondsScore += watch.seconds();
+    });
+    Noise noise;
+    for (const View& view : m_views)
+        noise.perCameraPx.push_back(view.noisePx);
+    if (!noise.perCameraPx.empty())
+        noise.px = medianOf(noise.perCameraPx);
+    return noise;
 }
 
 } // namespace core

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/contour/forearm.h"
 #include "core/contour/visible_rim.h"
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
@@ -22,6 +23,7 @@ enum class Detail { Coarse = 0, Medium = 1, Full = 2 };
 struct FittingHands {
     std::vector<HandModel> models;
     std::vector<std::array<SkinnedSurface, kSurfaceLevels>> levels; ///< per hand
+    std::vector<ForearmCut> cuts;                                   ///< per hand
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
 
@@ -35,6 +37,7 @@ struct IterationSettings {
     double damping = 1e-3;          ///< relative to diag(H)
     double tangentWeight = 1;       ///< of the distance along the outline; 1 = the paper's full point-to-ray distance
     double robustMm = 0;            ///< Cauchy scale of the distance; 0 = none
+    double robustPx = 0;            ///< Cauchy scale of the distance across the outline in the picture; 0 = none
     double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
 };
 
@@ -50,6 +53,21 @@ public:
 
     const FittingHands& hands() const { return m_hands; }
 
+    /// From now on, leaves out what lies beyond the cut of each hand whose silhouettes go on there: rim, contour and
+    /// area. That a hand has a forearm is decided here, once, from the pixels beyond the model's end in `poses` that no
+    /// hand covers; silhouettes that end with the hands leave everything as it was.
+    void cutForearms(const HandPoses& poses);
+    bool hasForearm(std::size_t hand) const { return m_hasForearm[hand] != 0; }
+
+    /// How far the contours lie from the rim where they are matched, across the outline: 1.4826 times the median of the
+    /// distances, px, per camera, and the cameras' median. 0 where there is no match. Not much disturbed by the parts
+    /// of the hands that are wrong.
+    struct Noise {
+        double px = 0;
+        std::vector<double> perCameraPx;
+    };
+    Noise contourNoise(const HandPoses& poses);
+
     /// How badly the poses explain the masks: area of the symmetric difference over length of the outlines, that is the
     /// mean distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all
     /// is well.
@@ -62,8 +80,11 @@ private:
         std::vector<WeightedMatch> matches;
         std::vector<std::vector<RayCorrespondence>> correspondences; ///< per hand
         std::vector<NormalEquations> equations;                      ///< per hand
+        std::vector<ConvexRegion> forearms;                          ///< of the hands that have one
         int rejected = 0;
         double differencePx2 = 0;
+        std::size_t contourPoints = 0; ///< outside the forearms
+        double noisePx = 0;
         double secondsRim = 0, secondsMatch = 0, secondsSolve = 0, secondsScore = 0;
     };
 
@@ -72,6 +93,8 @@ private:
     void matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const;
     void matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const;
     std::vector<RimSource> rimSources(Detail detail) const;
+    void placeForearms(const HandPoses& poses);
+    void measureNoise(View& view, const CameraTarget& target) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                               const IterationSettings& settings) const;
     template <typename Work>
@@ -84,6 +107,7 @@ private:
     int m_threads;
     FitProfile& m_profile;
     std::vector<View> m_views;
+    std::vector<char> m_hasForearm;                               ///< per hand
     std::vector<std::array<PosedPoints, kSurfaceLevels>> m_posed; ///< per hand
 };
 

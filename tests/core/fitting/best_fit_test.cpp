@@ -2,6 +2,7 @@
 #include "core/fitting/best_fit.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
@@ -81,12 +82,23 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
 
 TEST_F(BestFit, EveryOptionChangesTheFit) {
     const FitAttempt all = fit(false);
-    for (const char* const idea :
-         {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "both=1", "within=1", "robust=5"}) {
+    for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "noise=0",
+                                   "both=1", "within=1", "robust=5"}) {
         const FitAttempt without = fit(core::parseMethod(std::string("best:") + idea));
         EXPECT_GT((without.poses[0] - all.poses[0]).norm(), 1e-9) << idea << " changed nothing";
         EXPECT_LT(m_scene.errorMm(without.poses), m_scene.errorMm(m_scene.start)) << idea;
     }
+}
+
+TEST_F(BestFit, ContoursThatAreAlikeOffAreNoReasonForOtherStarts) {
+    for (cv::Mat& mask : m_scene.masks)
+        cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
+    m_targets = core::makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1);
+    int relative = 0, absolute = 0;
+    fit(
+        core::parseMethod("best"), {}, [&](int, int) { ++relative; });
+    fit(core::parseMethod("best:noise=0"), {}, [&](int, int) { ++absolute; });
+    EXPECT_LT(2 * relative, absolute) << "iterations of all attempts";
 }
 
 TEST_F(BestFit, FromTheTruthItStaysThere) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "tests/support/fitting_scene.h"
 
@@ -45,6 +46,17 @@ TEST_F(Refiner, LevelsOfTheHandsGrowFromCoarseToFull) {
         EXPECT_LT(m_hands.levels[h][1].vertexCount(), m_hands.levels[h][2].vertexCount());
         EXPECT_EQ(m_hands.levels[h][2].vertexCount(), m_scene.hands[h].mesh.vertices.size());
     }
+}
+
+TEST_F(Refiner, FindsHowFarContoursAreOff) {
+    EXPECT_LT(refiner().contourNoise(m_scene.truth).px, 0.75);
+    for (cv::Mat& mask : m_scene.masks)
+        cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {7, 7}));
+    prepare();
+    PoseRefiner refining = refiner();
+    const PoseRefiner::Noise noise = refining.contourNoise(m_scene.truth);
+    EXPECT_NEAR(noise.px, 1.4826 * 3, 0.7) << "every contour point lies 3 px outside";
+    EXPECT_EQ(noise.perCameraPx.size(), m_targets.size());
 }
 
 TEST_F(Refiner, RestsAtTheTruth) {
