@@ -9,7 +9,7 @@ namespace core {
 
 namespace {
 
-constexpr int kMaxHalvings = 16;
+constexpr int kMaxSplits = 16;
 
 /// Of a polynomial's Bernstein coefficients on an interval. The polynomial lies within their hull, and is its first and
 /// last coefficient at the ends.
@@ -46,7 +46,7 @@ bool isPositiveUpTo(double end, std::span<const double> c) {
             power *= end;
         }
     }
-    return isPositive(bernstein, kMaxHalvings);
+    return isPositive(bernstein, kMaxSplits);
 }
 
 } // namespace
