@@ -44,7 +44,7 @@ struct Projection {
     Matrix23d pxByPointInWorld;
 };
 
-/// The recorded (distorted) pixel of a world point; nothing if it lies on or behind the camera's plane.
+/// The recorded (distorted) pixel of a world point; empty if it lies on or behind the camera's plane.
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld);
 std::optional<Projection> projectWithJacobian(const Camera& camera, const Eigen::Vector3d& pointInWorld);
 
