@@ -211,8 +211,8 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
     ASSERT_TRUE(app::waitUntilIdle(*window));
     ASSERT_EQ(session().selection.frame(), 21);
     ASSERT_EQ(session().selection.camera(), "cam1");
-    const core::FrameSource frames(*session().opened.dataset(), *session().opened.sequence(),
-                                   *session().opened.motion());
+    const widgets::DatasetSession& opened = session().opened;
+    const core::FrameSource frames(*opened.dataset(), *opened.sequence(), *opened.motion());
     widgets::CameraGrid& grid = *window->workspaces().inspectPage()->grid();
     ASSERT_EQ(grid.count(), 4);
     for (int index = 0; index < grid.count(); ++index) {
@@ -222,8 +222,7 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
         const auto difference = [&](int seen, int frame) {
             const cv::Mat image = frames.read(seen, frame);
             const QImage shown = view.grabPicture();
-            double sum = 0;
-            int count = 0;
+            double sum = 0, count = 0;
             for (int y = 0; y < image.rows; ++y) {
                 for (int x = 0; x < image.cols; ++x) {
                     const QPoint at = view.imageToViewport({double(x), double(y)}).toPoint();
@@ -236,7 +235,7 @@ TEST_F(WindowAsAWhole, InspectStaysWithItsPairWhenTheFrameAndTheViewChange) {
                     ++count;
                 }
             }
-            return sum / std::max(1, count);
+            return sum / std::max(1.0, count);
         };
         const double right = difference(camera, 20);
         EXPECT_LT(right, 0.75 * difference(camera, 21)) << "the current frame";
