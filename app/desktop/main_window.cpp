@@ -28,7 +28,7 @@ namespace {
 constexpr int kRecentDatasets = 8;
 const char* const kRecentKey = "recentDatasets";
 
-/// Files and folders that are no dataset: videos, folders of images.
+/// Files and folders that are not a dataset: videos, folders of images.
 QStringList droppedFootage(const QMimeData* data) {
     QStringList paths;
     for (const QUrl& url : data->urls())

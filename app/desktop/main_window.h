@@ -44,12 +44,12 @@ public:
     void showMessage(const QString& text);
     /// Asks or offers something at the top of the window; a button for each answer.
     void ask(const QString& question, const std::vector<widgets::MessageAction>& answers);
-    /// False where nobody can answer: what is asked for is then done at once.
+    /// False where there is no person to answer: what is asked for is then done at once.
     bool mayAsk() const { return m_mayAsk; }
     /// What is said or asked there now; empty if nothing.
     QString message() const { return m_message->message(); }
     QString question() const { return m_question->message(); }
-    /// A bar of its own for what lasts, such as a second round.
+    /// A bar of its own for what lasts, such as a repeat round.
     widgets::MessageBar& banner() { return *m_banner; }
     /// Whether the tabs of the workspaces can be chosen.
     void setWorkspacesEnabled(bool enabled) { m_workspaceBar->setEnabled(enabled); }

@@ -34,7 +34,7 @@ struct MarkKey {
 enum class Placement {
     Manual,  ///< a person put it there
     Auto,    ///< an accepted reprojection of the joint's own point
-    Proposed ///< a guess from elsewhere (another frame, the hand model, a 3D import) that nobody has looked at yet
+    Proposed ///< a guess from elsewhere (another frame, the hand model, a 3D import) that has not been checked yet
 };
 std::string_view placementName(Placement placement); ///< "manual", "auto", "proposed"
 std::optional<Placement> placementFromName(std::string_view name);
@@ -63,7 +63,7 @@ struct Mark {
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }
-    /// A guess that nobody has looked at yet: neither evidence nor progress, and not exported.
+    /// A guess that has not been checked yet: neither evidence nor progress, and not exported.
     bool isProposal() const { return hasPlace() && placement == Placement::Proposed; }
     /// Somebody decided: placed, or cannot be placed.
     bool isSettled() const { return !isProposal(); }

@@ -40,13 +40,13 @@ struct RaterSummary {
 struct AnnotationSummary {
     std::string sequence;
     int frameCount = 0;
-    std::vector<RaterSummary> raters; ///< with settled marks, ascending by name; second rounds ("ann (again)") too
+    std::vector<RaterSummary> raters; ///< with settled marks, ascending by name; repeat rounds ("ann (again)") too
     std::vector<JointSummary> joints; ///< the most uncertain one first
     std::vector<double> rmsPx;        ///< of every point
     std::vector<double> sigmaMm;      ///< parallel to it
     std::vector<RaterComparison> agreement; ///< of every pair of raters that share something
 
-    int proposals = 0; ///< marks that nobody has looked at yet
+    int proposals = 0; ///< marks that have not been checked yet
 
     bool empty() const { return raters.empty(); }
 };

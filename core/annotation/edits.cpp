@@ -33,7 +33,7 @@ Edit overFrames(EditKind kind, int first, const std::optional<int>& last = std::
     return {{.kind = kind, .firstFrame = first, .lastFrame = last}, {}, {}};
 }
 
-/// Marks for a point in the views that would see it and that nobody has marked yet; older proposals make way.
+/// Marks for a point in the views that would see it and have no mark yet; older proposals make way.
 void addMarks(Edit& edit, const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
               const std::string& rater, const JointPoint& joint, const std::optional<std::string>& onlyCamera,
               Placement placement) {

@@ -26,7 +26,7 @@ Edit stateEdit(const AnnotationSet& set, const MarkKey& key, MarkState state);
 Edit noteEdit(const AnnotationSet& set, int frame, const std::string& text);
 
 /// Accepts the reprojection of the joint's point as an auto mark in `camera`, or with no camera in every view; only
-/// views that nobody has marked (a proposed mark makes way) and whose image contains the reprojection. Empty while
+/// views without a mark (a proposed mark makes way) and whose image contains the reprojection. Empty while
 /// there is no point.
 Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                 const JointId& joint, const std::optional<std::string>& camera = std::nullopt,
@@ -40,7 +40,7 @@ struct JointPoint {
     JointId joint;
     Eigen::Vector3d pointInWorld;
 };
-/// Puts given 3D joints into a frame as proposed marks: only views that nobody has marked whose image contains the
+/// Puts given 3D joints into a frame as proposed marks: only views without a mark whose image contains the
 /// projection. For proposals of a hand model and for imports of 3D joints.
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                  const std::vector<JointPoint>& joints);

@@ -18,7 +18,7 @@ enum class QualityKind {
     FingerOrder,   ///< knuckles not in order, or two fingers exchanged; value: mm out of order
     HandMixUp,     ///< looks like the other hand; value: mm, or degrees of bending the wrong way
     SharedPixel,   ///< two joints on one pixel; value: px between them
-    OutsidePicture ///< a mark outside its view's image, which is no evidence; value: px from the image
+    OutsidePicture ///< a mark outside its view's image, which does not count; value: px from the image
 };
 
 /// "disagreement", "bone length", "joint angle", ...

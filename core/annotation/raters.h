@@ -38,7 +38,7 @@ struct RaterComparison {
     /// Standard deviation of one rater's click per axis if both scatter alike, px: clickRmsPx / 2.
     double clickSigmaPx() const { return clickRmsPx / 2; }
 };
-/// Nothing if the two share neither a joint nor a click.
+/// Empty if the two share neither a joint nor a click.
 std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                              const std::string& first, const std::string& second,
                                              const TriangulationOptions& options = {});
@@ -82,7 +82,7 @@ std::vector<RepeatTask> drawRepeatTasks(const AnnotationSet& set, const std::vec
 std::string repeatRaterName(const std::string& rater);
 /// True for such a name.
 bool isRepeatRater(const std::string& rater);
-/// The rater's name without the mark of a second round.
+/// The rater's name without the suffix of a repeat round.
 std::string ownRaterName(const std::string& rater);
 
 /// How much one rater has done.
@@ -92,7 +92,7 @@ struct RaterWork {
     int frames = 0; ///< that hold them
     bool operator==(const RaterWork&) const = default;
 };
-/// Everybody who has settled a mark, ascending by name; second rounds count for themselves.
+/// Everybody who has settled a mark, ascending by name; repeat rounds count for themselves.
 std::vector<RaterWork> raterWork(const AnnotationSet& set);
 
 } // namespace core

@@ -138,7 +138,7 @@ double surprise(const Camera& camera, const Eigen::Vector3d& pointInWorld, const
     return residual.dot(spread.inverse() * residual);
 }
 
-/// The point without observation `left`, from the other inliers; nothing if they are fewer than two.
+/// The point without observation `left`, from the other inliers; empty if they are fewer than two.
 std::optional<Eigen::Vector3d> pointWithout(const std::vector<Camera>& cameras, const Evidence& evidence,
                                             const TriangulatedPoint& point, std::size_t left,
                                             Eigen::Matrix3d& covariance, const TriangulationOptions& options) {

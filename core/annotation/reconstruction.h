@@ -35,14 +35,14 @@ struct PixelEllipse {
 struct ViewReconstruction {
     std::string camera;
     std::optional<Mark> mark; ///< nothing, or a proposal: not done yet
-    bool outside = false;     ///< the mark lies outside the image: nobody can have seen it there, so no evidence
+    bool outside = false;     ///< the mark lies outside the image: it cannot have been seen there and does not count
     std::optional<Eigen::Vector2d> reprojectionPx; ///< the joint's point in this view, recorded pixels; may lie outside
     bool reprojectionInside = false;               ///< the reprojection lies within the image
     std::optional<double> errorPx;                 ///< manual mark to reprojection
     bool outlier = false;                          ///< errorPx is above outlierFactor * sigmaPx: not used
     std::optional<double> leaveOneOutPx;   ///< manual mark to the point found without it; needs two other inliers
     std::optional<PixelEllipse> ellipse95; ///< projection of the 95 % ellipsoid of the covariance
-    bool hasPicture = true;                ///< false where nobody can see anything: no mark is expected
+    bool hasPicture = true;                ///< false where the camera has no picture: no mark is expected
 };
 
 /// A view worth clicking next.
@@ -87,7 +87,7 @@ struct ReconstructionOptions {
 /// Expected distance of a point from its true place, mm: the square root of the covariance's trace.
 double sigmaMm(const Eigen::Matrix3d& covariance);
 
-/// The projection of the 95 % ellipsoid of a point's covariance, to first order; nothing if the point is behind the
+/// The projection of the 95 % ellipsoid of a point's covariance, to first order; empty if the point is behind the
 /// camera.
 std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::Vector3d& pointInWorld,
                                              const Eigen::Matrix3d& covariance);

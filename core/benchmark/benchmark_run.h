@@ -63,8 +63,8 @@ using PairEstimator = std::function<FitResult(const std::vector<cv::Mat>& masks,
 /// Runs every method on every pair of the shard. `finished` are results of an earlier run of the same work: they are
 /// kept, not computed again. Rows come in the order of the pairs, then of the methods, whatever the number of threads.
 /// When stopped, returns the rows that are finished, with `stopped` set. Throws Error(Usage) for a method that cannot
-/// be parsed and Error(BadInput) for a pair that the scene does not have or, in the realistic setup, that nobody
-/// annotated.
+/// be parsed and Error(BadInput) for a pair that the scene does not have or, in the realistic setup, that has
+/// no annotations.
 BenchmarkResults runBenchmark(const BenchmarkScene& scene, const std::vector<FramePair>& pairs,
                               const BenchmarkOptions& options, const PairEstimator& estimator,
                               const BenchmarkProgressFunction& progress = {}, std::stop_token stop = {},

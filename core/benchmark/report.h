@@ -18,7 +18,7 @@ struct ReportContent {
     bool sweep = false; ///< with findings and open options
     const BenchmarkResults* results = nullptr;
     std::vector<Figure> figures;
-    std::optional<std::vector<std::string>> pictures; ///< SVG per figure; nothing if they could not be drawn
+    std::optional<std::vector<std::string>> pictures; ///< SVG per figure; empty if they could not be drawn
 };
 
 /// The figures of a report.

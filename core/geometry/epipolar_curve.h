@@ -25,7 +25,7 @@ struct RayRange {
 /// inverted at `px`, or if both cameras have the same centre.
 Polyline epipolarCurve(const Camera& from, const Eigen::Vector2d& px, const Camera& to, const RayRange& range = {});
 
-/// The point of the polyline that is nearest to `px`; nothing if it has fewer than two points.
+/// The point of the polyline that is nearest to `px`; empty if it has fewer than two points.
 std::optional<Eigen::Vector2d> nearestOnPolyline(const Polyline& polyline, const Eigen::Vector2d& px);
 
 } // namespace core

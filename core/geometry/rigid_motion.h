@@ -38,7 +38,7 @@ Twist log(const RigidMotion& motion);
 /// True if rotation is orthonormal with determinant +1, each within `tolerance`.
 bool isRotation(const Eigen::Matrix3d& rotation, double tolerance = 1e-3);
 
-/// The rotation nearest (Frobenius) to a matrix of few digits; nothing if it is not one within `tolerance`.
+/// The rotation nearest (Frobenius) to a matrix of few digits; empty if it is not one within `tolerance`.
 std::optional<Eigen::Matrix3d> nearestRotation(const Eigen::Matrix3d& matrix, double tolerance);
 
 } // namespace core

@@ -101,7 +101,7 @@ double costOf(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vect
     return cost;
 }
 
-/// Gauss-Newton with halved steps over the chosen views; nothing if `start` is not in front of all of them or the views
+/// Gauss-Newton with halved steps over the chosen views; empty if `start` is not in front of all of them or the views
 /// leave a direction open. Ends when a step is below 1e-6 mm or no longer lowers the cost.
 template <typename Chosen>
 std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& chosen, const Eigen::Vector3d& start,
@@ -131,7 +131,7 @@ std::optional<Eigen::Vector3d> refine(const std::vector<View>& views, Chosen&& c
     return point;
 }
 
-/// The point half way between two rays, in front of both; nothing if they are parallel or meet behind.
+/// The point half way between two rays, in front of both; empty if they are parallel or meet behind.
 std::optional<Eigen::Vector3d> midpoint(const View& a, const View& b) {
     const Eigen::Vector3d between = b.centre - a.centre;
     const double cosine = a.direction.dot(b.direction);

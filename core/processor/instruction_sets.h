@@ -37,7 +37,7 @@ constexpr InstructionSets kX86V3 = kX86V2 | kMovbe | kAvx | kF16c | kFma | kAvx2
 InstructionSets instructionSetsHere();
 
 /// Writes one sentence to `text` (at most `size` bytes with the final 0) about what `present` lacks of `needed`.
-/// Returns false and writes nothing if it lacks nothing.
+/// Returns false and writes nothing if everything is there.
 bool describeMissing(InstructionSets needed, InstructionSets present, char* text, std::size_t size);
 
 /// The instruction sets that the rest of the program was compiled for (compiled_for.cpp, the only file here with the

@@ -36,7 +36,7 @@ std::string gnuplotNamedTics(const std::vector<std::string>& names);
 /// Data blocks and the plot command for lines.
 std::string gnuplotPlot(const std::vector<PlotLine>& lines);
 
-/// Figures as parts of a page; `pictures` are their SVGs, nothing if gnuplot is not there to draw them: the page then
+/// Figures as parts of a page; `pictures` are their SVGs, empty if gnuplot is not there to draw them: the page then
 /// says what to install, and what running the command again costs.
 std::string figuresHtml(const std::vector<Figure>& figures, const std::vector<std::string>* pictures,
                         const std::string& costOfAgain);

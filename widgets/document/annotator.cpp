@@ -56,7 +56,7 @@ void Annotator::pushAndAdvance(const core::Edit& edit) {
         stepJoint(1);
 }
 
-/// True, and why is said, where nobody can see the joint.
+/// True, and why is said, where the joint cannot be seen.
 bool Annotator::refusesPlace(const std::string& camera, const Eigen::Vector2d& px) {
     const auto* view = selectedIn(camera);
     const int index = m_dataset ? m_dataset->cameraIndex(camera) : -1;

@@ -40,7 +40,7 @@ std::vector<core::Camera> camerasOf(const NewDatasetRequest& request) {
     return core::readCalibration(request.calibration, options);
 }
 
-/// Finds the camera's name where it is no part of a longer word or number: "cam1" is not in "cam10.mp4".
+/// Finds the camera's name where it is not part of a longer word or number: "cam1" is not in "cam10.mp4".
 QRegularExpression nameIn(const QString& camera) {
     const QString before = camera.front().isDigit() ? QStringLiteral("(?<!\\d)") : QStringLiteral("(?<![A-Za-z])");
     const QString after = camera.back().isDigit() ? QStringLiteral("(?!\\d)") : QStringLiteral("(?![A-Za-z])");

@@ -27,7 +27,7 @@ std::vector<HandPlace> handsInPose(const std::vector<core::HandModel>& hands, co
 std::vector<HandPlace> handsOfMarks(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras,
                                     int frame);
 
-/// The part of the image that the hands fill, with some room around them, px; nothing if no hand is seen.
+/// The part of the image that the hands fill, with some room around them, px; empty if no hand is seen.
 std::optional<QRectF> handsInView(const core::Camera& camera, const std::vector<HandPlace>& hands);
 /// The part of the image that anybody's marks of this view fill, with room around them: in `frame` or the nearest frame
 /// with some.
@@ -37,7 +37,7 @@ std::optional<QRectF> marksInView(const core::Camera& camera, const core::Annota
 /// be read.
 std::vector<QRectF> handsOfMasks(const core::Dataset& dataset, const core::Sequence& sequence, int frame);
 
-/// `box` clipped to the image; nothing if they do not meet.
+/// `box` clipped to the image; empty if they do not meet.
 std::optional<QRectF> withinImage(const core::Camera& camera, const QRectF& box);
 
 } // namespace widgets

@@ -18,7 +18,7 @@
 
 namespace widgets {
 
-/// The doubts about the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the
+/// The findings of the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the
 /// background: all frames when a sequence or rater is opened, then those that an edit touched, a moment after the edit.
 class QualityChecks : public QObject {
     Q_OBJECT

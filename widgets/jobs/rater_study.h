@@ -17,10 +17,10 @@
 
 namespace widgets {
 
-/// The rater's name without the mark of a second round.
+/// The rater's name without the suffix of a repeat round.
 std::string ownName(const std::string& rater);
 
-/// How far the raters of the open sequence agree, and the second rounds in which a rater marks a random part of the own
+/// How far the raters of the open sequence agree, and the repeat rounds in which a rater marks a random part of the own
 /// work again without seeing the first marks.
 class RaterStudy : public QObject {
     Q_OBJECT
@@ -38,7 +38,7 @@ public:
     /// All raters' clicks of the selected joint in the current frame together, each weighed by its rater's scatter.
     core::Consensus consensus() const;
 
-    /// True while the rater is in a second round.
+    /// True while the rater is in a repeat round.
     bool isRepeating() const;
     /// Goes on with an unfinished round or draws a new one in the background, `share` of what the rater has finished
     /// and never repeated; then marks are kept under repeatRaterName, or nothingToRepeat() says that there is nothing.

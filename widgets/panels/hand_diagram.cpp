@@ -84,7 +84,7 @@ void HandDiagram::paintDot(QPainter& painter, const core::JointId& joint, QPoint
     const bool bad = found && core::isBad(*found, m_badRmsPx);
     const QColor colour = fingerColour(joint.joint);
     QPen ring(bad ? kBadColour : mixed(colour, Qt::black, 0.25), bad ? 2.0 : 1.2);
-    if (found && found->status == core::JointStatus::None) { // nobody has placed it, but it is proposed
+    if (found && found->status == core::JointStatus::None) { // not placed, but proposed
         ring.setColor(colour);
         ring.setDashPattern({1.9, 1.35});
     }

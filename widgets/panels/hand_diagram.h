@@ -23,7 +23,7 @@ public:
                 QWidget* parent = nullptr);
 
     void setBadRmsPx(double px);
-    /// Where the joint's dot is, in the widget; nothing if it has none.
+    /// Where the joint's dot is, in the widget; empty if it has none.
     std::optional<QPointF> dotPosition(const core::JointId& joint) const;
 
     QSize sizeHint() const override;

@@ -17,7 +17,7 @@
 namespace widgets {
 
 /// How far raters agree with each other and with themselves, what all say of the selected joint together, and the
-/// second round.
+/// repeat round.
 class RatersPanel : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
                 const DatasetSession& datasets, QWidget* parent = nullptr);
 
 signals:
-    /// The buttons of the second round.
+    /// The buttons of the repeat round.
     void roundRequested();
     void nextTaskRequested();
 

@@ -27,8 +27,8 @@ public:
     void sayBriefly(const QString& text);
     /// While nothing is open.
     void setIdleText(const QString& text);
-    /// Says this instead of the selected joint's numbers and the advice, where nobody annotates; both empty: joint and
-    /// advice again.
+    /// Says this instead of the selected joint's numbers and the advice, outside the Annotate workspace; both empty:
+    /// joint and advice again.
     void setWords(const QString& summary, const QString& advice);
 
     /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.

@@ -17,7 +17,7 @@ QRectF withRoom(const QRectF& box) {
     return box.adjusted(-room, -room, room, room);
 }
 
-/// Beside the place where the arm begins, away from the fingers; nothing if that is not in the picture.
+/// Beside the place where the arm begins, away from the fingers; empty if that is not in the picture.
 std::optional<HandLabel> labelIn(const core::Camera& camera, const HandPlace& hand) {
     const auto inView = [&](const Eigen::Vector3d& point) { return core::project(camera, point); };
     Eigen::Vector3d middleInWorld = Eigen::Vector3d::Zero();

@@ -15,7 +15,7 @@ struct LayerLook {
     bool rightShown = true;
 };
 
-/// The layer as it is to be drawn; nothing if none of its hands is shown.
+/// The layer as it is to be drawn; empty if none of its hands is shown.
 std::optional<MeshLayer> withLook(MeshLayer layer, const LayerLook& look);
 
 } // namespace widgets

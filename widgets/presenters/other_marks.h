@@ -13,14 +13,14 @@
 
 namespace widgets {
 
-/// What other people have settled in the open sequence: everybody but the document's rater, whose second round is no
-/// other person.
+/// What other people have settled in the open sequence: everybody but the document's rater, whose repeat round does not
+/// count as another person.
 std::vector<core::RaterWork> workOfOthers(const AnnotationDocument& document);
-/// "anna has 1120 marks in 40 frames of this sequence.", one sentence for each; empty for nobody.
+/// "anna has 1120 marks in 40 frames of this sequence.", one sentence for each; empty if there are none.
 QString othersText(const std::vector<core::RaterWork>& others);
 
 /// Shows the marks that other people have made in the current frame, muted and out of reach, in all camera views.
-/// Hidden during a second round: whoever repeats must see no earlier marks.
+/// Hidden during a repeat round: whoever repeats must see no earlier marks.
 class OtherMarks : public QObject {
     Q_OBJECT
 

@@ -45,7 +45,7 @@ public:
     void stop() { m_job.stop(); }
 
 signals:
-    /// How far the task is; a fraction below 0 if nobody knows. Then idle().
+    /// How far the task is; a fraction below 0 if it is unknown. Then idle().
     void working(const QString& task, double fraction);
     void idle();
     void exported(const QString& path);

@@ -5,9 +5,10 @@
 
 namespace widgets {
 
-/// A private X server (Xvfb) for windows that nobody looks at: scripts and tests on machines without a display.
-/// Construct it on the main thread *before* QApplication; it sets DISPLAY and QT_QPA_PLATFORM=xcb for this process and
-/// asks Mesa for software rendering. The server ends with the object, and with the process however that ends.
+/// A private X server (Xvfb) for windows that are not shown to a person: scripts and tests on machines without a
+/// display. Construct it on the main thread *before* QApplication; it sets DISPLAY and QT_QPA_PLATFORM=xcb for this
+/// process and asks Mesa for software rendering. The server ends with the object, and with the process however that
+/// ends.
 class PrivateDisplay {
 public:
     /// Starts the server with one 24-bit screen. Throws core::Error(NotFound or Io) with what to do if it cannot.

@@ -299,7 +299,7 @@ void Workspaces::setCurrent(Kind kind) {
     emit currentChanged(kind);
 }
 
-/// What belongs to annotating goes while nobody annotates; its tab comes back to the front afterwards.
+/// What belongs to annotating is hidden in the other workspaces; its tab comes back to the front afterwards.
 void Workspaces::showTabs() {
     const bool annotates = m_kind == Kind::Annotate;
     if (!annotates && !m_annotationTab)

@@ -5,7 +5,7 @@ namespace app {
 
 class MainWindow;
 
-/// What begins and ends a second round: a question before the first marks are hidden, and a banner as long as they are.
+/// What begins and ends a repeat round: a question before the first marks are hidden, and a banner as long as they are.
 void bindSecondRound(MainWindow& window);
 
 } // namespace app

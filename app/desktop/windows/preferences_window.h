@@ -35,7 +35,7 @@ private:
 /// Brings the window to the front, made if there is none.
 PreferencesWindow& showPreferences(MainWindow& window);
 
-/// Gives the settings that are no action's to a new window: the memory for pictures.
+/// Gives the settings that belong to no action to a new window: the memory for pictures.
 void applyPreferences(MainWindow& window);
 
 } // namespace app

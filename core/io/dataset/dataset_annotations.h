@@ -12,7 +12,7 @@ namespace core {
 /// not inside the dataset's folder.
 std::filesystem::path annotationFile(const Dataset& dataset, const Sequence& sequence);
 
-/// The annotations of a sequence, without a claim to the file; none if nobody has annotated it yet. Throws as
+/// The annotations of a sequence, without a claim to the file; empty if it has not been annotated yet. Throws as
 /// AnnotationStore::open does.
 AnnotationSet readAnnotations(const Dataset& dataset, const Sequence& sequence);
 

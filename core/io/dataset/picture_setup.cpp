@@ -58,7 +58,7 @@ std::string adviceFor(const Camera& camera, ImageSize size, int rotateDegrees) {
     return "";
 }
 
-/// The camera of pictures of that size; nothing if they are not what the options say.
+/// The camera of pictures of that size; empty if they are not what the options say.
 std::optional<Camera> cameraFor(const Camera& camera, ImageSize size, const PictureOptions& options) {
     const double scale = options.scale.value_or(1);
     if (options.cropPx) {

@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// The text of a JSON file of resources that is built into the library, named like "demo/hand.json"; nothing if there
+/// The text of a JSON file of resources that is built into the library, named like "demo/hand.json"; empty if there
 /// is none.
 std::optional<std::string_view> findEmbeddedResource(std::string_view name);
 /// The same; throws std::logic_error if there is none.

@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// The SVG documents that gnuplot makes of the programs, each ready to stand inside an HTML page, in order; nothing if
+/// The SVG documents that gnuplot makes of the programs, each ready to stand inside an HTML page, in order; empty if
 /// gnuplot is not installed. Throws Error(Io) if gnuplot fails on one of them, with what it said.
 std::optional<std::vector<std::string>> drawWithGnuplot(const std::vector<std::string>& programs);
 

@@ -6,7 +6,7 @@
 namespace core {
 
 /// The name under which the person is logged in: of the environment (LOGNAME, USER), else of the system; "annotator" if
-/// nobody knows.
+/// both are unknown.
 std::string loginName();
 
 } // namespace core

@@ -12,7 +12,7 @@ namespace core {
 std::string fillPattern(const std::string& pattern, const std::string& camera, int frame);
 
 /// The number that makes `pattern` (with {frame} or {frame:06}) into `name`; -1 if they are the same without one,
-/// nothing if no number does.
+/// empty if no number does.
 std::optional<int> numberIn(const std::string& pattern, const std::string& name);
 
 /// The parts of a path, folders first, without "." and "..".

@@ -18,7 +18,7 @@ cv::Mat toEightBits(const cv::Mat& picture, const GreyLevels& levels);
 GreyLevels levelsByDepth(const cv::Mat& picture);
 
 /// Black and white points that leave out the darkest and the brightest thousandth of all pixels of these pictures, at
-/// least 255 levels apart; nothing if none of them has more than 8 bits.
+/// least 255 levels apart; empty if none of them has more than 8 bits.
 std::optional<GreyLevels> measureLevels(const std::vector<cv::Mat>& pictures);
 
 } // namespace core

@@ -31,7 +31,7 @@ std::vector<DegreeOfFreedom> readLimits(const std::filesystem::path& file, const
 std::vector<std::vector<RigidMotion>> readMotionTable(const std::filesystem::path& file, const std::vector<Bone>& bones,
                                                       int frames);
 
-/// `Lower Arm L` -> forearm, `LFing.3_0` -> index_mcp, ...; nothing if the name is not one of theirs.
+/// `Lower Arm L` -> forearm, `LFing.3_0` -> index_mcp, ...; empty if the name is not one of theirs.
 std::optional<std::string> standardJointName(std::string_view boneName);
 
 } // namespace core

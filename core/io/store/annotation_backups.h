@@ -14,7 +14,7 @@ namespace core {
 inline constexpr int kKeptBackups = 10;
 
 /// Copies the state with that number of changes into the backups of `file`, unless it is there; then drops all but the
-/// newest ten. Returns the copy; nothing if the file was never changed. Throws Error(Io).
+/// newest ten. Returns the copy; empty if the file was never changed. Throws Error(Io).
 std::optional<std::filesystem::path> backUp(SQLite::Database& database, const std::filesystem::path& file,
                                             std::int64_t changeCount);
 

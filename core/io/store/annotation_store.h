@@ -68,9 +68,9 @@ public:
     /// Writes `addition` and joins it to the newest entry, as merged() does: a drag or a row of nudges is one step. If
     /// the two cancel, the entry goes. Same as commit if there is no entry to join.
     void amend(const Edit& addition, const std::string& rater);
-    /// Takes the newest done entry back; returns what was applied (the inverse), or nothing if there is none.
+    /// Takes the newest done entry back; returns what was applied (the inverse); empty if there is none.
     std::optional<Edit> undo();
-    /// Does the last undone entry again; returns what was applied, or nothing if there is none.
+    /// Does the last undone entry again; returns what was applied; empty if there is none.
     std::optional<Edit> redo();
 
     /// Small settings of the sequence that belong to the annotations (order of joints, hidden cameras, ...); no

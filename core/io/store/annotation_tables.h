@@ -33,7 +33,7 @@ public:
     AnnotationSet readSet();
     /// Entries in the given state with ids from `first` to `last`, ascending.
     std::vector<JournalEntry> readEntries(EntryState state, std::int64_t first, std::int64_t last);
-    /// Id of the n-th newest (0 = newest) entry in that state; nothing if there are fewer.
+    /// Id of the n-th newest (0 = newest) entry in that state; empty if there are fewer.
     std::optional<std::int64_t> newestEntry(EntryState state, int n = 0);
     std::optional<std::int64_t> oldestEntry(EntryState state);
 

@@ -111,7 +111,7 @@ TEST_F(AnnotationsVerb, ARaterThatIsNamedTakesAllMarksOfEveryKind) {
     ASSERT_EQ(import("handlens", groundTruth(10, "a"), {"--rater", "bob"}).status, 0);
     EXPECT_TRUE(mark("bob"));
     EXPECT_FALSE(mark("anna"));
-    EXPECT_EQ(import("handlens", groundTruth(30, "a")).status, 0) << "anna's marks are in nobody's way";
+    EXPECT_EQ(import("handlens", groundTruth(30, "a")).status, 0) << "anna's marks replace nothing";
     EXPECT_EQ(mark("anna")->px.x(), 30);
     EXPECT_EQ(mark("bob")->px.x(), 10);
     EXPECT_EQ(import("handlens", groundTruth(10, "a"), {"--rater", ""}).status, 2);

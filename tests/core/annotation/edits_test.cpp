@@ -96,7 +96,7 @@ TEST_F(Edits, AcceptingPutsAutoMarksOnReprojectionsAndNeverTouchesClicks) {
         EXPECT_EQ(m_set.marks.at(k), m);
     EXPECT_EQ(mark(5, kIndex, 5)->placement, Placement::Auto);
     EXPECT_LT((mark(5, kIndex, 5)->px - *core::project(m_cameras[5], point)).norm(), 1e-6);
-    // Accepted marks are no evidence: the point still rests on the three clicks.
+    // Accepted marks do not count: the point still rests on the three clicks.
     const auto joint = core::reconstruct(m_set, m_cameras, 5, kRater, kIndex);
     EXPECT_EQ(joint.manualViews, 3);
     EXPECT_EQ(joint.result.point->inlier.size(), 3u);

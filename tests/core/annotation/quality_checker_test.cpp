@@ -194,7 +194,7 @@ TEST_F(Quality, MarksOutsideThePictureAreListed) {
     m_set.marks[{10, kRater, joint, "cam1"}].px = {-30, 50};
     m_set.marks[{20, kRater, joint, "cam1"}] = {{-30, 50}, core::Placement::Proposed, core::MarkState::Visible};
     const auto found = ofKind(core::checkSequence(m_set, m_cameras, kRater, m_hands), QualityKind::OutsidePicture);
-    ASSERT_EQ(found.size(), 1u) << "a proposal is nobody's mark";
+    ASSERT_EQ(found.size(), 1u) << "a proposal belongs to no rater";
     EXPECT_EQ(found[0].frame, 10);
     EXPECT_EQ(found[0].joint, joint);
     EXPECT_EQ(found[0].camera, "cam1");

@@ -30,7 +30,7 @@ protected:
             test::clickEverywhere(set, dataset->cameras, frame, rater, joint, point, sigmaPx, &random);
         document.push(core::importEdit(document.annotations(), set, ""));
     }
-    /// Waits until the second round has begun.
+    /// Waits until the repeat round has begun.
     void begin(double share, unsigned seed) {
         study.beginRepeating(share, seed);
         ASSERT_TRUE(test::waitUntil([&] { return study.isRepeating(); }));

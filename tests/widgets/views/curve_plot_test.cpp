@@ -80,7 +80,7 @@ TEST_F(CurvePlotTest, AClickTellsItsX) {
     test::click(&plot, {200, 100});
     test::click(&plot, {300, 100});
     test::click(&plot, {1, 100});
-    ASSERT_EQ(clicked.count(), 2) << "beside the axes is no place on the curve";
+    ASSERT_EQ(clicked.count(), 2) << "a click beside the axes is not on the curve";
     const double first = clicked[0][0].toDouble(), second = clicked[1][0].toDouble();
     EXPECT_GT(first, 0);
     EXPECT_LT(second, 20);

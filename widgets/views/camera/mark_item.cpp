@@ -60,7 +60,7 @@ QPen ringPen(const ViewMark& mark) {
     return pen;
 }
 
-/// A dot at the ring's upper right corner: nobody clicked this mark, but somebody accepted it.
+/// A dot at the ring's upper right corner: this mark was accepted, not clicked.
 void drawBadge(QPainter& painter, const QColor& colour) {
     const QPointF corner(kRadius + 1, -kRadius - 1);
     painter.setPen(Qt::NoPen);

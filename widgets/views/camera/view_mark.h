@@ -17,7 +17,7 @@ namespace widgets {
 enum class MarkOrigin {
     Manual,  ///< clicked: a solid ring
     Auto,    ///< an accepted reprojection: a thin ring with a dot at its corner
-    Proposed ///< pre-placed, nobody's label yet: dashed and faint
+    Proposed ///< pre-placed, not confirmed yet: dashed and faint
 };
 
 /// One joint as a view draws it. Positions in recorded image pixels, centres at integers.

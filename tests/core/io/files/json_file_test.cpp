@@ -38,7 +38,7 @@ TEST_F(JsonFile, ReadsWhatIsNestedDeepButNotTooDeep) {
     test::writeText(m_file, std::string(64, '[') + std::string(64, ']'));
     EXPECT_NO_THROW(core::readJsonFile(m_file));
     test::writeText(m_file, "[\"" + std::string(200, '[') + "\\\"" + std::string(200, '{') + "\"]");
-    EXPECT_NO_THROW(core::readJsonFile(m_file)); // brackets in a string are no nesting
+    EXPECT_NO_THROW(core::readJsonFile(m_file)); // brackets in a string do not nest
 }
 
 TEST_F(JsonFile, RefusesOtherFormatsAndNewerVersions) {

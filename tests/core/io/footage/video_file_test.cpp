@@ -31,7 +31,7 @@ void PrintTo(const Codec& codec, std::ostream* stream) {
 }
 
 std::vector<Codec> codecs() {
-    // What ffmpeg writes as HEVC in AVI nobody can read.
+    // What ffmpeg writes as HEVC in AVI cannot be read.
     Codec h264{"h264", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}},
         hevc{"hevc", {}, {"mp4", "mov", "mkv", "ts", "mpg"}},
         mpeg2{"mpeg2", {}, {"mp4", "mov", "mkv", "ts", "mpg", "avi"}};
