@@ -814,10 +814,6 @@
         <translation>Handlens und eigene Skripte (JSON)</translation>
     </message>
     <message>
-        <source>Only proposals, notes and the list of undo steps</source>
-        <translation>Nur Vorschläge, Notizen und die Liste der Bearbeitungsschritte</translation>
-    </message>
-    <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
         <translation>Marken in ganzen Pixeln, ein Ordner je Kamera und eine Textdatei je Bild.</translation>
     </message>
@@ -928,6 +924,38 @@
     <message>
         <source>3D joints and the cameras</source>
         <translation>3D-Gelenke und die Kameras</translation>
+    </message>
+    <message>
+        <source>Only proposals and the list of undo steps</source>
+        <translation>Nur Vorschläge und die Liste der rückgängig machbaren Schritte</translation>
+    </message>
+    <message>
+        <source>SLEAP</source>
+        <translation>SLEAP</translation>
+    </message>
+    <message>
+        <source>Labels and guesses of a project (.slp) or of an analysis export (.h5).</source>
+        <translation>Markierungen und Vorhersagen eines Projekts (.slp) oder eines Analyse-Exports (.h5).</translation>
+    </message>
+    <message>
+        <source>SLEAP and sleap-io (HDF5)</source>
+        <translation>SLEAP und sleap-io (HDF5)</translation>
+    </message>
+    <message>
+        <source>Everything: it can be imported, not exported</source>
+        <translation>Alles: kann eingelesen, aber nicht exportiert werden</translation>
+    </message>
+    <message>
+        <source>Label3D, DANNCE</source>
+        <translation>Label3D, DANNCE</translation>
+    </message>
+    <message>
+        <source>Clicks and 3D points of a session, or the labels exported for DANNCE.</source>
+        <translation>Klicks und 3D-Punkte einer Sitzung oder die für DANNCE exportierten Markierungen.</translation>
+    </message>
+    <message>
+        <source>Label3D and DANNCE (MATLAB)</source>
+        <translation>Label3D und DANNCE (MATLAB)</translation>
     </message>
 </context>
 <context>
@@ -1755,6 +1783,10 @@
     <message>
         <source>The mark is at the edge of the picture.</source>
         <translation>Die Marke ist am Rand des Bildes.</translation>
+    </message>
+    <message>
+        <source>Nothing to accept: the clicks of %1 give no 3D point.</source>
+        <translation>Nichts zu übernehmen: Die Klicks von %1 ergeben keinen 3D-Punkt.</translation>
     </message>
 </context>
 <context>

@@ -814,10 +814,6 @@
         <translation>Handlens και δικά σας σενάρια (JSON)</translation>
     </message>
     <message>
-        <source>Only proposals, notes and the list of undo steps</source>
-        <translation>Μόνο προτάσεις, σημειώσεις και η λίστα βημάτων αναίρεσης</translation>
-    </message>
-    <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
         <translation>Σημάδια σε ακέραια εικονοστοιχεία, ένας φάκελος ανά κάμερα, ένα αρχείο κειμένου ανά καρέ.</translation>
     </message>
@@ -928,6 +924,38 @@
     <message>
         <source>3D joints and the cameras</source>
         <translation>Αρθρώσεις 3D και οι κάμερες</translation>
+    </message>
+    <message>
+        <source>Only proposals and the list of undo steps</source>
+        <translation>Μόνο οι προτάσεις και η λίστα των βημάτων αναίρεσης</translation>
+    </message>
+    <message>
+        <source>SLEAP</source>
+        <translation>SLEAP</translation>
+    </message>
+    <message>
+        <source>Labels and guesses of a project (.slp) or of an analysis export (.h5).</source>
+        <translation>Σημάνσεις και προβλέψεις ενός έργου (.slp) ή μιας εξαγωγής ανάλυσης (.h5).</translation>
+    </message>
+    <message>
+        <source>SLEAP and sleap-io (HDF5)</source>
+        <translation>SLEAP και sleap-io (HDF5)</translation>
+    </message>
+    <message>
+        <source>Everything: it can be imported, not exported</source>
+        <translation>Όλα: εισάγεται, αλλά δεν εξάγεται</translation>
+    </message>
+    <message>
+        <source>Label3D, DANNCE</source>
+        <translation>Label3D, DANNCE</translation>
+    </message>
+    <message>
+        <source>Clicks and 3D points of a session, or the labels exported for DANNCE.</source>
+        <translation>Κλικ και σημεία 3D μιας συνεδρίας, ή οι σημάνσεις που εξήχθησαν για το DANNCE.</translation>
+    </message>
+    <message>
+        <source>Label3D and DANNCE (MATLAB)</source>
+        <translation>Label3D και DANNCE (MATLAB)</translation>
     </message>
 </context>
 <context>
@@ -1755,6 +1783,10 @@
     <message>
         <source>The mark is at the edge of the picture.</source>
         <translation>Το σημάδι είναι στην άκρη της εικόνας.</translation>
+    </message>
+    <message>
+        <source>Nothing to accept: the clicks of %1 give no 3D point.</source>
+        <translation>Τίποτα προς αποδοχή: τα κλικ του %1 δεν δίνουν σημείο 3D.</translation>
     </message>
 </context>
 <context>

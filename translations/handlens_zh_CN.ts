@@ -814,10 +814,6 @@
         <translation>Handlens 和您自己的脚本 (JSON)</translation>
     </message>
     <message>
-        <source>Only proposals, notes and the list of undo steps</source>
-        <translation>仅不含建议、备注和撤销步骤列表</translation>
-    </message>
-    <message>
         <source>Marks in whole pixels, a folder per camera and a text file per frame.</source>
         <translation>整像素标记，每台相机一个文件夹，每帧一个文本文件。</translation>
     </message>
@@ -928,6 +924,38 @@
     <message>
         <source>3D joints and the cameras</source>
         <translation>三维关节和相机</translation>
+    </message>
+    <message>
+        <source>Only proposals and the list of undo steps</source>
+        <translation>只有建议和撤销步骤列表</translation>
+    </message>
+    <message>
+        <source>SLEAP</source>
+        <translation>SLEAP</translation>
+    </message>
+    <message>
+        <source>Labels and guesses of a project (.slp) or of an analysis export (.h5).</source>
+        <translation>项目 (.slp) 或分析导出 (.h5) 中的标注和预测。</translation>
+    </message>
+    <message>
+        <source>SLEAP and sleap-io (HDF5)</source>
+        <translation>SLEAP 和 sleap-io (HDF5)</translation>
+    </message>
+    <message>
+        <source>Everything: it can be imported, not exported</source>
+        <translation>全部：只能导入，不能导出</translation>
+    </message>
+    <message>
+        <source>Label3D, DANNCE</source>
+        <translation>Label3D、DANNCE</translation>
+    </message>
+    <message>
+        <source>Clicks and 3D points of a session, or the labels exported for DANNCE.</source>
+        <translation>一次会话的点击和三维点，或为 DANNCE 导出的标注。</translation>
+    </message>
+    <message>
+        <source>Label3D and DANNCE (MATLAB)</source>
+        <translation>Label3D 和 DANNCE (MATLAB)</translation>
     </message>
 </context>
 <context>
@@ -1746,6 +1774,10 @@
     <message>
         <source>The mark is at the edge of the picture.</source>
         <translation>标记位于图像边缘。</translation>
+    </message>
+    <message>
+        <source>Nothing to accept: the clicks of %1 give no 3D point.</source>
+        <translation>没有可接受的内容：%1 的点击没有得出三维点。</translation>
     </message>
 </context>
 <context>
