@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -84,6 +85,16 @@ core::ImportMode requiredMode(const AnnotationsArguments& arguments, const core:
     return arguments.mode().value_or(core::ImportMode::Replace);
 }
 
+/// Marks of the file that are not in the sequence after the import: proposals give way to settled marks.
+int leftOut(const core::AnnotationSet& imported, const core::AnnotationSet& after) {
+    return static_cast<int>(std::count_if(
+        imported.marks.begin(), imported.marks.end(),
+        [&](const auto& entry) {
+            const auto found = after.marks.find(entry.first);
+            return found == after.marks.end() || found->second != entry.second;
+        }));
+}
+
 void printResult(const core::ImportedAnnotations& imported, const core::Edit& edit,
                  const core::ImportConflicts& conflicts, core::ImportMode mode) {
     for (const std::string& warning : imported.warnings)
@@ -116,6 +127,9 @@ void importFile(const AnnotationsArguments& arguments, core::AnnotationImportOpt
     const core::Edit edit = core::importEdit(store.annotations(), imported.set, name, mode);
     store.commit(edit, options.rater);
     printResult(imported, edit, conflicts, mode);
+    const int out = leftOut(imported.set, store.annotations());
+    if (out > 0 && conflicts.empty())
+        std::printf("note: %d of them left out: settled marks of the same rater stand there\n", out);
     printCheck(dataset, imported.set);
 }
 

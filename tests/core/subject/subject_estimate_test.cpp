@@ -48,10 +48,9 @@ TEST(SubjectEstimate, FindsScaleLengthsAndGirthOfAnotherHand) {
     EXPECT_EQ(result.outlineFrames, 5);
     EXPECT_FALSE(result.lengthsKept);
     EXPECT_NEAR(result.hands[0].girthMm.value, 1, 0.3);
-    for (int a = 0; a < space.segmentCount(); ++a) {
+    for (int a = 0; a < space.segmentCount(); ++a)
         if (space.segments()[static_cast<std::size_t>(a)].end >= 0)
             EXPECT_NEAR(result.hands[0].bones[static_cast<std::size_t>(a)].lengthMm, space.lengthMm(a, shape), 0.3);
-    }
 }
 
 TEST(SubjectEstimate, ThreeFramesWithoutMasksGiveTheScaleAndKeepTheProportions) {

@@ -74,11 +74,10 @@ TEST(ShapeSpace, ALongerBoneMovesWhatHangsOnIt) {
             const bool isTip = model.weights.firstEntry[v + 1] == model.weights.firstEntry[v] + 1 &&
                                model.weights.entries[static_cast<std::size_t>(model.weights.firstEntry[v])].bone == pip;
             const Vector3d moved = hand.mesh.vertices[v] - model.mesh.vertices[v];
-            if (isTip) {
+            if (isTip)
                 EXPECT_LT((moved - 0.1 * segment.alongAtRest).norm(), 1e-9);
-            } else {
+            else
                 EXPECT_LT(moved.norm(), 4.2 + 1e-9);
-            }
         }
     }
 }
