@@ -41,7 +41,7 @@ std::set<std::string> kindNames(bool toWrite) {
 }
 
 /// A line for each kind, in the order in which they are tried.
-std::string kindList() {
+std::string calibrationKindList() {
     std::string text = "Kinds:";
     for (const core::CalibrationKind& kind : core::calibrationKinds()) {
         const std::string name(kind.name);
@@ -65,7 +65,7 @@ void addCalibrationVerb(CLI::App& program) {
         ->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->options.section, "Which capture of an InterHand file");
     verb->add_option("--out", arguments->out, "The file to write")->required();
-    verb->footer(kindList());
+    verb->footer(calibrationKindList());
     verb->callback([arguments] { convert(*arguments); });
 }
 
