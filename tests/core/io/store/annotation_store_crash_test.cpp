@@ -159,7 +159,7 @@ int inChild(Work&& work) {
 }
 
 Edit place(int frame) {
-    return {"place",
+    return {{.text = "place"},
             {{core::MarkKey{frame, "ann", {core::Side::Left, "wrist"}, "cam0"}, std::nullopt, core::Mark{{1, 2}}}},
             {}};
 }
