@@ -82,7 +82,7 @@ TEST_F(JointTableModelTest, TwoViewsThatDisagreeAreBadNotDone) {
 }
 
 TEST_F(JointTableModelTest, AJointThatIsOnlyProposedSaysSo) {
-    document.push({"propose",
+    document.push({{.kind = core::EditKind::Propose},
                    {{{selection.frame(), document.rater(), kIndex, "cam1"},
                      std::nullopt,
                      core::Mark{{300, 400}, core::Placement::Proposed, core::MarkState::Visible}}},
