@@ -153,6 +153,7 @@ TEST_F(SceneViewTest, MeshesHaveTheColourOfTheirLegend) {
     std::vector<QColor> shown;
     for (const char* method : {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"}) {
         MeshLayer layer = test::ballLayer(methodColour(method));
+        layer.opacity = 1;
         scene.setMeshLayers({layer});
         const QImage picture = scene.grabPicture();
         const auto isMesh = [&](int x, int y) {
@@ -165,6 +166,19 @@ TEST_F(SceneViewTest, MeshesHaveTheColourOfTheirLegend) {
     for (std::size_t a = 0; a < shown.size(); ++a)
         for (std::size_t b = a + 1; b < shown.size(); ++b)
             EXPECT_GT(test::labDistance(shown[a], shown[b]), 20) << a << " " << b;
+}
+
+TEST_F(SceneViewTest, MeshesAreAsOpaqueAsTheirLayer) {
+    scene.setGridShown(false);
+    MeshLayer layer = test::ballLayer(QColor(255, 160, 0));
+    const auto mean = [&](double opacity) {
+        layer.opacity = opacity;
+        scene.setMeshLayers({layer});
+        return test::meanColour(scene.grabPicture(), [](int, int) { return true; });
+    };
+    const QColor opaque = mean(1), half = mean(0.5), none = mean(0);
+    EXPECT_GT(test::labDistance(opaque, none), 1.5 * test::labDistance(half, none));
+    EXPECT_GT(test::labDistance(half, none), 0.5);
 }
 
 } // namespace
