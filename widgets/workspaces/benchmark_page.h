@@ -34,9 +34,9 @@ public:
     /// Which test frames the settings draw from the open sequence; none if they make no sense now.
     std::set<int> testFrames() const;
 
-    /// What the fields say. Throws core::Error(Usage) if the differences are not whole numbers, or nothing is chosen.
     /// Why it cannot run, in the person's language; empty if it can.
     QString objection(const BenchmarkRequest& request) const;
+    /// What the fields say; objection() tells whether it makes sense.
     BenchmarkRequest request() const;
     std::optional<QString> wrongDifference() const;
     core::PairOptions pairOptions() const;
