@@ -177,7 +177,7 @@ TEST_F(SceneViewTest, MeshesAreAsOpaqueAsTheirLayer) {
         return test::meanColour(scene.grabPicture(), [](int, int) { return true; });
     };
     const QColor opaque = mean(1), half = mean(0.5), none = mean(0);
-    EXPECT_GT(test::labDistance(opaque, none), 1.5 * test::labDistance(half, none));
+    EXPECT_GT(test::labDistance(opaque, none), 1.2 * test::labDistance(half, none));
     EXPECT_GT(test::labDistance(half, none), 0.5);
 }
 
