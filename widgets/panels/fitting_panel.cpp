@@ -126,7 +126,7 @@ QLayout* FittingPanel::makeMethodRows() {
         box->setIcon(methodChip(name));
         box->setChecked(name == "ch" || name == "dch-thres");
         box->setFocusPolicy(Qt::NoFocus);
-        grid->addWidget(box, index / 3, index % 3);
+        grid->addWidget(box, index / 2, index % 2);
         m_methods.push_back(box);
         ++index;
     }

@@ -108,9 +108,12 @@ void Workspaces::build() {
     m_right->setSizes({420, 420});
 }
 
-/// The views come first: on a small screen the columns beside them are narrow.
+/// The views come first: on a small screen the columns beside them are narrow. Inspect has no column on the left, and
+/// its tables stand on the right.
 void Workspaces::shareWidth() {
-    const int left = std::clamp(width() * 21 / 100, 200, 290), right = std::clamp(width() * 25 / 100, 220, 350);
+    const int left = std::clamp(width() * 21 / 100, 200, 290);
+    const int right =
+        m_kind == Kind::Inspect ? std::clamp(width() * 30 / 100, 280, 420) : std::clamp(width() * 25 / 100, 220, 350);
     m_columns->setSizes({left, std::max(0, width() - left - right), right});
 }
 
@@ -292,6 +295,8 @@ void Workspaces::setCurrent(Kind kind) {
         m_session.selection.setFrame(outcome->request.test);
     m_joints->setVisible(kind == Kind::Annotate);
     m_right->setVisible(kind != Kind::Benchmark);
+    if (!m_columnsMoved)
+        shareWidth();
     showTabs();
     m_layers->setInspecting(kind == Kind::Inspect);
     showInScene();
