@@ -108,8 +108,8 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
         options.live ? std::span<const StartKind>(kOtherLiveStarts) : std::span<const StartKind>(kOtherStarts);
     FitAttempt attempt;
     attempt.poses = start;
-    if (loop.run(phases.main, attempt) &&
-        (!options.restarts || improve(refiner, loop, phases, otherStarts, start, options.noise, attempt))) {
+    if (loop.run(phases.main, attempt) && (!options.restarts || improve(refiner, loop, phases, otherStarts, start,
+                                                                        options.noise && !options.live, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);
     }
