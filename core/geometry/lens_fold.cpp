@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/lens_fold.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -33,8 +34,21 @@ bool isPositive(std::vector<double> bernstein, int halvings) {
     return isPositive(left, halvings - 1) && isPositive(bernstein, halvings - 1);
 }
 
+/// A bound of sum c_i u^i from below for all u in [0, end]: no term is less than at the end, or than 0.
+double leastUpTo(double end, std::span<const double> c) {
+    double least = c.front(), power = 1;
+    for (const double coefficient : c.subspan(1)) {
+        power *= end;
+        least += std::min(coefficient * power, 0.0);
+    }
+    return least;
+}
+
 /// Whether sum c_i u^i > 0 everywhere in [0, end].
 bool isPositiveUpTo(double end, std::span<const double> c) {
+    constexpr double kClearly = 0.01; // of slopes that are 1 on the axis
+    if (leastUpTo(end, c) > kClearly)
+        return true; // almost every point of every lens, without allocating anything
     const std::size_t n = c.size() - 1;
     // b_j = sum_{i <= j} (j choose i) / (n choose i) c_i end^i
     std::vector<double> bernstein(n + 1, 0.0);
