@@ -88,11 +88,9 @@ bool isUseful(const core::SubjectFrame& frame) {
 }
 
 /// Those that can measure a hand, at most kMostFrames of them, evenly drawn; masks are read for these only.
-std::vector<core::SubjectFrame> chosenFrames(const core::Dataset& dataset, const SubjectArguments& arguments) {
-    std::vector<AnnotatedFrame> useful;
-    for (AnnotatedFrame& annotated : annotatedFrames(dataset, arguments))
-        if (isUseful(subjectFrame(dataset, annotated)))
-            useful.push_back(std::move(annotated));
+std::vector<core::SubjectFrame> chosenFrames(const core::Dataset& dataset, std::vector<AnnotatedFrame> useful,
+                                             const SubjectArguments& arguments) {
+    std::erase_if(useful, [&](const AnnotatedFrame& annotated) { return !isUseful(subjectFrame(dataset, annotated)); });
     const std::size_t count = std::min(useful.size(), kMostFrames);
     if (count < useful.size())
         std::printf("note: %zu of the %zu annotated frames are used, evenly drawn\n", count, useful.size());
@@ -120,19 +118,20 @@ double unitMm(double ratio) {
     return 1 / ratio;
 }
 
-/// Brings the cameras to mm if the hands say that they are not, and says so.
-void makeMetric(core::Dataset& dataset, const SubjectArguments& arguments) {
+/// Brings the cameras to mm if the hands say that they are not, and says so. True if it changed them.
+bool makeMetric(core::Dataset& dataset, const std::vector<AnnotatedFrame>& annotatedFrames) {
     std::vector<core::SubjectFrame> frames;
-    for (const AnnotatedFrame& annotated : annotatedFrames(dataset, arguments))
+    for (const AnnotatedFrame& annotated : annotatedFrames)
         frames.push_back(subjectFrame(dataset, annotated));
     const double mm = unitMm(core::annotatedOverModelLength(dataset.hands, frames));
     if (mm == 1)
-        return;
+        return false;
     for (core::Camera& camera : dataset.cameras)
         camera.cameraFromWorld.translation *= mm;
     const bool isKnown = mm == 10 || mm == 1000 || mm == 25.4;
     std::printf("note: the calibration is not in mm: its unit is %.4g mm%s; the cameras of the new dataset are in mm\n",
                 mm, isKnown ? "" : " if this hand is as large as the model, so that scale says nothing");
+    return true;
 }
 
 void printBones(const core::SubjectHand& hand) {
@@ -166,8 +165,10 @@ void measureSubject(const SubjectArguments& arguments) {
         throw core::Error(core::ErrorCode::BadInput, arguments.dataset + "/dataset.json", "hands",
                           "there is no hand model to start from");
     core::Dataset changed = original;
-    makeMetric(changed, arguments);
-    const std::vector<core::SubjectFrame> frames = chosenFrames(changed, arguments);
+    std::vector<AnnotatedFrame> annotated = annotatedFrames(changed, arguments);
+    if (makeMetric(changed, annotated))
+        annotated = annotatedFrames(changed, arguments);
+    const std::vector<core::SubjectFrame> frames = chosenFrames(changed, std::move(annotated), arguments);
     core::SubjectResult result;
     try {
         result = core::estimateSubject(changed.hands, changed.cameras, frames, {}, interruptToken());
