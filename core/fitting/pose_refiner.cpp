@@ -28,10 +28,8 @@ constexpr double kRigidFloor = 1e-3;
 constexpr float kCoarseCellPx = 4;
 constexpr float kCoarseOutwardPx = 4;
 
-/// The contour's noise: of matches within this angle; the standard deviation of a normal distribution per median of its
-/// absolute values.
+/// The contour's noise is that of matches within this angle.
 constexpr float kNoiseTauRad = 0.39f;
-constexpr double kSigmaPerMedian = 1.4826;
 
 Eigen::Vector2f contourPx(const CameraTarget& target, std::size_t point) {
     return {target.contour.x[point], target.contour.y[point]};

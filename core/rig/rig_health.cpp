@@ -14,8 +14,6 @@ namespace core {
 
 namespace {
 
-constexpr double kMedianOfChiSquare = 1.3862943611198906; // two degrees of freedom: 2 ln 2
-
 /// Image velocity of a joint in a camera, px per frame, from its points in the frames beside it.
 class Velocities {
 public:
@@ -89,7 +87,7 @@ std::optional<Regression> regress(const Eigen::MatrixXd& design, const Eigen::Ve
             squares.push_back(rest.segment<2>(2 * i).squaredNorm());
         const double share =
             std::max(0.1, 1 - static_cast<double>(design.cols()) / static_cast<double>(residuals.size()));
-        fit.scatterPx = std::max(0.01, std::sqrt(medianOf(squares) / kMedianOfChiSquare / share));
+        fit.scatterPx = std::max(0.01, std::sqrt(medianOf(squares) / kMedianOfChiSquare2 / share));
         for (Eigen::Index i = 0; i < clicks; ++i) {
             const double ratio = squares[static_cast<std::size_t>(i)] / (9 * fit.scatterPx * fit.scatterPx);
             weights.segment<2>(2 * i).setConstant(1 / (1 + ratio * ratio));

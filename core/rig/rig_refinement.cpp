@@ -130,9 +130,8 @@ public:
                 squares.push_back(residual(j, k).squaredNorm());
         }
         const double share = 1 - unknowns / (2.0 * static_cast<double>(squares.size()));
-        constexpr double kMedianOfChiSquare = 1.3862943611198906; // 2 ln 2
-        constexpr double kLeastSigmaPx = 0.02;                    // exact clicks of a script
-        return std::max(kLeastSigmaPx, std::sqrt(medianOf(squares) / kMedianOfChiSquare / std::max(share, 0.1)));
+        constexpr double kLeastSigmaPx = 0.02; // exact clicks of a script
+        return std::max(kLeastSigmaPx, std::sqrt(medianOf(squares) / kMedianOfChiSquare2 / std::max(share, 0.1)));
     }
 
     /// Leaves out clicks beyond `gatePx`; returns how many.

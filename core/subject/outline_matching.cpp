@@ -133,8 +133,8 @@ double weighOutline(const std::vector<double>& residualsMm, double share, std::v
     std::vector<double> sizes;
     for (const double residual : residualsMm)
         sizes.push_back(std::abs(residual));
-    constexpr double kNormal = 1.4826, kLeastMm = 0.05;
-    const double sigma = std::max(kLeastMm, kNormal * medianOf(sizes));
+    constexpr double kLeastMm = 0.05;
+    const double sigma = std::max(kLeastMm, kSigmaPerMedian * medianOf(sizes));
     for (std::size_t i = 0; i < matches.size(); ++i) {
         const double relative = residualsMm[i] / (2 * sigma);
         matches[i].weight = share / (sigma * sigma) / (1 + relative * relative);
