@@ -2,9 +2,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string_view>
 #include <vector>
 
+#include "core/fitting/fit_trace.h"
 #include "core/hand/hand_model.h"
 
 namespace core {
@@ -30,6 +32,8 @@ struct FitIteration {
     int rejected = 0;
     double stepMm = 0; ///< mean joint displacement of the step
     HandPoses poses;   ///< after the step
+    /// What the step was solved from, at the pose before it; null unless the fit records its matches.
+    std::shared_ptr<const IterationMatches> matchRecords;
 };
 
 /// Seconds per stage of one fit, over all its threads.
@@ -49,7 +53,11 @@ struct FitResult {
     FitTermination termination = FitTermination::Converged;
     double seconds = 0; ///< from masks in memory to the final pose
     FitProfile profile;
+    std::shared_ptr<const FitTrace> trace; ///< null unless the fit records its matches
 };
+
+/// Whether a fit keeps what each iteration matched: 32 bytes per rim point, camera and iteration.
+enum class MatchRecording { Off, On };
 
 /// Called after every iteration with its number and the most there can be.
 using FitProgress = std::function<void(int iteration, int maxIterations)>;

@@ -28,6 +28,11 @@ struct CameraTarget {
     double secondsTransform = 0;     ///< that the index and the tensor took
 };
 
+inline Eigen::Vector2f contourPx(const CameraTarget& target, int point) {
+    const auto q = static_cast<std::size_t>(point);
+    return {target.contour.x[q], target.contour.y[q]};
+}
+
 struct FitTargetOptions {
     ContourOptions contour;
     OrientationBins bins{16, true};

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/fitting/match_rule.h"
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/distance/circular_distance.h"
@@ -40,18 +40,101 @@ MatchRule matchRule(const Method& method) {
 
 namespace {
 
+constexpr float kNoGate = std::numeric_limits<float>::infinity();
+
+/// One rim point as it is searched for.
+struct Query {
+    const CameraTarget& target;
+    const MatchRule& rule;
+    float x;
+    float y;
+    float angle; ///< phi_p
+};
+
+/// Keeps matches and forgets what is refused, without asking why.
+struct KeptOnly {
+    std::vector<WeightedMatch>& matches;
+    void keep(int index, float weight) { matches.push_back({index, weight}); }
+    void refuse(int, MatchVerdict) {}
+    template <typename Search>
+    void refuseMissing(Search&&, MatchVerdict) {}
+};
+
+/// Keeps everything. `unbounded` repeats the search that found nothing, without its gate: what it finds was too far
+/// away.
+struct Explained {
+    std::vector<MatchCandidate>& candidates;
+    void keep(int index, float weight) { candidates.push_back({index, weight, MatchVerdict::Kept}); }
+    void refuse(int index, MatchVerdict verdict) { candidates.push_back({index, 0, verdict}); }
+    template <typename Search>
+    void refuseMissing(Search&& unbounded, MatchVerdict otherwise) {
+        const int index = unbounded().index;
+        refuse(index, index >= 0 ? MatchVerdict::Gate : otherwise);
+    }
+};
+
+template <typename Sink>
+void keepUnlessTruncated(const Query& p, int index, float weight, Sink& sink) {
+    const float dx = p.x - p.target.contour.x[index], dy = p.y - p.target.contour.y[index];
+    if (p.rule.truncatePx2 > 0 && dx * dx + dy * dy > p.rule.truncatePx2)
+        sink.refuse(index, MatchVerdict::Truncated);
+    else
+        sink.keep(index, weight);
+}
+
+/// CH: the nearest point.
+template <typename Sink>
+void matchNearest(const Query& p, Sink& sink) {
+    const ContourIndex& index = p.target.index;
+    const ContourMatch match = index.nearest(p.x, p.y, p.rule.gatePx);
+    if (match.index >= 0)
+        keepUnlessTruncated(p, match.index, 1, sink);
+    else
+        sink.refuseMissing([&] { return index.nearest(p.x, p.y, kNoGate); }, MatchVerdict::Gate);
+}
+
+/// circ(phi_p, phi_q) < tau
+bool isWithinTau(const Query& p, int index) {
+    return std::isinf(p.rule.tauRad) ||
+           circularDistance(static_cast<double>(p.target.contour.angleRad[index]), static_cast<double>(p.angle),
+                            p.rule.bins.isSigned()) < static_cast<double>(p.rule.tauRad);
+}
+
+/// DCH-Thres: the nearest point, then the threshold; with `withinTau`, the nearest of those that pass it.
+template <typename Sink>
+void matchByThreshold(const Query& p, Sink& sink) {
+    const ContourIndex& index = p.target.index;
+    const auto search = [&](float gatePx) {
+        return p.rule.withinTau ? index.nearestWithin(p.x, p.y, p.angle, p.rule.tauRad, gatePx)
+                                : index.nearest(p.x, p.y, gatePx);
+    };
+    const ContourMatch match = search(p.rule.gatePx);
+    if (match.index < 0)
+        sink.refuseMissing([&] { return search(kNoGate); },
+                           p.rule.withinTau ? MatchVerdict::Orientation : MatchVerdict::Gate);
+    else if (!p.rule.withinTau && !isWithinTau(p, match.index))
+        sink.refuse(match.index, MatchVerdict::Orientation);
+    else
+        keepUnlessTruncated(p, match.index, 1, sink);
+}
+
 /// DCH-Quant and DCH-Quant2: the nearest point in the bin of phi_p, or in each of the two bins nearest to it.
-void addInBins(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim, double angle,
-               std::vector<WeightedMatch>& matches) {
-    const auto bins = rule.bins.nearestTwo(angle);
-    const int count = rule.distance == DistanceKind::DchQuant || bins[0] == bins[1] ? 1 : 2;
+template <typename Sink>
+void matchInBins(const Query& p, Sink& sink) {
+    const OrientationBins& orientations = p.rule.bins;
+    const auto angle = static_cast<double>(p.angle);
+    const auto bins = orientations.nearestTwo(angle);
+    const int count = p.rule.distance == DistanceKind::DchQuant || bins[0] == bins[1] ? 1 : 2;
     for (int k = 0; k < count; ++k) {
-        const ContourMatch match = target.index.nearestInBin(rim.px.x(), rim.px.y(), bins[k], rule.gatePx);
-        if (match.index >= 0) {
-            const double apart = circularDistance(angle, rule.bins.centreRad(bins[k]), rule.bins.isSigned());
-            const double weight = rule.binWeights ? 1 - apart / rule.bins.widthRad() : 1.0;
-            matches.push_back({match.index, static_cast<float>(weight)});
+        const auto search = [&](float gatePx) { return p.target.index.nearestInBin(p.x, p.y, bins[k], gatePx); };
+        const ContourMatch match = search(p.rule.gatePx);
+        if (match.index < 0) {
+            sink.refuseMissing([&] { return search(kNoGate); }, MatchVerdict::EmptyBin);
+            continue;
         }
+        const double apart = circularDistance(angle, orientations.centreRad(bins[k]), orientations.isSigned());
+        const double weight = p.rule.binWeights ? 1 - apart / orientations.widthRad() : 1.0;
+        keepUnlessTruncated(p, match.index, static_cast<float>(weight), sink);
     }
 }
 
@@ -60,67 +143,49 @@ ContourMatch nearestInTensor(const CameraTarget& target, const Eigen::Vector2f& 
     return match ? ContourMatch{match->index, static_cast<float>(match->distancePx)} : ContourMatch{};
 }
 
-/// circ(phi_p, phi_q) < tau
-bool isWithinTau(const CameraTarget& target, const MatchRule& rule, int index, double angle) {
-    return std::isinf(rule.tauRad) || circularDistance(static_cast<double>(target.contour.angleRad[index]), angle,
-                                                       rule.bins.isSigned()) < static_cast<double>(rule.tauRad);
-}
-
-/// DCH-Thres: the nearest point, then the threshold; with `withinTau`, the nearest of those that pass it.
-ContourMatch nearestByThreshold(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px,
-                                float angle) {
-    if (rule.withinTau)
-        return target.index.nearestWithin(px.x(), px.y(), angle, rule.tauRad, rule.gatePx);
-    const ContourMatch match = target.index.nearest(px.x(), px.y(), rule.gatePx);
-    return match.index >= 0 && isWithinTau(target, rule, match.index, static_cast<double>(angle)) ? match
-                                                                                                  : ContourMatch{};
-}
-
 /// DCH-DT3. The tensor holds the best of all points, which is not the best within a gate: then the points are searched.
-ContourMatch nearestOriented(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px,
-                             float angle) {
-    if (target.tensor && std::isinf(rule.gatePx))
-        return nearestInTensor(target, px, angle);
-    return target.index.nearestDirectional(std::round(px.x()), std::round(px.y()),
-                                           rule.bins.binOf(static_cast<double>(angle)), rule.lambdaPxPerRad,
-                                           rule.gatePx);
+template <typename Sink>
+void matchOriented(const Query& p, Sink& sink) {
+    const auto search = [&](float gatePx) {
+        if (p.target.tensor && std::isinf(gatePx))
+            return nearestInTensor(p.target, {p.x, p.y}, p.angle);
+        return p.target.index.nearestDirectional(std::round(p.x), std::round(p.y),
+                                                 p.rule.bins.binOf(static_cast<double>(p.angle)), p.rule.lambdaPxPerRad,
+                                                 gatePx);
+    };
+    const ContourMatch match = search(p.rule.gatePx);
+    if (match.index >= 0)
+        keepUnlessTruncated(p, match.index, 1, sink);
+    else
+        sink.refuseMissing([&] { return search(kNoGate); }, MatchVerdict::Gate);
 }
 
-void addIfFound(const ContourMatch& match, std::vector<WeightedMatch>& matches) {
-    if (match.index >= 0)
-        matches.push_back({match.index, 1});
+template <typename Sink>
+void match(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim, Sink&& sink) {
+    const Query p{target, rule, rim.px.x(), rim.px.y(), std::atan2(rim.normalPx.y(), rim.normalPx.x())};
+    switch (rule.distance) {
+    case DistanceKind::Ch:
+        return matchNearest(p, sink);
+    case DistanceKind::DchThres:
+        return matchByThreshold(p, sink);
+    case DistanceKind::DchQuant:
+    case DistanceKind::DchQuant2:
+        return matchInBins(p, sink);
+    case DistanceKind::DchDt3:
+        return matchOriented(p, sink);
+    }
 }
 
 } // namespace
 
 void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim,
                  std::vector<WeightedMatch>& matches) {
-    const float x = rim.px.x(), y = rim.px.y();
-    const float angle = std::atan2(rim.normalPx.y(), rim.normalPx.x());
-    const std::size_t before = matches.size();
-    switch (rule.distance) {
-    case DistanceKind::Ch:
-        addIfFound(target.index.nearest(x, y, rule.gatePx), matches);
-        break;
-    case DistanceKind::DchThres:
-        addIfFound(nearestByThreshold(target, rule, rim.px, angle), matches);
-        break;
-    case DistanceKind::DchQuant:
-    case DistanceKind::DchQuant2:
-        addInBins(target, rule, rim, static_cast<double>(angle), matches);
-        break;
-    case DistanceKind::DchDt3:
-        addIfFound(nearestOriented(target, rule, rim.px, angle), matches);
-        break;
-    }
-    const auto tooFar = [&](const WeightedMatch& m) {
-        const float dx = x - target.contour.x[m.index], dy = y - target.contour.y[m.index];
-        return dx * dx + dy * dy > rule.truncatePx2;
-    };
-    if (rule.truncatePx2 > 0) {
-        const auto added = matches.begin() + static_cast<std::ptrdiff_t>(before);
-        matches.erase(std::remove_if(added, matches.end(), tooFar), matches.end());
-    }
+    match(target, rule, rim, KeptOnly{matches});
+}
+
+void explainMatches(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim,
+                    std::vector<MatchCandidate>& candidates) {
+    match(target, rule, rim, Explained{candidates});
 }
 
 } // namespace core

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "core/contour/visible_rim.h"
 #include "core/distance/contour_index.h"
 #include "core/distance/distance_kind.h"
 #include "core/fitting/fit_target.h"
+#include "core/fitting/fit_trace.h"
 #include "core/fitting/method.h"
 
 namespace core {
@@ -40,5 +42,16 @@ struct WeightedMatch {
 /// Appends the matches of one rim point (none, one or two).
 void findMatches(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim,
                  std::vector<WeightedMatch>& matches);
+
+/// A contour point that a rule considered for a rim point; index -1 where no contour point qualifies.
+struct MatchCandidate {
+    int index;
+    float weight; ///< 0 unless kept
+    MatchVerdict verdict;
+};
+
+/// Appends what findMatches finds, in its order, and for what it refuses the contour point and the reason.
+void explainMatches(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim,
+                    std::vector<MatchCandidate>& candidates);
 
 } // namespace core

@@ -74,19 +74,22 @@ PoseEstimator::PoseEstimator(PoseEstimator&&) noexcept = default;
 PoseEstimator& PoseEstimator::operator=(PoseEstimator&&) noexcept = default;
 
 FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses& start, const Method& method,
-                             std::stop_token stop, const FitProgress& progress, int threads) const {
+                             std::stop_token stop, const FitProgress& progress, int threads,
+                             MatchRecording recording) const {
     checkInput(m_impl->hands.models, m_impl->cameras, masks, start);
     const Stopwatch total;
     FitResult result;
     result.poses = start;
     const MatchRule rule = matchRule(method);
-    const std::vector<CameraTarget> targets =
-        makeFitTargets(m_impl->cameras, masks, targetOptions(method, rule), threads);
+    auto trace = std::make_shared<FitTrace>();
+    trace->targets = makeFitTargets(m_impl->cameras, masks, targetOptions(method, rule), threads);
+    const std::vector<CameraTarget>& targets = trace->targets;
     for (const CameraTarget& target : targets) {
         result.profile.contours += target.secondsContour;
         result.profile.transforms += target.secondsTransform;
     }
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
+    refiner.setRecording(recording);
     if (method.forearm == Forearm::Cut)
         refiner.cutForearms(start);
     if (targets.empty()) {
@@ -99,6 +102,10 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
         result.termination = attempt.termination;
     }
     result.seconds = total.seconds();
+    if (recording == MatchRecording::On) {
+        trace->finalMatches = refiner.matchesAt(result.poses);
+        result.trace = std::move(trace);
+    }
     return result;
 }
 

@@ -31,55 +31,6 @@ constexpr float kCoarseOutwardPx = 4;
 /// The contour's noise is that of matches within this angle.
 constexpr float kNoiseTauRad = 0.39f;
 
-Eigen::Vector2f contourPx(const CameraTarget& target, std::size_t point) {
-    return {target.contour.x[point], target.contour.y[point]};
-}
-
-/// How far the contour point lies from the rim point, across the outline.
-double acrossPx(const RimPoint& rim, const CameraTarget& target, int contourPoint) {
-    return static_cast<double>(rim.normalPx.dot(contourPx(target, static_cast<std::size_t>(contourPoint)) - rim.px));
-}
-
-bool isInside(const std::vector<ConvexRegion>& regions, const Eigen::Vector2f& px) {
-    return std::any_of(
-        regions.begin(), regions.end(), [&](const ConvexRegion& region) { return region.contains(px); });
-}
-
-RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target, int contourPoint, double weight,
-                                 const IterationSettings& settings) {
-    RayCorrespondence c;
-    c.vertexA = rim.vertexA;
-    c.vertexB = rim.vertexB;
-    c.t = static_cast<double>(rim.t);
-    c.point = rim.point.cast<double>();
-    c.rayPoint = target.centre;
-    c.rayDirection = target.rayDirection[static_cast<std::size_t>(contourPoint)];
-    c.normal = rim.normal.cast<double>();
-    c.tangentWeight = settings.tangentWeight;
-    c.weight = weight;
-    if (settings.robustMm > 0) {
-        const Eigen::Vector3d offset = c.point - c.rayPoint;
-        const double squared = (offset - offset.dot(c.rayDirection) * c.rayDirection).squaredNorm();
-        c.weight *= 1 / (1 + squared / (settings.robustMm * settings.robustMm));
-    }
-    if (settings.robustPx > 0) {
-        const double ratio = acrossPx(rim, target, contourPoint) / settings.robustPx;
-        c.weight *= 1 / (1 + ratio * ratio);
-    }
-    return c;
-}
-
-/// The rim as a contour, so that contour points can search it.
-OrientedContour rimContour(const std::vector<RimPoint>& rim) {
-    OrientedContour contour;
-    for (const RimPoint& r : rim) {
-        contour.x.push_back(r.px.x());
-        contour.y.push_back(r.px.y());
-        contour.angleRad.push_back(std::atan2(r.normalPx.y(), r.normalPx.x()));
-    }
-    return contour;
-}
-
 } // namespace
 
 FittingHands makeFittingHands(std::vector<HandModel> models) {
@@ -107,7 +58,7 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
     , m_hasForearm(hands.models.size(), 0)
     , m_posed(hands.models.size()) {
     for (View& view : m_views) {
-        view.correspondences.resize(hands.models.size());
+        view.matched.correspondences.resize(hands.models.size());
         view.equations.resize(hands.models.size());
     }
 }
@@ -160,48 +111,44 @@ void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail deta
         options.outwardPx = kCoarseOutwardPx;
     }
     visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch, view.rim);
-    std::erase_if(view.rim, [&](const RimPoint& rim) { return isInside(view.forearms, rim.px); });
+    leaveOut(view.forearms, view.rim, view.matched);
     view.secondsRim += watch.seconds();
 }
 
-void PoseRefiner::matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const {
-    for (const RimPoint& rim : view.rim) {
-        view.matches.clear();
-        findMatches(target, settings.rule, rim, view.matches);
-        std::erase_if(view.matches, [&](const WeightedMatch& match) {
-            return isInside(view.forearms, contourPx(target, static_cast<std::size_t>(match.index)));
-        });
-        if (view.matches.empty())
-            ++view.rejected;
-        for (const WeightedMatch& match : view.matches) {
-            view.correspondences[static_cast<std::size_t>(rim.hand)].push_back(
-                correspondence(rim, target, match.index, static_cast<double>(match.weight), settings));
-        }
-    }
+void PoseRefiner::setRecording(MatchRecording recording) {
+    for (View& view : m_views)
+        view.matched.recording = recording == MatchRecording::On;
 }
 
-void PoseRefiner::matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const {
-    if (settings.contourPointsPerCamera <= 0 || view.rim.empty())
-        return;
-    const ContourIndex index(rimContour(view.rim), settings.rule.bins);
-    const std::size_t count = target.contour.size();
-    const std::size_t wanted = std::min(count, static_cast<std::size_t>(settings.contourPointsPerCamera));
-    for (std::size_t k = 0; k < wanted; ++k) {
-        const std::size_t q = k * count / wanted;
-        if (isInside(view.forearms, contourPx(target, q)))
-            continue;
-        const ContourMatch match =
-            index.nearestWithin(target.contour.x[q], target.contour.y[q], target.contour.angleRad[q],
-                                settings.rule.tauRad, settings.rule.gatePx);
-        if (match.index >= 0) {
-            const RimPoint& rim = view.rim[static_cast<std::size_t>(match.index)];
-            view.correspondences[static_cast<std::size_t>(rim.hand)].push_back(
-                correspondence(rim, target, static_cast<int>(q), 1, settings));
-        }
+/// Null unless the iteration recorded.
+std::shared_ptr<const IterationMatches> PoseRefiner::takeRecords() {
+    if (m_views.empty() || !m_views.front().matched.recording)
+        return nullptr;
+    auto records = std::make_shared<IterationMatches>();
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        std::vector<MatchRecord>& found = m_views[v].matched.records;
+        records->push_back({m_targets[v].camera, std::vector<MatchRecord>(found.begin(), found.end())});
+        found.clear();
     }
+    return records;
+}
+
+IterationMatches PoseRefiner::matchesAt(const HandPoses& poses) {
+    if (!m_lastSettings)
+        return {};
+    poseSurfaces(poses, m_lastSettings->detail);
+    placeForearms(poses);
+    forEachView([&](View& view, const CameraTarget& target) {
+        view.matched.records.clear();
+        extractRim(view, target, m_lastSettings->detail, m_lastSettings->pointsPerCamera);
+        matchRim(target, *m_lastSettings, view.rim, view.forearms, view.matched);
+    });
+    const auto records = takeRecords();
+    return records ? *records : IterationMatches();
 }
 
 FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& settings) {
+    m_lastSettings = settings;
     poseSurfaces(poses, settings.detail);
     placeForearms(poses);
     std::vector<HandLinearisation> linearisations;
@@ -210,17 +157,14 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
                                     poses[h]);
     }
     forEachView([&](View& view, const CameraTarget& target) {
+        view.matched.records.clear();
         extractRim(view, target, settings.detail, settings.pointsPerCamera);
         Stopwatch watch;
-        view.rejected = 0;
-        for (auto& list : view.correspondences)
-            list.clear();
-        matchRim(view, target, settings);
-        matchContour(view, target, settings);
+        matchRim(target, settings, view.rim, view.forearms, view.matched);
         view.secondsMatch += watch.restart();
         for (std::size_t h = 0; h < linearisations.size(); ++h) {
             view.equations[h].reset(linearisations[h].poseSize());
-            linearisations[h].accumulate(view.correspondences[h], view.equations[h]);
+            linearisations[h].accumulate(view.matched.correspondences[h], view.equations[h]);
         }
         view.secondsSolve += watch.seconds();
     });
@@ -239,9 +183,10 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
             poses[h] = retract(poses[h], solveHand(h, poses, sum, settings));
     }
     for (const View& view : m_views)
-        record.rejected += view.rejected;
+        record.rejected += view.matched.rejected;
     record.costMm2 = record.matches ? squared / (2 * record.matches) : 0;
     record.stepMm = meanJointDistanceMm(m_hands.models, before, poses);
+    record.matchRecords = takeRecords();
     m_profile.solving += watch.seconds();
     return record;
 }
@@ -293,7 +238,7 @@ double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses) {
         view.contourPoints = target.contour.size();
         if (!view.forearms.empty())
             for (std::size_t q = 0; q < target.contour.size(); ++q)
-                view.contourPoints -= isInside(view.forearms, contourPx(target, q)) ? 1 : 0;
+                view.contourPoints -= isInside(view.forearms, contourPx(target, static_cast<int>(q))) ? 1 : 0;
         view.secondsScore += watch.seconds();
     });
     double area = 0;
@@ -361,10 +306,10 @@ void PoseRefiner::measureNoise(View& view, const CameraTarget& target) const {
     rule.tauRad = kNoiseTauRad;
     std::vector<double> px;
     for (const RimPoint& rim : view.rim) {
-        view.matches.clear();
-        findMatches(target, rule, rim, view.matches);
-        for (const WeightedMatch& match : view.matches) {
-            if (isInside(view.forearms, contourPx(target, static_cast<std::size_t>(match.index))))
+        view.matched.matches.clear();
+        findMatches(target, rule, rim, view.matched.matches);
+        for (const WeightedMatch& match : view.matched.matches) {
+            if (isInside(view.forearms, contourPx(target, match.index)))
                 continue;
             px.push_back(std::abs(acrossPx(rim, target, match.index)));
         }

@@ -3,21 +3,18 @@
 
 #include <array>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/contour/forearm.h"
 #include "core/contour/visible_rim.h"
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
-#include "core/fitting/match_rule.h"
-#include "core/fitting/ray_equations.h"
+#include "core/fitting/rim_matches.h"
 #include "core/hand/skinned_surface.h"
 
 namespace core {
-
-/// Levels of detail of all hands, coarse to fine.
-inline constexpr int kSurfaceLevels = 3;
-enum class Detail { Coarse = 0, Medium = 1, Full = 2 };
 
 /// The hands as the estimator sees them.
 struct FittingHands {
@@ -26,20 +23,6 @@ struct FittingHands {
     std::vector<ForearmCut> cuts;                                   ///< per hand
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
-
-/// How one iteration is done.
-struct IterationSettings {
-    MatchRule rule;
-    Detail detail = Detail::Full;
-    int pointsPerCamera = 300;
-    int contourPointsPerCamera = 0; ///< the other direction: contour points that pull the nearest rim point; 0 = none
-    bool rigidOnly = false;         ///< only the six rigid degrees of freedom of each hand move
-    double damping = 1e-3;          ///< relative to diag(H)
-    double tangentWeight = 1;       ///< of the distance along the outline; 1 = the paper's full point-to-ray distance
-    double robustMm = 0;            ///< Cauchy scale of the distance; 0 = none
-    double robustPx = 0;            ///< Cauchy scale of the distance across the outline in the picture; 0 = none
-    double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
-};
 
 /// Extracts correspondences and solves for one step, again and again. One object per fit; not for several threads at
 /// once, though it may use several itself.
@@ -50,6 +33,11 @@ public:
 
     /// One iteration; `poses` moves. The record's number and poses are left to the caller.
     FitIteration iterate(HandPoses& poses, const IterationSettings& settings);
+
+    /// From now on, iterations record their matches, or no longer.
+    void setRecording(MatchRecording recording);
+    /// The matches that another iteration with the last one's settings would step from; none before the first.
+    IterationMatches matchesAt(const HandPoses& poses);
 
     const FittingHands& hands() const { return m_hands; }
 
@@ -77,11 +65,9 @@ private:
     struct View {
         RimScratch scratch;
         std::vector<RimPoint> rim;
-        std::vector<WeightedMatch> matches;
-        std::vector<std::vector<RayCorrespondence>> correspondences; ///< per hand
-        std::vector<NormalEquations> equations;                      ///< per hand
-        std::vector<ConvexRegion> forearms;                          ///< of the hands that have one
-        int rejected = 0;
+        RimMatches matched;
+        std::vector<NormalEquations> equations; ///< per hand
+        std::vector<ConvexRegion> forearms;     ///< of the hands that have one
         double differencePx2 = 0;
         std::size_t contourPoints = 0; ///< outside the forearms
         double noisePx = 0;
@@ -90,8 +76,7 @@ private:
 
     void poseSurfaces(const HandPoses& poses, Detail detail);
     void extractRim(View& view, const CameraTarget& target, Detail detail, int points);
-    void matchRim(View& view, const CameraTarget& target, const IterationSettings& settings) const;
-    void matchContour(View& view, const CameraTarget& target, const IterationSettings& settings) const;
+    std::shared_ptr<const IterationMatches> takeRecords();
     std::vector<RimSource> rimSources(Detail detail) const;
     void placeForearms(const HandPoses& poses);
     void measureNoise(View& view, const CameraTarget& target) const;
@@ -106,6 +91,7 @@ private:
     HandPoses m_start;
     int m_threads;
     FitProfile& m_profile;
+    std::optional<IterationSettings> m_lastSettings;
     std::vector<View> m_views;
     std::vector<char> m_hasForearm;                               ///< per hand
     std::vector<std::array<PosedPoints, kSurfaceLevels>> m_posed; ///< per hand

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
@@ -310,6 +311,70 @@ TEST(MatchRule, WithinTauSkipsPointsOfOtherDirections) {
         ASSERT_EQ(matches.size(), 1u);
         EXPECT_NEAR(distanceOf(contour, static_cast<std::size_t>(matches[0].index), rim), least, 1e-4);
     }
+}
+
+/// What a reader of the candidate's verdict may rely on, judged from the whole contour.
+void checkVerdict(const core::OrientedContour& contour, const MatchRule& rule, const RimPoint& rim,
+                  const core::MatchCandidate& candidate) {
+    using core::MatchVerdict;
+    const auto q = static_cast<std::size_t>(std::max(0, candidate.index));
+    const double apart = candidate.index < 0 ? 0
+                                             : core::circularDistance(static_cast<double>(contour.angleRad[q]),
+                                                                      angleOf(rim), rule.bins.isSigned());
+    const double distance = candidate.index < 0 ? 0 : distanceOf(contour, q, rim);
+    switch (candidate.verdict) {
+    case MatchVerdict::Kept:
+        EXPECT_LE(distance, static_cast<double>(rule.gatePx) + 1e-4);
+        break;
+    case MatchVerdict::Orientation:
+        EXPECT_GE(apart, static_cast<double>(rule.tauRad));
+        EXPECT_NEAR(distance, leastCost(contour, [&](std::size_t k) { return distanceOf(contour, k, rim); }), 1e-4);
+        break;
+    case MatchVerdict::Gate:
+        EXPECT_GT(distance, static_cast<double>(rule.gatePx) - 1e-4);
+        break;
+    case MatchVerdict::Truncated:
+        EXPECT_GT(distance * distance, static_cast<double>(rule.truncatePx2) - 1e-3);
+        break;
+    case MatchVerdict::EmptyBin:
+        EXPECT_EQ(candidate.index, -1);
+        EXPECT_TRUE(std::none_of(contour.angleRad.begin(), contour.angleRad.end(), [&](float angle) {
+            return rule.bins.binOf(static_cast<double>(angle)) == rule.bins.binOf(angleOf(rim));
+        }));
+        break;
+    case MatchVerdict::Forearm:
+        FAIL() << "no rule knows forearms";
+    }
+}
+
+TEST(MatchRule, ExplainsWhatItRefusesAndKeepsTheSame) {
+    std::set<core::MatchVerdict> seen;
+    for (const char* method : {"ch:gate=30", "ch:truncate=400", "dch-thres", "dch-thres:gate=30", "dch-quant:bins=24",
+                               "dch-quant:bins=8:gate=20", "dch-quant2:weights=1:gate=25", "dch-dt3:gate=12"}) {
+        forRandomMatches(
+            method, false,
+            [&](const core::OrientedContour& contour, const MatchRule& rule, const RimPoint& rim,
+                const std::vector<WeightedMatch>& matches) {
+                std::vector<core::MatchCandidate> candidates;
+                core::explainMatches(makeTarget(contour, rule), rule, rim, candidates);
+                std::size_t kept = 0;
+                for (const core::MatchCandidate& candidate : candidates) {
+                    seen.insert(candidate.verdict);
+                    if (candidate.verdict == core::MatchVerdict::Kept) {
+                        ASSERT_LT(kept, matches.size()) << method;
+                        EXPECT_EQ(candidate.index, matches[kept].index) << method;
+                        EXPECT_EQ(candidate.weight, matches[kept++].weight) << method;
+                    } else {
+                        EXPECT_EQ(candidate.weight, 0);
+                    }
+                    if (rule.distance != DistanceKind::DchDt3 && rule.distance != DistanceKind::DchQuant2)
+                        checkVerdict(contour, rule, rim, candidate);
+                }
+                EXPECT_EQ(kept, matches.size()) << method;
+                EXPECT_FALSE(candidates.empty()) << method << ": a refusal is told, too";
+            });
+    }
+    EXPECT_EQ(seen.size(), 5u) << "every reason but the forearm has been met";
 }
 
 } // namespace
