@@ -262,6 +262,20 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
     return violations;
 }
 
+Violations unplainWords(const std::vector<SourceFile>& files) {
+    static const std::regex unplain("(.*\\W)?(([a-z]+) (is|are) no (?!longer|more|larger|smaller|better|worse).*|"
+                                    "nothing (if|for|where|when|unless) .*|(some|any|every)body\\b.*)",
+                                    std::regex::icase);
+    static const std::regex plain(".*\\b(there (is|are) no|(do|does|write|writes|change|changes) nothing)\\b.*",
+                                  std::regex::icase);
+    Violations violations;
+    for (const SourceFile& file : files)
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            if (std::regex_match(file.lines[i], unplain) && !std::regex_match(file.lines[i], plain))
+                violations.push_back(at(file, static_cast<int>(i) + 1, "not plain words: " + file.lines[i]));
+    return violations;
+}
+
 Violations untidyFiles(const std::vector<SourceFile>& files) {
     static const std::regex meaningless("(.*/)?(util|utils|common|misc|globals|helpers)(/.*|\\.(h|cpp))");
     Violations violations;
