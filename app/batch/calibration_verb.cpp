@@ -57,7 +57,7 @@ void addCalibrationVerb(CLI::App& program) {
     auto arguments = std::make_shared<CalibrationArguments>();
     CLI::App* verb = program.add_subcommand("calibration", "Convert a calibration of another program");
     verb->add_option("file", arguments->file, "The file, or the folder for kinds with a file per camera")->required();
-    verb->add_option("--from", arguments->options.kind, "Its kind, if the content does not tell")
+    verb->add_option("--from", arguments->options.kind, "Its kind, if it does not follow from the content")
         ->check(CLI::IsMember(kindNames(false)));
     verb->add_option("--to", arguments->to, "The kind to write")->required()->check(CLI::IsMember(kindNames(true)));
     verb->add_option("--size", arguments->size, "Image size WxH, for files that hold none");

@@ -54,10 +54,10 @@ void addExportVerb(CLI::App& program) {
     verb->add_option("dataset", arguments->dataset, "Dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--to", arguments->kind, "Kind: " + exportKinds())->required();
-    verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
+    verb->add_option("--map", arguments->map, "JSON file with the joint of each name there");
     verb->add_option(
         "--rater", arguments->rater,
-        "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
+        "Only the marks of this rater (default: all raters where the format names them, else the one with most marks)");
     verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
         ->capture_default_str()
         ->check(CLI::Range(1e-6, 1e6));

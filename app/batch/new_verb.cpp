@@ -109,7 +109,7 @@ void addNewVerb(CLI::App& program) {
     auto arguments = std::make_shared<NewArguments>();
     CLI::App* verb = program.add_subcommand("new", "Make a dataset of a calibration and videos or images");
     verb->add_option("--cameras", arguments->cameras, "The calibration, of any kind that `calibration` reads");
-    verb->add_option("--from", arguments->calibration.kind, "Its kind, if the content does not tell");
+    verb->add_option("--from", arguments->calibration.kind, "Its kind, if it does not follow from the content");
     verb->add_option("--size", arguments->size, "Image size WxH, if the calibration holds none");
     verb->add_option("--mm-per-unit", arguments->mmPerUnit, "Length of the calibration's unit in mm")
         ->check(CLI::PositiveNumber);
@@ -118,7 +118,7 @@ void addNewVerb(CLI::App& program) {
     verb->add_option("--masks", arguments->masks,
                      "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; "
                      "can be repeated");
-    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")
+    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not hold them")
         ->check(CLI::PositiveNumber);
     verb->add_option("--sync", arguments->sync,
                      "time: frames are mapped by their time stamps, so that frames which a camera lost are missing in "

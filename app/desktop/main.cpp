@@ -52,7 +52,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
 
 int run(int argc, char** argv, const app::CommandLine& line) {
     if (!line.language.empty() && !app::knownLanguage(QString::fromStdString(line.language))) {
-        std::cerr << "handlens: --language: the window does not speak \"" << line.language << "\"; it speaks "
+        std::cerr << "handlens: --language: unknown language \"" << line.language << "\"; known are "
                   << app::availableLanguages().join(QStringLiteral(", ")).toStdString() << std::endl;
         return 2;
     }

@@ -69,7 +69,7 @@ struct Regression {
     double scatterPx = 0; ///< per axis, robust
 };
 
-/// Design of two rows (x, y) per click; `residuals` stacked alike. Nothing if the unknowns are not fixed.
+/// Design of two rows (x, y) per click; `residuals` stacked alike. Empty if the unknowns are not fixed.
 std::optional<Regression> regress(const Eigen::MatrixXd& design, const Eigen::VectorXd& residuals) {
     const Eigen::Index clicks = residuals.size() / 2;
     Eigen::VectorXd weights = Eigen::VectorXd::Ones(residuals.size());

@@ -50,13 +50,13 @@ core::Edit editOf(core::EditKind kind, core::MarkState state, int marks) {
     return edit;
 }
 
-TEST_F(ReasonsInGerman, EveryTriangulationFailure) {
+TEST_F(ReasonsInGerman, EveryTriangulationFailureIsTranslated) {
     using core::TriangulationFailure;
     for (int failure = 1; failure <= static_cast<int>(TriangulationFailure::ViewsDisagree); ++failure)
         expectTranslated([&] { return widgets::failureInWords(static_cast<TriangulationFailure>(failure)); });
 }
 
-TEST_F(ReasonsInGerman, EveryKindOfEdit) {
+TEST_F(ReasonsInGerman, EveryKindOfEditIsTranslated) {
     for (int kind = 0; kind <= static_cast<int>(core::EditKind::Import); ++kind)
         for (const int marks : {1, 4})
             for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable})
@@ -70,14 +70,14 @@ TEST_F(ReasonsInGerman, AnUnknownLabelOfAFileIsShownAsItStands) {
     EXPECT_EQ(widgets::editText(edit), QStringLiteral("a step of a later version"));
 }
 
-TEST_F(ReasonsInGerman, EveryReasonForReadingOnly) {
+TEST_F(ReasonsInGerman, EveryReasonForReadingOnlyIsTranslated) {
     using Kind = core::ReadOnlyReason::Kind;
     for (int kind = 1; kind <= static_cast<int>(Kind::ReadOnlyFile); ++kind)
         for (const char* holder : {"", "ann@lab, process 12"})
             expectTranslated([&] { return widgets::readOnlyInWords({static_cast<Kind>(kind), holder}); });
 }
 
-TEST_F(ReasonsInGerman, EveryRefusalOfAFitPair) {
+TEST_F(ReasonsInGerman, EveryRefusalOfAFitPairIsTranslated) {
     for (const auto refusal : {widgets::FitRefusal::NoStartPose, widgets::FitRefusal::NoTestMasks})
         expectTranslated([&] { return widgets::fitRefusalText(refusal); });
 }

@@ -185,6 +185,17 @@ Violations brokenFences(const std::vector<SourceFile>& files) {
     return violations;
 }
 
+Violations wholeSessions(const std::vector<SourceFile>& files) {
+    static const std::regex builders("widgets/session/window_session\\.cpp|widgets/workspaces/workspaces\\.(h|cpp)|"
+                                     "widgets/panels/quality_panel\\.h|app/desktop/.*|tests/.*");
+    Violations violations;
+    for (const SourceFile& file : files)
+        for (const Include& include : file.includes)
+            if (include.path == "widgets/session/window_session.h" && !std::regex_match(file.path, builders))
+                violations.push_back(at(file, include.line, "takes the whole session instead of the parts it needs"));
+    return violations;
+}
+
 Violations unknownIncludes(const std::vector<SourceFile>& files) {
     std::set<std::string> paths;
     for (const SourceFile& file : files)
@@ -248,6 +259,20 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
             }
         }
     }
+    return violations;
+}
+
+Violations unplainWords(const std::vector<SourceFile>& files) {
+    static const std::regex unplain("(.*\\W)?(([a-z]+) (is|are) no (?!longer|more|larger|smaller|better|worse).*|"
+                                    "nothing (if|for|where|when|unless) .*|(some|any|every)body\\b.*)",
+                                    std::regex::icase);
+    static const std::regex plain(".*\\b(there (is|are) no|(do|does|write|writes|change|changes) nothing)\\b.*",
+                                  std::regex::icase);
+    Violations violations;
+    for (const SourceFile& file : files)
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            if (std::regex_match(file.lines[i], unplain) && !std::regex_match(file.lines[i], plain))
+                violations.push_back(at(file, static_cast<int>(i) + 1, "not plain words: " + file.lines[i]));
     return violations;
 }
 

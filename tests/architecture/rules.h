@@ -17,6 +17,9 @@ Violations wrongDirections(const std::vector<SourceFile>& files);
 Violations includeCycles(const std::vector<SourceFile>& files);
 /// Libraries outside the folders that may use them (Qt, VTK, assimp, OpenCV, SQLite, ...).
 Violations brokenFences(const std::vector<SourceFile>& files);
+/// Headers that only the classes that build the window may include, included elsewhere: a panel takes the parts that it
+/// needs, never the whole session.
+Violations wholeSessions(const std::vector<SourceFile>& files);
 /// Quoted includes that name no file of the project: includes go from the root.
 Violations unknownIncludes(const std::vector<SourceFile>& files);
 /// Folders of the product with more than 20 components.
@@ -25,6 +28,9 @@ Violations crowdedFolders(const std::vector<SourceFile>& files);
 Violations longFiles(const std::vector<SourceFile>& files);
 /// Functions of more than 60 lines, found by their indentation (the formatter guarantees it).
 Violations longFunctions(const std::vector<SourceFile>& files);
+/// Turns of phrase that are not plain engineering English: "is no X" for "is not an X", "nothing if" for an empty
+/// optional, "somebody" and its kin for a person or a rater.
+Violations unplainWords(const std::vector<SourceFile>& files);
 /// Files without the licence line, headers without #pragma once, folders with names that mean nothing.
 Violations untidyFiles(const std::vector<SourceFile>& files);
 

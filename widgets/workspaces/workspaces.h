@@ -28,7 +28,8 @@
 namespace widgets {
 
 /// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the
-/// middle shows depends on the workspace. It turns what happens in the views into the annotator's steps.
+/// middle shows depends on the workspace. It builds the panels, pages and presenters, gives each the parts of the
+/// session that it needs, and turns what happens in the views into the annotator's steps.
 class Workspaces : public QWidget {
     Q_OBJECT
 
@@ -56,7 +57,7 @@ public:
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
     ScenePanel* scenePanel() const { return m_scenePanel; }
     MaskAttacher* masks() { return &m_masks; }
-    /// What the status line says in this workspace; nothing where it speaks of the selected joint.
+    /// What the status line says in this workspace; empty where it describes the selected joint.
     WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);

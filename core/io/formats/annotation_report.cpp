@@ -52,11 +52,11 @@ std::string limitsCell(const BlandAltman& axis, int values) {
 
 constexpr const char* kTableEnd = "</tbody>\n</table>\n";
 
-/// What stands for the rater where nobody has marked anything.
-std::string nobodyText(const AnnotationSummary& sequence) {
+/// Stands in the rater's column of a sequence without marks.
+std::string noRaterText(const AnnotationSummary& sequence) {
     return sequence.proposals == 0
-               ? "nobody yet"
-               : "nobody yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
+               ? "no marks yet"
+               : "no marks yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
 }
 
 std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
@@ -65,7 +65,7 @@ std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
                                            "joints done", "partial", "bad", "occluded", "click &sigma;, px"});
     for (const AnnotationSummary& sequence : sequences) {
         if (sequence.empty()) {
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(nobodyText(sequence)) + count(0) +
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(noRaterText(sequence)) + count(0) +
                     count(sequence.frameCount) +
                     "<td></td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
         }

@@ -22,7 +22,7 @@ ordered_json viewJson(const ViewReconstruction& view) {
     return {{"camera", view.camera},
             {"px", {view.mark->px.x(), view.mark->px.y()}},
             {"state", stateName(view.outside ? MarkState::Occluded
-                                             : view.mark->state)}, // nobody sees what lies outside the picture
+                                             : view.mark->state)}, // a place outside the picture is not visible
             {"placement", placementName(view.mark->placement)},
             {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
 }

@@ -9,7 +9,7 @@
 
 // Reads the MATLAB files of Label3D: its own saves (skeleton, handLabeled2D, data_3D) and what it exports for DANNCE
 // (labelData per camera). Pixels count from 1 there, frames of videos from 0. handLabeled2D holds clicks; data_2d of an
-// export are reprojections of its 3D points, which are no evidence.
+// export are reprojections of its 3D points, which are not evidence.
 namespace core {
 
 namespace fs = std::filesystem;
@@ -153,7 +153,7 @@ std::vector<std::string> camerasOf(ImportRequest& job, const Source& source, std
     return names;
 }
 
-/// The joints of a file in its order; nothing for a body part that stands for none.
+/// The joints of a file in its order; empty for a body part that stands for none.
 using JointList = std::vector<std::optional<JointId>>;
 
 /// The i-th entry of the joint map is the i-th joint of a file without names.

@@ -45,7 +45,7 @@ public:
     std::vector<std::string> texts(const std::string& path, const std::string& field) const;
     bool holdsTexts(const std::string& path, const std::string& field) const;
 
-    /// Of a group or dataset; nothing if it has no such attribute or that is no single text or number.
+    /// Of a group or dataset; empty if it has no such attribute or one that is not a single text or number.
     std::optional<std::string> textAttribute(const std::string& path, const std::string& attribute) const;
     std::optional<double> numberAttribute(const std::string& path, const std::string& attribute) const;
 

@@ -58,7 +58,7 @@ std::string videoPath(const json& video) {
     return {};
 }
 
-/// The number in "video3/video", where a project holds the pictures itself; nothing for other footage.
+/// The number in "video3/video", where a project holds the pictures itself; empty for other footage.
 std::optional<int> embeddedNumber(const json& video) {
     const json backend = video.value("backend", json::object());
     const std::string dataset =

@@ -58,7 +58,7 @@ TEST(RigHealth, NamesTheCameraThatMovedAndHowFar) {
     EXPECT_NE(findings[0].find("px off in every frame: its calibration moved"), std::string::npos) << findings[0];
 }
 
-TEST(RigHealth, WrongClicksAreNoCameraThatMoved) {
+TEST(RigHealth, WrongClicksAreNotTakenForAMovedCamera) {
     RigScene scene("Wrong");
     auto joints = scene.clicks(RigScene::frames(6, 10));
     for (std::size_t j = 0; j < joints.size(); j += 12)

@@ -28,7 +28,7 @@ protected:
         std::vector<std::string> cameras;
         for (const core::Camera& camera : dataset->cameras)
             cameras.push_back(camera.name);
-        annotator.setCameraOrder(cameras);
+        shown.setNames(cameras);
         selection.setFrameCount(300);
         selection.setFrame(12);
         selection.setJoint(kIndex);
@@ -47,7 +47,8 @@ protected:
     AnnotationDocument document;
     JointList joints;
     Reconstructions reconstructions{document, selection};
-    Annotator annotator{document, selection, reconstructions, joints};
+    ShownCameras shown;
+    Annotator annotator{document, selection, reconstructions, joints, shown};
 };
 
 TEST_F(AnnotatorTest, TwoClicksMakeAPoint) {
@@ -128,7 +129,7 @@ TEST_F(AnnotatorTest, CancelledDragChangesNothing) {
     EXPECT_EQ(document.undoStack()->count(), 1);
 }
 
-TEST_F(AnnotatorTest, OccludedToggles) {
+TEST_F(AnnotatorTest, OccludedIsSetAndTakenBackByTheSameKey) {
     click(0);
     annotator.toggleOccluded();
     EXPECT_EQ(mark(0)->state, core::MarkState::Occluded);
@@ -174,7 +175,7 @@ TEST_F(AnnotatorTest, ANudgedProposalStartsWhereItIsShown) {
     EXPECT_LT((mark(2)->px - truth(2) - Eigen::Vector2d(1, 0)).norm(), 1e-6);
 }
 
-TEST_F(AnnotatorTest, StepsAroundTheCameras) {
+TEST_F(AnnotatorTest, SteppingThroughCamerasGoesAroundTheEnd) {
     selection.setCamera("cam3");
     annotator.stepCamera(1);
     EXPECT_EQ(selection.camera(), "cam0");
@@ -276,7 +277,7 @@ TEST_F(AnnotatorTest, ADragThatFinishesAJointStaysThere) {
     EXPECT_EQ(selection.joint(), kIndex);
 }
 
-TEST_F(AnnotatorTest, AWithdrawnClickIsNoFinish) {
+TEST_F(AnnotatorTest, AWithdrawnClickDoesNotFinishItsJoint) {
     for (int camera = 0; camera < 4; ++camera)
         click(camera);
     annotator.withdrawPlace();
