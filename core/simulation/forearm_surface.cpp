@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/simulation/forearm_surface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -11,8 +12,9 @@ namespace core {
 
 namespace {
 
-constexpr int kSides = 32, kRings = 27;
-constexpr double kLengthMm = 260, kWristMm = 25, kElbowMm = 38;
+constexpr int kSides = 32;
+constexpr double kRingStepMm = 10;
+constexpr double kOpeningMm = 260, kWristMm = 25, kElbowMm = 38; ///< along, radius, radius
 
 /// From the hand towards the elbow: away from the knuckles of the four fingers, or from all joints where the model does
 /// not name them.
@@ -49,18 +51,19 @@ void addCap(ForearmSurface& arm, int firstOfRing, const Eigen::Vector3d& centre,
 
 } // namespace
 
-ForearmSurface forearmSurface(const HandModel& hand, const Pose& pose) {
+ForearmSurface forearmSurface(const HandModel& hand, const Pose& pose, double lengthMm) {
     const std::vector<Eigen::Vector3d> joints = jointPositions(hand.skeleton, pose);
     const Eigen::Vector3d axis = armDirection(hand.skeleton, joints);
     const Eigen::Vector3d u = axis.unitOrthogonal(), v = axis.cross(u);
     ForearmSurface arm;
-    for (int ring = 0; ring < kRings; ++ring) {
-        const double share = static_cast<double>(ring) / (kRings - 1);
-        const double radius = kWristMm + share * (kElbowMm - kWristMm);
+    const int rings = std::max(2, 1 + static_cast<int>(std::lround(lengthMm / kRingStepMm)));
+    for (int ring = 0; ring < rings; ++ring) {
+        const double along = lengthMm * ring / (rings - 1);
+        const double radius = kWristMm + std::min(1.0, along / kOpeningMm) * (kElbowMm - kWristMm);
         for (int k = 0; k < kSides; ++k) {
             const double angle = 2 * std::numbers::pi * k / kSides;
             const Eigen::Vector3d outward = std::cos(angle) * u + std::sin(angle) * v;
-            arm.verticesInWorld.push_back(joints.front() + share * kLengthMm * axis + radius * outward);
+            arm.verticesInWorld.push_back(joints.front() + along * axis + radius * outward);
             arm.normalsInWorld.push_back(outward);
             if (ring == 0)
                 continue;
@@ -70,7 +73,7 @@ ForearmSurface forearmSurface(const HandModel& hand, const Pose& pose) {
         }
     }
     addCap(arm, 0, joints.front(), -axis, true);
-    addCap(arm, (kRings - 1) * kSides, joints.front() + kLengthMm * axis, axis, false);
+    addCap(arm, (rings - 1) * kSides, joints.front() + lengthMm * axis, axis, false);
     return arm;
 }
 

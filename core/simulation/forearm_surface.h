@@ -17,8 +17,8 @@ struct ForearmSurface {
     std::vector<std::array<int, 3>> triangles;
 };
 
-/// The arm that a posed hand hangs on: from the hand's root away from its knuckles, 260 mm long, 25 mm thick (radius)
-/// at the wrist and 38 mm at its end.
-ForearmSurface forearmSurface(const HandModel& hand, const Pose& pose);
+/// The arm that a posed hand hangs on: from the hand's root away from its knuckles, 25 mm thick (radius) at the wrist
+/// and 38 mm 260 mm farther on, and from there on.
+ForearmSurface forearmSurface(const HandModel& hand, const Pose& pose, double lengthMm = 260);
 
 } // namespace core

@@ -16,6 +16,8 @@ namespace core {
 
 namespace {
 
+constexpr double kSleeveMm = 450; ///< long enough to leave most pictures
+
 /// Grey clouds of one size, with deviation 1: white noise in coarse cells, drawn smooth.
 cv::Mat clouds(const cv::Size& size, int cellPx, RandomGenerator& random) {
     cv::Mat coarse(size.height / cellPx + 2, size.width / cellPx + 2, CV_32F), fine;
@@ -73,6 +75,7 @@ cv::Mat handsPicture(const SimulatedWorld& world, const Camera& camera, const Ha
     std::vector<std::vector<Eigen::Vector3d>> vertices(count), normals(count);
     std::vector<ForearmSurface> arms(count);
     std::vector<ShadedSurface> surfaces;
+    const Eigen::Vector3f sleeve(0.33F, 0.39F, 0.50F);
     for (std::size_t h = 0; h < count; ++h) {
         const HandModel& hand = world.hands[h];
         vertices[h] = posedVertices(hand, poses[h]);
@@ -81,8 +84,8 @@ cv::Mat handsPicture(const SimulatedWorld& world, const Camera& camera, const Ha
         surfaces.push_back({{&vertices[h], &hand.mesh.triangles}, &normals[h], colour});
         if (!world.forearm)
             continue;
-        arms[h] = forearmSurface(hand, poses[h]);
-        surfaces.push_back({{&arms[h].verticesInWorld, &arms[h].triangles}, &arms[h].normalsInWorld, colour});
+        arms[h] = forearmSurface(hand, poses[h], kSleeveMm);
+        surfaces.push_back({{&arms[h].verticesInWorld, &arms[h].triangles}, &arms[h].normalsInWorld, sleeve});
     }
     OverlayOptions options;
     options.opacity = 1;
