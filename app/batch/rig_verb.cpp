@@ -13,7 +13,7 @@
 #include "core/io/dataset/dataset.h"
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/json_file.h"
-#include "core/rig/rig_health.h"
+#include "core/rig/rig_findings.h"
 #include "core/rig/rig_refinement.h"
 
 namespace app {
@@ -137,8 +137,9 @@ void rig(const RigArguments& arguments) {
     }
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const std::vector<core::RigJoint> joints = core::readRigJoints(dataset, arguments.sequences, arguments.rater);
-    const core::RigHealth health = core::judgeRig(dataset.cameras, joints);
-    const auto refinement = core::refineRig(dataset.cameras, joints, {}, interruptToken());
+    const core::RigResiduals residuals = core::computeRigResiduals(dataset.cameras, joints);
+    const core::RigHealth health = core::judgeRig(dataset.cameras, joints, residuals);
+    const auto refinement = core::refineRig(dataset.cameras, joints, residuals, {}, interruptToken());
     if (interruptToken().stop_requested())
         throw Interrupted(arguments.dataset + ": stopped; nothing was written");
     printHealth(health);

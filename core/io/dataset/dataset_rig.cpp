@@ -6,6 +6,7 @@
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/rig/rig_findings.h"
 
 namespace core {
 

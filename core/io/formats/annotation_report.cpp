@@ -10,6 +10,7 @@
 #include "core/io/dataset/sequence_pictures.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/gnuplot.h"
+#include "core/rig/rig_findings.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/rig/rig_health.h"
+#include "core/rig/rig_findings.h"
 
 #include <gtest/gtest.h>
 
