@@ -19,7 +19,7 @@ struct ExportRequest {
     const AnnotationSet& set;
     const std::string& rater; ///< whose marks are written; empty: everybody's, for formats that name raters
     const JointMap& map;
-    const TriangulationOptions& triangulation;
+    const AnnotationExportOptions& options;
     const std::filesystem::path& path;
 };
 
