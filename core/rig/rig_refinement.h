@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rig/rig_clicks.h"
+#include "core/rig/rig_residuals.h"
 
 namespace core {
 
@@ -53,6 +53,10 @@ struct RigRefinement {
 /// stopped.
 std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                                        const RigRefinementOptions& options = {}, std::stop_token stop = {});
+/// The same where the residuals of the joints are known already.
+std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
+                                       const RigResiduals& residuals, const RigRefinementOptions& options = {},
+                                       std::stop_token stop = {});
 
 /// Joints that refineRig counts: seen by three cameras or more.
 int countWellSeenJoints(const std::vector<RigJoint>& joints);

@@ -156,7 +156,7 @@ std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, 
         return rater;
     }
     const JointMap map = mapFor(handler, options.jointMap);
-    handler.write({dataset, sequence, set, rater, map, options.triangulation, path});
+    handler.write({dataset, sequence, set, rater, map, options, path});
     return rater;
 }
 

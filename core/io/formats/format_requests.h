@@ -19,7 +19,7 @@ struct ExportRequest {
     const AnnotationSet& set;
     const std::string& rater; ///< whose marks are written; empty: those of all raters, for formats that name them
     const JointMap& map;
-    const TriangulationOptions& triangulation;
+    const AnnotationExportOptions& options;
     const std::filesystem::path& path;
 };
 

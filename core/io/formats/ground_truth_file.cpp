@@ -81,10 +81,11 @@ void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
     const PictureGaps gaps = pictureGaps(dataset, sequence);
     ordered_json frames = ordered_json::array();
     for (const int frame : framesToWrite) {
-        const ReconstructionOptions reconstruction{options.triangulation, false, std::nullopt, gaps.at(frame)};
         ordered_json raters = ordered_json::array();
         for (const std::string& rater : ratersOf(set, frame)) {
             if (!options.rater || *options.rater == rater) {
+                const ReconstructionOptions reconstruction{options.triangulationOf(rater), false, std::nullopt,
+                                                           gaps.at(frame)};
                 if (auto hands = handsJson(set, dataset.cameras, frame, rater, reconstruction); !hands.empty())
                     raters.push_back({{"rater", rater}, {"hands", std::move(hands)}});
             }
