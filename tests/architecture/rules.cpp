@@ -19,7 +19,7 @@ const std::vector<std::string> kCoreFolders{
     "core/numeric",    "core/text",       "core/geometry",   "core/hand",
     "core/demo_hand",  "core/contour",    "core/distance",   "core/fitting",
     "core/subject",    "core/annotation", "core/rig",        "core/simulation",
-    "core/benchmark",  "core/io/files",   "core/io/hdf5",    "core/io/calibration",
+    "core/benchmark",  "core/io/files",   "core/io/hdf5",    "core/io/matlab", "core/io/calibration",
     "core/io/hands",   "core/io/store",   "core/io/footage", "core/io/dataset",
     "core/io/formats", "core/io/demo",    "core/io/import",  "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",    "widgets/jobs",
@@ -48,7 +48,7 @@ const std::vector<Fence>& fences() {
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
         {"libav", std::regex("lib(av|sw)[a-z]+/.*"), std::regex("core/io/footage/.*")},
-        {"matio", std::regex("matio\\.h"), std::regex("core/io/(calibration|formats)/.*|tests/.*")},
+        {"matio", std::regex("matio\\.h"), std::regex("core/io/matlab/.*|tests/.*")},
         {"HDF5", std::regex("hdf5\\.h"), std::regex("core/io/hdf5/.*|tests/.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
         {"spdlog", std::regex("spdlog/.*"), std::regex("(widgets/|app/).*")},
