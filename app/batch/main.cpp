@@ -28,6 +28,7 @@ void addVerbs(CLI::App& program) {
     app::addBenchmarkVerb(program);
     app::addCalibrationVerb(program);
     app::addCheckVerb(program);
+    app::addDetectorVerb(program);
     app::addExportVerb(program);
     app::addFitVerb(program);
     app::addDemoVerb(program);

@@ -12,6 +12,7 @@ void addAnnotationsVerb(CLI::App& program);
 void addBenchmarkVerb(CLI::App& program);
 void addCalibrationVerb(CLI::App& program);
 void addCheckVerb(CLI::App& program);
+void addDetectorVerb(CLI::App& program);
 void addExportVerb(CLI::App& program);
 void addFitVerb(CLI::App& program);
 void addDemoVerb(CLI::App& program);
