@@ -25,6 +25,7 @@ int fail(std::string message, int status) {
 
 void addVerbs(CLI::App& program) {
     app::addAnnotationsVerb(program);
+    app::addAutolabelVerb(program);
     app::addBenchmarkVerb(program);
     app::addCalibrationVerb(program);
     app::addCheckVerb(program);

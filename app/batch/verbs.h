@@ -9,6 +9,7 @@ namespace app {
 
 // Every verb adds itself as a subcommand with its options and a callback that does the work. One file per verb.
 void addAnnotationsVerb(CLI::App& program);
+void addAutolabelVerb(CLI::App& program);
 void addBenchmarkVerb(CLI::App& program);
 void addCalibrationVerb(CLI::App& program);
 void addCheckVerb(CLI::App& program);
