@@ -52,7 +52,8 @@ void addReportVerb(CLI::App& program) {
     verb->add_option("--bad-px", arguments->badPx, "Joints with a larger reprojection error count as bad, px")
         ->capture_default_str()
         ->check(CLI::Range(1e-6, 1e6));
-    verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px (estimated from all clicks)")
+    verb->add_option("--sigma-px", arguments->sigmaPx,
+                     "Standard deviation of a click per axis, px (estimated from all clicks)")
         ->check(CLI::Range(1e-6, 1e6));
     verb->add_option("--out", arguments->out, "The HTML file to write (report.html in the dataset)");
     verb->callback([arguments] { report(*arguments); });

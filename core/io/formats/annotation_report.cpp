@@ -81,14 +81,14 @@ std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
             text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(rater.rater) + count(rater.frames) +
                     count(sequence.frameCount) + count(rater.clicks) + count(rater.accepted) +
                     count(rater.joints.done) + count(rater.joints.partial) + count(rater.joints.bad) +
-                    count(rater.joints.occluded) +
-                    sigmaCell(rater) + "</tr>\n";
+                    count(rater.joints.occluded) + sigmaCell(rater) + "</tr>\n";
         }
     }
     return text + kTableEnd +
            "<p>Bad: a large reprojection error, a click that disagrees, or no 3D point from two or more clicks. Click "
            "&sigma;: how far this "
-           "rater's clicks scatter per axis, estimated from how well they agree, the cameras' own errors taken off.</p>\n";
+           "rater's clicks scatter per axis, estimated from how well they agree, the cameras' own errors taken "
+           "off.</p>\n";
 }
 
 std::string agreementHtml(const std::vector<AnnotationSummary>& sequences) {
@@ -287,8 +287,8 @@ std::string annotationReportHtml(const std::string& dataset, const std::vector<A
     const bool hasBegun = std::any_of(sequences.begin(), sequences.end(),
                                       [](const AnnotationSummary& sequence) { return !sequence.empty(); });
     if (hasBegun) {
-        text += rigHtml(rig, sequences) + agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) +
-                figuresHtml(figures, pictures, "it takes as long as this time");
+        text += rigHtml(rig, sequences) + agreementHtml(sequences) + worstJointsHtml(sequences) +
+                findingsHtml(sequences) + figuresHtml(figures, pictures, "it takes as long as this time");
     }
     return text + "</body>\n</html>\n";
 }

@@ -31,7 +31,8 @@ TEST(ClickSigmas, AreThoseOfEachRaterAndNotTheRigsError) {
     double squares = 0, truth = 0;
     for (std::size_t c = 0; c < 8; ++c) {
         squares += sigmas.systematicPx[c] * sigmas.systematicPx[c];
-        const Eigen::Vector2d shift = *core::project(scene.seen[c], {0, 0, 0}) - *core::project(scene.nominal[c], {0, 0, 0});
+        const Eigen::Vector2d shift =
+            *core::project(scene.seen[c], {0, 0, 0}) - *core::project(scene.nominal[c], {0, 0, 0});
         truth += shift.squaredNorm() / 2;
     }
     EXPECT_NEAR(std::sqrt(squares / truth), 1, 0.35);
@@ -65,12 +66,11 @@ TEST(ClickSigmas, AMovedCameraIsTakenOutOfWhatTheOthersAreWorth) {
     RigScene scene("Apart");
     scene.turn(5, {0.18, -0.22, 0});
     const core::ClickSigmas sigmas = core::estimateClickSigmas(scene.nominal, scene.clicks(RigScene::frames(10, 8)));
-    for (std::size_t c = 0; c < 8; ++c) {
+    for (std::size_t c = 0; c < 8; ++c)
         if (c == 5)
             EXPECT_GT(sigmas.systematicPx[c], 4);
         else
             EXPECT_LT(sigmas.systematicPx[c], 0.6) << c;
-    }
 }
 
 TEST(ClickSigmas, WrongClicksDoNotCount) {

@@ -119,7 +119,8 @@ TEST(RigHealth, ACameraThatMovesInASequenceIsToldFromOneThatIsOffAlways) {
     EXPECT_EQ(faults[0].camera, 5);
     EXPECT_EQ(faults[0].frame, 48);
     EXPECT_EQ(faults[0].sequence, 0);
-    const Eigen::Vector2d shift = *core::project(scene.seen[5], {0, 0, 0}) - *core::project(scene.nominal[5], {0, 0, 0});
+    const Eigen::Vector2d shift =
+        *core::project(scene.seen[5], {0, 0, 0}) - *core::project(scene.nominal[5], {0, 0, 0});
     EXPECT_NEAR(faults[0].value, shift.norm(), 0.5);
     EXPECT_NE(core::rigFindings(health)[0].find("cam5 moved before frame 48: its picture lies"), std::string::npos);
 }
@@ -138,7 +139,8 @@ TEST(RigHealth, ASlowDriftIsToldFromAMove) {
         EXPECT_EQ(health.cameras[c].isDrifting, c == 2) << c;
         EXPECT_FALSE(health.cameras[c].hasMoved) << c;
     }
-    const Eigen::Vector2d shift = *core::project(scene.seen[2], {0, 0, 0}) - *core::project(scene.nominal[2], {0, 0, 0});
+    const Eigen::Vector2d shift =
+        *core::project(scene.seen[2], {0, 0, 0}) - *core::project(scene.nominal[2], {0, 0, 0});
     ASSERT_TRUE(health.cameras[2].driftPx);
     EXPECT_LT((*health.cameras[2].driftPx - shift / 0.96).norm(), 0.8);
     const auto faults = core::findRigFaults(health);
