@@ -15,6 +15,7 @@
 #include "app/desktop/script/script_player.h"
 #include "app/desktop/window_assembly.h"
 #include "core/error.h"
+#include "widgets/text/error_text.h"
 #include "widgets/views/private_display.h"
 
 namespace {
@@ -36,7 +37,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
         window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
         app::waitUntilIdle(window);
         if (!error.isEmpty()) {
-            std::cerr << "handlens: " << error.toStdString() << std::endl;
+            std::cerr << "handlens: " << widgets::withDetailBehind(error).toStdString() << std::endl;
             return 1;
         }
         const core::Sequence& sequence = *window.session().opened.sequence();

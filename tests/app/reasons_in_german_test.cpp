@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reasons and kinds are data; the window says all of them in the person's language.
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTranslator>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/text/advice.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/store_text.h"
 
 namespace {
@@ -75,6 +77,25 @@ TEST_F(ReasonsInGerman, EveryReasonForReadingOnlyIsTranslated) {
     for (int kind = 1; kind <= static_cast<int>(Kind::ReadOnlyFile); ++kind)
         for (const char* holder : {"", "ann@lab, process 12"})
             expectTranslated([&] { return widgets::readOnlyInWords({static_cast<Kind>(kind), holder}); });
+}
+
+TEST_F(ReasonsInGerman, EveryErrorIsTranslatedAndKeepsItsEnglishDetailBehindTheText) {
+    const QLocale before;
+    for (int code = 0; code <= static_cast<int>(core::ErrorCode::Unsupported); ++code) {
+        const core::Error error(static_cast<core::ErrorCode>(code), "/data/cameras.json", "cameras[2].K",
+                                "is singular");
+        expectTranslated([&] {
+            QLocale::setDefault(QLocale(QLocale::German));
+            return widgets::withoutDetail(widgets::errorInWords(error));
+        });
+        const QString german = widgets::errorInWords(error);
+        EXPECT_TRUE(german.startsWith(QStringLiteral("/data/cameras.json: cameras[2].K: "))) << german.toStdString();
+        EXPECT_FALSE(widgets::withoutDetail(german).contains(QStringLiteral("singular")));
+        EXPECT_EQ(widgets::detailOf(german), QStringLiteral("is singular"));
+        QLocale::setDefault(QLocale(QLocale::English));
+        EXPECT_EQ(widgets::errorInWords(error), QString::fromUtf8(error.what()));
+    }
+    QLocale::setDefault(before);
 }
 
 TEST_F(ReasonsInGerman, EveryRefusalOfAFitPairIsTranslated) {

@@ -16,6 +16,7 @@
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
 #include "core/numeric/median.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 
 namespace app {
@@ -34,7 +35,7 @@ QString outcomeOf(MainWindow& window, Sender* sender, Done done, Failed failed, 
     QObject scope;
     QObject::connect(sender, done, &scope, [&] { ended = true; });
     QObject::connect(sender, failed, &scope, [&](const QString& message) {
-        error = message;
+        error = widgets::withDetailBehind(message);
         ended = true;
     });
     start();
@@ -206,7 +207,7 @@ QJsonObject ScriptSteps::fit(const QJsonObject& step) {
         throw refused("do", error);
     for (const widgets::MethodOutcome& method : fits.outcome()->methods)
         if (!method.failure.isEmpty())
-            throw refused("methods", method.failure);
+            throw refused("methods", widgets::withDetailBehind(method.failure));
     m_window.session().selection.setFrame(request.test);
     return {};
 }
