@@ -20,7 +20,7 @@ const std::vector<std::string> kCoreFolders{
     "core/contour",    "core/distance",    "core/fitting",        "core/detection",   "core/subject",
     "core/annotation", "core/rig",         "core/simulation",     "core/benchmark",   "core/io/files",
     "core/io/hdf5",    "core/io/matlab",   "core/io/calibration", "core/io/hands",    "core/io/store",
-    "core/io/footage", "core/io/dataset",  "core/io/formats",     "core/io/detector", "core/io/demo",
+    "core/io/footage", "core/io/dataset",  "core/io/derived", "core/io/formats",     "core/io/detector", "core/io/demo",
     "core/io/import",  "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",    "widgets/jobs",
                                               "widgets/session",      "widgets/models",      "widgets/views",
