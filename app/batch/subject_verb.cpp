@@ -31,7 +31,8 @@ void printNotes(const core::MeasuredSubject& measured) {
         std::printf(
             "note: the calibration is not in mm: its unit is %.4g mm%s; the cameras of the new dataset are in mm\n",
             measured.unitMm,
-            measured.isUnitKnown ? "" : " if this hand is as large as the model: the scale cannot be told from the unit");
+            measured.isUnitKnown ? ""
+                                 : " if this hand is as large as the model: the scale cannot be told from the unit");
     if (measured.annotatedFrames > static_cast<int>(measured.frames.size()))
         std::printf("note: %zu of the %d annotated frames are used, evenly drawn\n", measured.frames.size(),
                     measured.annotatedFrames);
