@@ -39,6 +39,9 @@ TEST(Architecture, HasNoCycles) {
 TEST(Architecture, LibrariesStayInsideTheirFences) {
     EXPECT_NO_VIOLATIONS(architecture::brokenFences(tree()));
 }
+TEST(Architecture, PanelsTakePartsOfTheSession) {
+    EXPECT_NO_VIOLATIONS(architecture::wholeSessions(tree()));
+}
 TEST(Architecture, IncludesAreNamedFromTheRoot) {
     EXPECT_NO_VIOLATIONS(architecture::unknownIncludes(tree()));
 }
@@ -124,6 +127,14 @@ TEST(Rules, CatchLibrariesOutsideTheirFence) {
     EXPECT_FALSE(caught("core/contour/a.h", "opencv2/core.hpp"));
     EXPECT_FALSE(caught("core/io/hands/off_mesh.cpp", "assimp/scene.h"));
     EXPECT_FALSE(caught("core/io/a.cpp", "queue"));
+}
+
+TEST(Rules, CatchPanelsThatTakeTheWholeSession) {
+    const std::string include = "#include \"widgets/session/window_session.h\"\n";
+    EXPECT_EQ(judge(architecture::wholeSessions, "widgets/panels/a.h", include).size(), 1u);
+    EXPECT_EQ(judge(architecture::wholeSessions, "widgets/workspaces/a_page.h", include).size(), 1u);
+    EXPECT_EQ(judge(architecture::wholeSessions, "widgets/workspaces/workspaces.h", include).size(), 0u);
+    EXPECT_EQ(judge(architecture::wholeSessions, "app/desktop/main_window.h", include).size(), 0u);
 }
 
 TEST(Rules, CatchIncludesThatAreNotNamedFromTheRoot) {

@@ -185,6 +185,17 @@ Violations brokenFences(const std::vector<SourceFile>& files) {
     return violations;
 }
 
+Violations wholeSessions(const std::vector<SourceFile>& files) {
+    static const std::regex builders("widgets/session/window_session\\.cpp|widgets/workspaces/workspaces\\.(h|cpp)|"
+                                     "widgets/panels/quality_panel\\.h|app/desktop/.*|tests/.*");
+    Violations violations;
+    for (const SourceFile& file : files)
+        for (const Include& include : file.includes)
+            if (include.path == "widgets/session/window_session.h" && !std::regex_match(file.path, builders))
+                violations.push_back(at(file, include.line, "takes the whole session instead of the parts it needs"));
+    return violations;
+}
+
 Violations unknownIncludes(const std::vector<SourceFile>& files) {
     std::set<std::string> paths;
     for (const SourceFile& file : files)

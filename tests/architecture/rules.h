@@ -17,6 +17,9 @@ Violations wrongDirections(const std::vector<SourceFile>& files);
 Violations includeCycles(const std::vector<SourceFile>& files);
 /// Libraries outside the folders that may use them (Qt, VTK, assimp, OpenCV, SQLite, ...).
 Violations brokenFences(const std::vector<SourceFile>& files);
+/// Headers that only the classes that build the window may include, included elsewhere: a panel takes the parts that it
+/// needs, never the whole session.
+Violations wholeSessions(const std::vector<SourceFile>& files);
 /// Quoted includes that name no file of the project: includes go from the root.
 Violations unknownIncludes(const std::vector<SourceFile>& files);
 /// Folders of the product with more than 20 components.

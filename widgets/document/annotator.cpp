@@ -8,12 +8,13 @@
 namespace widgets {
 
 Annotator::Annotator(AnnotationDocument& document, Selection& selection, Reconstructions& reconstructions,
-                     JointList& joints, QObject* parent)
+                     JointList& joints, const ShownCameras& cameras, QObject* parent)
     : QObject(parent)
     , m_document(document)
     , m_selection(selection)
     , m_reconstructions(reconstructions)
-    , m_joints(joints) {
+    , m_joints(joints)
+    , m_cameras(cameras) {
     connect(
         &document, &AnnotationDocument::opened, this, [this] { m_finished.clear(); });
 }
@@ -154,10 +155,10 @@ void Annotator::accept() {
         const bool isFree = view && !(view->mark && view->mark->isSettled());
         return isFree && view->hasPicture && view->reprojectionPx && view->reprojectionInside;
     };
-    const auto current = std::find(m_cameraOrder.begin(), m_cameraOrder.end(), m_selection.camera());
-    auto order = m_cameraOrder;
-    if (current != m_cameraOrder.end())
-        std::rotate(order.begin(), order.begin() + (current - m_cameraOrder.begin()), order.end());
+    auto order = m_cameras.names();
+    const auto current = std::find(order.begin(), order.end(), m_selection.camera());
+    if (current != order.end())
+        std::rotate(order.begin(), current, order.end());
     const auto target = std::find_if(order.begin(), order.end(), canAccept);
     if (target == order.end()) {
         emit nothingDone(nothingToAcceptText());
@@ -276,12 +277,13 @@ void Annotator::stepJoint(int joints) {
 }
 
 void Annotator::stepCamera(int views) {
-    if (m_cameraOrder.empty())
+    const std::vector<std::string>& names = m_cameras.names();
+    if (names.empty())
         return;
-    const auto at = std::find(m_cameraOrder.begin(), m_cameraOrder.end(), m_selection.camera());
-    const int size = static_cast<int>(m_cameraOrder.size());
-    const int index = at == m_cameraOrder.end() ? (views > 0 ? -1 : 0) : static_cast<int>(at - m_cameraOrder.begin());
-    m_selection.setCamera(m_cameraOrder[static_cast<std::size_t>((index + views % size + size) % size)]);
+    const auto at = std::find(names.begin(), names.end(), m_selection.camera());
+    const int size = static_cast<int>(names.size());
+    const int index = at == names.end() ? (views > 0 ? -1 : 0) : static_cast<int>(at - names.begin());
+    m_selection.setCamera(names[static_cast<std::size_t>((index + views % size + size) % size)]);
 }
 
 } // namespace widgets

@@ -14,6 +14,7 @@
 #include "widgets/document/joint_list.h"
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
+#include "widgets/document/shown_cameras.h"
 
 namespace widgets {
 
@@ -24,12 +25,9 @@ class Annotator : public QObject {
 
 public:
     Annotator(AnnotationDocument& document, Selection& selection, Reconstructions& reconstructions, JointList& joints,
-              QObject* parent = nullptr);
+              const ShownCameras& cameras, QObject* parent = nullptr);
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset) { m_dataset = std::move(dataset); }
-    /// The cameras that are shown, in their order: what Q and E step through.
-    void setCameraOrder(std::vector<std::string> cameras) { m_cameraOrder = std::move(cameras); }
-    const std::vector<std::string>& cameraOrder() const { return m_cameraOrder; }
     /// Whether the next joint is selected when a step has finished this one for the first time (every view is placed or
     /// not placeable). Corrections - drags, nudges, marks of a joint that was finished before - never select another
     /// joint.
@@ -84,8 +82,8 @@ private:
     Selection& m_selection;
     Reconstructions& m_reconstructions;
     JointList& m_joints;
+    const ShownCameras& m_cameras; ///< what Q and E step through
     std::shared_ptr<const core::Dataset> m_dataset;
-    std::vector<std::string> m_cameraOrder;
     std::optional<core::MarkKey> m_nudged;
     core::Edit m_lastPlaced;
     core::JointId m_jointBeforePlace;

@@ -30,9 +30,12 @@ double factor(int steps) {
 
 } // namespace
 
-ViewPanel::ViewPanel(WindowSession& session, LayerPresenter& layers, ViewOptions& options, QWidget* parent)
+ViewPanel::ViewPanel(const Selection& selection, const DatasetSession& datasets, ShownCameras& cameras,
+                     LayerPresenter& layers, ViewOptions& options, QWidget* parent)
     : QWidget(parent)
-    , m_session(session)
+    , m_selection(selection)
+    , m_datasets(datasets)
+    , m_shownCameras(cameras)
     , m_layers(layers)
     , m_options(options) {
     auto* column = new QVBoxLayout(this);
@@ -43,9 +46,9 @@ ViewPanel::ViewPanel(WindowSession& session, LayerPresenter& layers, ViewOptions
     column->addWidget(makeCameraGroup(), 1);
     column->addWidget(new MarkLegend(this));
     connect(&layers, &LayerPresenter::lookChanged, this, &ViewPanel::showLook);
-    connect(&session.selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
+    connect(&selection, &Selection::cameraChanged, this, &ViewPanel::showAdjustment);
     connect(&options, &ViewOptions::adjustmentsLoaded, this, &ViewPanel::showAdjustment);
-    connect(&session, &WindowSession::shownCamerasChanged, this, &ViewPanel::showCameras);
+    connect(&cameras, &ShownCameras::changed, this, &ViewPanel::showCameras);
     showLook();
     showAdjustment();
 }
@@ -89,7 +92,7 @@ QWidget* ViewPanel::makeImageGroup() {
     for (QSlider* slider : {m_brightness, m_contrast, m_gamma})
         connect(slider, &QSlider::valueChanged, this, &ViewPanel::changeAdjustment);
     connect(reset, &QPushButton::clicked, this, [this] {
-        m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_session.selection.camera(), {});
+        m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_selection.camera(), {});
         showAdjustment();
     });
     return group;
@@ -133,7 +136,7 @@ void ViewPanel::changeLook() {
 
 void ViewPanel::showAdjustment() {
     m_showing = true;
-    const ImageAdjustment adjustment = m_options.adjustment(m_session.selection.camera());
+    const ImageAdjustment adjustment = m_options.adjustment(m_selection.camera());
     m_brightness->setValue(static_cast<int>(std::lround(adjustment.brightness * kPercent)));
     m_contrast->setValue(octaves(adjustment.contrast));
     m_gamma->setValue(octaves(adjustment.gamma));
@@ -145,16 +148,16 @@ void ViewPanel::changeAdjustment() {
         return;
     const ImageAdjustment adjustment{m_brightness->value() / kPercent, factor(m_contrast->value()),
                                      factor(m_gamma->value())};
-    m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_session.selection.camera(), adjustment);
+    m_options.setAdjustment(m_allViews->isChecked() ? std::string() : m_selection.camera(), adjustment);
 }
 
 void ViewPanel::showCameras() {
-    const auto& dataset = m_session.opened.dataset();
+    const auto& dataset = m_datasets.dataset();
     if (!dataset || m_showing)
         return;
     m_showing = true;
     m_cameras->clear();
-    std::vector<std::string> names = m_session.shownCameras();
+    std::vector<std::string> names = m_shownCameras.names();
     const std::size_t shown = names.size();
     for (const core::Camera& camera : dataset->cameras)
         if (std::find(names.begin(), names.end(), camera.name) == names.end())
@@ -175,7 +178,7 @@ void ViewPanel::changeCameras() {
         if (m_cameras->item(row)->checkState() == Qt::Checked)
             shown.push_back(m_cameras->item(row)->text().toStdString());
     m_showing = true; // the list is right as it is
-    m_session.setShownCameras(shown);
+    m_shownCameras.setNames(shown);
     m_showing = false;
 }
 

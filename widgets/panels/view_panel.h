@@ -9,9 +9,11 @@
 #include <QSlider>
 #include <QWidget>
 
+#include "widgets/document/selection.h"
+#include "widgets/document/shown_cameras.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/presenters/view_options.h"
-#include "widgets/session/window_session.h"
+#include "widgets/session/dataset_session.h"
 
 class QFormLayout;
 
@@ -23,7 +25,8 @@ class ViewPanel : public QWidget {
     Q_OBJECT
 
 public:
-    ViewPanel(WindowSession& session, LayerPresenter& layers, ViewOptions& options, QWidget* parent = nullptr);
+    ViewPanel(const Selection& selection, const DatasetSession& datasets, ShownCameras& cameras, LayerPresenter& layers,
+              ViewOptions& options, QWidget* parent = nullptr);
 
     /// The keyboard goes to the list of cameras.
     void askForCameras();
@@ -40,7 +43,9 @@ private:
     void showCameras();
     void changeCameras();
 
-    WindowSession& m_session;
+    const Selection& m_selection;
+    const DatasetSession& m_datasets;
+    ShownCameras& m_shownCameras;
     LayerPresenter& m_layers;
     ViewOptions& m_options;
     QComboBox* m_style = nullptr;

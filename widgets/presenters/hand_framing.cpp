@@ -40,30 +40,30 @@ std::optional<HandLabel> labelIn(const core::Camera& camera, const HandPlace& ha
 
 } // namespace
 
-HandFraming::HandFraming(WindowSession& session, CameraGrid& grid, QObject* parent)
+HandFraming::HandFraming(const HandSources& sources, CameraGrid& grid, JobPool& pool, QObject* parent)
     : QObject(parent)
-    , m_session(session)
+    , m_sources(sources)
     , m_grid(grid)
-    , m_maskJob(session.pool) {
+    , m_maskJob(pool) {
     connect(&grid, &CameraGrid::maximisedChanged, this, &HandFraming::frameMaximised);
-    connect(&session.selection, &Selection::frameChanged, this, &HandFraming::refreshLabels);
-    connect(&session.reconstructions, &Reconstructions::changed, this, &HandFraming::refreshLabels);
-    connect(&session.model, &HandModelFit::changed, this, &HandFraming::refreshLabels);
+    connect(&sources.selection, &Selection::frameChanged, this, &HandFraming::refreshLabels);
+    connect(&sources.reconstructions, &Reconstructions::changed, this, &HandFraming::refreshLabels);
+    connect(&sources.model, &HandModelFit::changed, this, &HandFraming::refreshLabels);
 }
 
 /// What is known of this very frame and costs nothing.
 std::vector<HandPlace> HandFraming::handsOfThisFrame() const {
-    const auto& dataset = m_session.opened.dataset();
-    const auto& motion = m_session.opened.motion();
-    const int frame = m_session.selection.frame();
+    const auto& dataset = m_sources.datasets.dataset();
+    const auto& motion = m_sources.datasets.motion();
+    const int frame = m_sources.selection.frame();
     if (!dataset)
         return {};
     if (motion && frame < static_cast<int>(motion->size()))
         return handsInPose(dataset->hands, (*motion)[static_cast<std::size_t>(frame)]);
-    if (const auto& model = m_session.model.fit(); model && model->frame == frame)
+    if (const auto& model = m_sources.model.fit(); model && model->frame == frame)
         return handsInPose(dataset->hands, model->poses);
     std::vector<HandPlace> hands{{core::Side::Left, {}, false}, {core::Side::Right, {}, false}};
-    for (const auto& [joint, found] : m_session.reconstructions.joints()) {
+    for (const auto& [joint, found] : m_sources.reconstructions.joints()) {
         auto& points = hands[joint.hand == core::Side::Left ? 0 : 1].pointsInWorld;
         if (found.hasPoint())
             points.push_back(found.result.point->pointInWorld);
@@ -76,18 +76,18 @@ std::vector<HandPlace> HandFraming::handsOfThisFrame() const {
 
 std::vector<HandPlace> HandFraming::knownHands() const {
     const auto hands = handsOfThisFrame();
-    const auto& dataset = m_session.opened.dataset();
+    const auto& dataset = m_sources.datasets.dataset();
     const bool whole = !hands.empty() && hands.front().startsAtRoot;
     return whole || !dataset
                ? hands
-               : handsOfMarks(m_session.document.annotations(), dataset->cameras, m_session.selection.frame());
+               : handsOfMarks(m_sources.document.annotations(), dataset->cameras, m_sources.selection.frame());
 }
 
 std::optional<QRectF> HandFraming::boxIn(int camera, const std::vector<HandPlace>& hands) const {
     const core::Camera& seenBy = m_grid.view(camera)->camera();
     auto box = handsInView(seenBy, hands);
     if (!box && hands.empty())
-        box = marksInView(seenBy, m_session.document.annotations(), m_session.selection.frame());
+        box = marksInView(seenBy, m_sources.document.annotations(), m_sources.selection.frame());
     return box ? withinImage(seenBy, withRoom(*box)) : std::nullopt;
 }
 
@@ -104,7 +104,7 @@ bool HandFraming::frameHands() {
             unknown.push_back(camera);
     }
     refreshLabels();
-    const core::Sequence* sequence = m_session.opened.sequence();
+    const core::Sequence* sequence = m_sources.datasets.sequence();
     const bool masksTell = hands.empty() && !unknown.empty() && sequence && core::hasMasks(*sequence);
     if (masksTell)
         frameByMasks(unknown);
@@ -113,10 +113,10 @@ bool HandFraming::frameHands() {
 
 /// The views that were zoomed by hand meanwhile stay as they are.
 void HandFraming::frameByMasks(const std::vector<int>& cameras) {
-    const auto dataset = m_session.opened.dataset();
-    const core::Sequence sequence = *m_session.opened.sequence();
+    const auto dataset = m_sources.datasets.dataset();
+    const core::Sequence sequence = *m_sources.datasets.sequence();
     m_maskJob.start(
-        [this, dataset, sequence, cameras, frame = m_session.selection.frame()](const JobContext&) -> Job::Delivery {
+        [this, dataset, sequence, cameras, frame = m_sources.selection.frame()](const JobContext&) -> Job::Delivery {
             return [this, cameras, boxes = handsOfMasks(*dataset, sequence, frame)] {
                 for (const int camera : cameras) {
                     const auto at = static_cast<std::size_t>(camera);

@@ -6,12 +6,25 @@
 
 #include <QObject>
 
+#include "widgets/document/annotation_document.h"
+#include "widgets/document/reconstructions.h"
+#include "widgets/document/selection.h"
+#include "widgets/jobs/hand_model_fit.h"
 #include "widgets/jobs/hand_places.h"
 #include "widgets/jobs/job.h"
-#include "widgets/session/window_session.h"
+#include "widgets/session/dataset_session.h"
 #include "widgets/views/camera/camera_grid.h"
 
 namespace widgets {
+
+/// What tells where the hands are.
+struct HandSources {
+    const AnnotationDocument& document;
+    const Reconstructions& reconstructions;
+    const Selection& selection;
+    const DatasetSession& datasets;
+    const HandModelFit& model;
+};
 
 /// Zooms the views to the hands and writes beside each hand which one it is. Where the hands are comes from the
 /// recorded motion, the hand model of the marks, anybody's marks of this or the nearest annotated frame, or the masks;
@@ -20,7 +33,7 @@ class HandFraming : public QObject {
     Q_OBJECT
 
 public:
-    HandFraming(WindowSession& session, CameraGrid& grid, QObject* parent = nullptr);
+    HandFraming(const HandSources& sources, CameraGrid& grid, JobPool& pool, QObject* parent = nullptr);
 
     /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing
     /// is known and there are no masks.
@@ -38,7 +51,7 @@ private:
     void frameMaximised(int camera);
     void refreshLabels();
 
-    WindowSession& m_session;
+    HandSources m_sources;
     CameraGrid& m_grid;
     Job m_maskJob;
     std::array<bool, 2> m_handShown{true, true}; ///< left, right

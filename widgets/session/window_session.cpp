@@ -41,7 +41,7 @@ std::vector<std::string> knownLines(const std::string& text, const core::Dataset
 WindowSession::WindowSession(QObject* parent)
     : QObject(parent)
     , reconstructions(document, selection)
-    , annotator(document, selection, reconstructions, joints)
+    , annotator(document, selection, reconstructions, joints, shownCameras)
     , coverage(document, pool)
     , opened(document, pool)
     , frames(pool)
@@ -54,19 +54,19 @@ WindowSession::WindowSession(QObject* parent)
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
-    connect(&joints, &JointList::changed, this, [this] {
+    connect(
+        &joints, &JointList::changed, this,
+        [this] {
+            if (!m_restoring)
+                document.setSetting(kJointsSetting, joints.toText());
+        });
+    connect(&shownCameras, &ShownCameras::changed, this, [this] {
         if (!m_restoring)
-            document.setSetting(kJointsSetting, joints.toText());
+            document.setSetting(kCamerasSetting, joined(shownCameras.names()));
     });
 }
 
 WindowSession::~WindowSession() = default;
-
-void WindowSession::setShownCameras(const std::vector<std::string>& cameras) {
-    annotator.setCameraOrder(cameras);
-    document.setSetting(kCamerasSetting, joined(cameras));
-    emit shownCamerasChanged();
-}
 
 void WindowSession::takeDataset() {
     reconstructions.setDataset(opened.dataset());
@@ -91,7 +91,7 @@ void WindowSession::takeSequence(int frame) {
     frames.request(selection.frame());
     if (!joints.contains(selection.joint()) && !joints.joints().empty())
         selection.setJoint(joints.joints().front());
-    const auto& shown = shownCameras();
+    const auto& shown = shownCameras.names();
     if (std::find(shown.begin(), shown.end(), selection.camera()) == shown.end())
         selection.setCamera(shown.empty() ? std::string() : shown.front());
     emit ready();
@@ -102,12 +102,11 @@ void WindowSession::restoreChoices() {
     m_restoring = true;
     if (const auto text = document.setting(kJointsSetting); !text || !joints.setFromText(*text, dataset))
         joints.setChoice(joints.choice() == JointChoice::Custom ? JointChoice::Fourteen : joints.choice(), dataset);
-    m_restoring = false;
     std::vector<std::string> cameras;
     if (const auto text = document.setting(kCamerasSetting))
         cameras = knownLines(*text, dataset);
-    annotator.setCameraOrder(cameras.empty() ? cameraNames(dataset) : cameras);
-    emit shownCamerasChanged();
+    shownCameras.setNames(cameras.empty() ? cameraNames(dataset) : cameras);
+    m_restoring = false;
 }
 
 } // namespace widgets

@@ -8,6 +8,7 @@
 #include "widgets/document/joint_list.h"
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
+#include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/benchmark_runner.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"
@@ -22,7 +23,8 @@
 namespace widgets {
 
 /// What all workspaces of one window share, wired to each other: the open dataset, the annotations, the selection and
-/// the work that goes on in the background.
+/// the work that goes on in the background. Which joints and cameras are shown is kept with the annotations.
+/// Only the classes that build the window know it; every other one is given the parts that it needs.
 class WindowSession : public QObject {
     Q_OBJECT
 
@@ -34,6 +36,7 @@ public:
     Selection selection;
     AnnotationDocument document;
     JointList joints;
+    ShownCameras shownCameras;
     Reconstructions reconstructions;
     Annotator annotator;
     Coverage coverage;
@@ -46,14 +49,10 @@ public:
     HandModelFit model;
     RaterStudy raters;
 
-    /// Which cameras are shown, and in which order; names. Kept with the annotations.
-    void setShownCameras(const std::vector<std::string>& cameras);
-    const std::vector<std::string>& shownCameras() const { return annotator.cameraOrder(); }
-    /// True when nothing is on its way that somebody waits for.
+    /// True when no background work is running and all pictures of the frame have come.
     bool isIdle() const { return pool.isIdle() && frames.isComplete(); }
 
 signals:
-    void shownCamerasChanged();
     /// A sequence is open and everything above knows it.
     void ready();
 

@@ -43,9 +43,13 @@ std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
 
 } // namespace
 
-BenchmarkPage::BenchmarkPage(WindowSession& session, QWidget* parent)
+BenchmarkPage::BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& datasets,
+                             const AnnotationDocument& document, const Coverage& coverage, QWidget* parent)
     : QWidget(parent)
-    , m_session(session)
+    , m_runner(runner)
+    , m_datasets(datasets)
+    , m_document(document)
+    , m_coverage(coverage)
     , m_message(new MessageBar(this))
     , m_sequences(new QListWidget(this))
     , m_setup(new QComboBox(this))
@@ -116,7 +120,7 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
-    connect(&m_session.coverage, &Coverage::changed, this, [this] {
+    connect(&m_coverage, &Coverage::changed, this, [this] {
         if (setup() == core::BenchmarkSetup::Realistic)
             emit drawChanged();
     });
@@ -137,35 +141,33 @@ QLayout* BenchmarkPage::makeFileRow() {
 }
 
 void BenchmarkPage::connectRunner() {
-    BenchmarkRunner& runner = m_session.benchmarks;
-    connect(&m_session.opened, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
-    connect(&runner, &BenchmarkRunner::started, this, [this] {
+    connect(&m_datasets, &DatasetSession::datasetOpened, this, &BenchmarkPage::takeDataset);
+    connect(&m_runner, &BenchmarkRunner::started, this, [this] {
         m_message->setMessage({});
         showRunning(true);
     });
-    connect(&runner, &BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
+    connect(&m_runner, &BenchmarkRunner::progressed, this, [this](double fraction, const QString& text) {
         m_progress->setValue(static_cast<int>(fraction * 1000));
         m_progress->setFormat(text);
     });
-    connect(&runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
-    connect(&runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
+    connect(&m_runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
+    connect(&m_runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
     connect(
-        &runner, &BenchmarkRunner::cleared, this,
+        &m_runner, &BenchmarkRunner::cleared, this,
         [this] {
             showRunning(false);
             m_message->setMessage({});
         });
-    connect(&runner, &BenchmarkRunner::opened, this,
+    connect(&m_runner, &BenchmarkRunner::opened, this,
             [this](const QString&, const QString& note) { m_message->setMessage(note); });
-    connect(&runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
+    connect(&m_runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
     connect(m_results, &BenchmarkResultsView::pairOpened, this,
             [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
-                const FitTarget target = m_session.benchmarks.setup() == core::BenchmarkSetup::Realistic
-                                             ? FitTarget::Masks
-                                             : FitTarget::Recorded;
+                const FitTarget target =
+                    m_runner.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
                 emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
             });
-    connect(&runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
+    connect(&m_runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
         showRunning(false);
         m_message->setMessage(message);
     });
@@ -202,12 +204,12 @@ core::BenchmarkSetup BenchmarkPage::setup() const {
 }
 
 std::set<int> BenchmarkPage::testFrames() const {
-    const core::Sequence* sequence = m_session.opened.sequence();
+    const core::Sequence* sequence = m_datasets.sequence();
     if (!sequence)
         return {};
     core::PairFrames frames{sequence->name, {}};
     if (setup() == core::BenchmarkSetup::Realistic) {
-        frames.frames = framesWithPoints(m_session.document.annotations());
+        frames.frames = framesWithPoints(m_document.annotations());
     } else {
         frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
         std::iota(frames.frames.begin(), frames.frames.end(), 0);
@@ -245,15 +247,15 @@ QString BenchmarkPage::objection(const BenchmarkRequest& request) const {
 }
 
 void BenchmarkPage::runOrStop() {
-    if (m_session.benchmarks.isRunning()) {
-        m_session.benchmarks.stop();
+    if (m_runner.isRunning()) {
+        m_runner.stop();
         return;
     }
     const BenchmarkRequest wanted = request();
     if (const QString why = objection(wanted); !why.isEmpty())
         m_message->setMessage(why);
     else
-        m_session.benchmarks.run(wanted);
+        m_runner.run(wanted);
 }
 
 void BenchmarkPage::showRunning(bool running) {
@@ -267,7 +269,7 @@ void BenchmarkPage::showRunning(bool running) {
 
 void BenchmarkPage::takeDataset() {
     m_sequences->clear();
-    for (const core::Sequence& sequence : m_session.opened.dataset()->sequences) {
+    for (const core::Sequence& sequence : m_datasets.dataset()->sequences) {
         auto* item = new QListWidgetItem(QString::fromStdString(sequence.name), m_sequences);
         item->setCheckState(sequence.motion.empty() ? Qt::Unchecked : Qt::Checked);
         if (sequence.motion.empty())
@@ -276,18 +278,18 @@ void BenchmarkPage::takeDataset() {
 }
 
 void BenchmarkPage::takeResults() {
-    m_results->setResults(m_session.benchmarks.results());
-    m_save->setEnabled(m_session.benchmarks.results() != nullptr);
+    m_results->setResults(m_runner.results());
+    m_save->setEnabled(m_runner.results() != nullptr);
 }
 
 void BenchmarkPage::askToSave() {
     chooseFolder(
-        tr("Save the results in a folder"), [this](const QString& folder) { m_session.benchmarks.save(folder); });
+        tr("Save the results in a folder"), [this](const QString& folder) { m_runner.save(folder); });
 }
 
 void BenchmarkPage::askToOpen() {
     chooseFolder(
-        tr("Open the results of a folder"), [this](const QString& folder) { m_session.benchmarks.open(folder); });
+        tr("Open the results of a folder"), [this](const QString& folder) { m_runner.open(folder); });
 }
 
 void BenchmarkPage::chooseFolder(const QString& title, const std::function<void(const QString&)>& take) {

@@ -17,7 +17,11 @@
 #include <QSpinBox>
 #include <QWidget>
 
-#include "widgets/session/window_session.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/jobs/benchmark_runner.h"
+#include "widgets/jobs/fit_pair.h"
+#include "widgets/session/coverage.h"
+#include "widgets/session/dataset_session.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/workspaces/benchmark_results_view.h"
 
@@ -29,7 +33,8 @@ class BenchmarkPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit BenchmarkPage(WindowSession& session, QWidget* parent = nullptr);
+    BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& datasets, const AnnotationDocument& document,
+                  const Coverage& coverage, QWidget* parent = nullptr);
 
     /// Which test frames the settings draw from the open sequence; none if they make no sense now.
     std::set<int> testFrames() const;
@@ -62,7 +67,10 @@ private:
     void chooseFolder(const QString& title, const std::function<void(const QString&)>& take);
     void showRunning(bool running);
 
-    WindowSession& m_session;
+    BenchmarkRunner& m_runner;
+    const DatasetSession& m_datasets;
+    const AnnotationDocument& m_document;
+    const Coverage& m_coverage;
     MessageBar* m_message;
     QListWidget* m_sequences;
     std::vector<QCheckBox*> m_methods;

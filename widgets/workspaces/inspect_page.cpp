@@ -23,11 +23,15 @@ constexpr int kPlotsHeight = 220;
 
 } // namespace
 
-InspectPage::InspectPage(WindowSession& session, QWidget* parent)
+InspectPage::InspectPage(const FitRunner& fits, const DatasetSession& datasets, const Selection& selection,
+                         const ShownCameras& cameras, JobPool& pool, QWidget* parent)
     : QWidget(parent)
-    , m_session(session)
-    , m_frames(session.pool)
-    , m_job(session.pool)
+    , m_fits(fits)
+    , m_datasets(datasets)
+    , m_selection(selection)
+    , m_cameras(cameras)
+    , m_frames(pool)
+    , m_job(pool)
     , m_pages(new QStackedWidget(this))
     , m_hint(new QLabel(this))
     , m_fit(new QPushButton(tr("Fit this frame"), this))
@@ -40,14 +44,14 @@ InspectPage::InspectPage(WindowSession& session, QWidget* parent)
     , m_costs(new CurvePlot(this)) {
     build();
     m_frames.setFetchingAhead(false);
-    connect(&session.fits, &FitRunner::started, this, &InspectPage::showHint);
-    connect(&session.fits, &FitRunner::failed, this, &InspectPage::showHint);
-    connect(&session.fits, &FitRunner::finished, this, &InspectPage::takeOutcome);
-    connect(&session.fits, &FitRunner::cleared, this, &InspectPage::takeOutcome);
+    connect(&fits, &FitRunner::started, this, &InspectPage::showHint);
+    connect(&fits, &FitRunner::failed, this, &InspectPage::showHint);
+    connect(&fits, &FitRunner::finished, this, &InspectPage::takeOutcome);
+    connect(&fits, &FitRunner::cleared, this, &InspectPage::takeOutcome);
     connect(&m_frames, &FrameLoader::pictureLoaded, this, &InspectPage::showPicture);
     connect(&m_frames, &FrameLoader::pictureFailed, this, &InspectPage::showFailure);
     connect(m_fit, &QPushButton::clicked, this, &InspectPage::fitRequested);
-    connect(&session.selection, &Selection::cameraChanged, this, &InspectPage::layOutGrid);
+    connect(&selection, &Selection::cameraChanged, this, &InspectPage::layOutGrid);
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), this, &InspectPage::layOutGrid);
     for (CurvePlot* plot : {m_errors, m_costs})
@@ -133,12 +137,12 @@ QWidget* InspectPage::makeViews() {
 }
 
 std::size_t InspectPage::methodCount() const {
-    return m_session.fits.outcome() ? m_session.fits.outcome()->methods.size() : 0;
+    return m_fits.outcome() ? m_fits.outcome()->methods.size() : 0;
 }
 
 int InspectPage::lastIteration() const {
     int last = 0;
-    if (const auto& outcome = m_session.fits.outcome())
+    if (const auto& outcome = m_fits.outcome())
         for (const MethodOutcome& method : outcome->methods)
             last = std::max(last, static_cast<int>(method.result.history.size()));
     return last;
@@ -153,7 +157,7 @@ void InspectPage::setIteration(int iteration) {
 }
 
 void InspectPage::takeOutcome() {
-    const auto& outcome = m_session.fits.outcome();
+    const auto& outcome = m_fits.outcome();
     {
         const QSignalBlocker blocker(m_slider);
         m_slider->setRange(0, lastIteration());
@@ -172,31 +176,30 @@ void InspectPage::takeOutcome() {
 
 /// Those of the test frame, whatever frame the person has gone to since.
 void InspectPage::requestPictures() {
-    const auto& outcome = m_session.fits.outcome();
-    const DatasetSession& session = m_session.opened;
-    if (!outcome || !session.sequence())
+    const auto& outcome = m_fits.outcome();
+    if (!outcome || !m_datasets.sequence())
         return;
-    if (m_sequence != session.sequence()) {
-        m_sequence = session.sequence();
-        m_dataset = session.dataset(); // keeps the sequence alive, so that another one cannot have its address
-        m_frames.setSequence(session.dataset(), session.sequence(), session.motion());
+    if (m_sequence != m_datasets.sequence()) {
+        m_sequence = m_datasets.sequence();
+        m_dataset = m_datasets.dataset(); // keeps the sequence alive, so that another one cannot have its address
+        m_frames.setSequence(m_datasets.dataset(), m_datasets.sequence(), m_datasets.motion());
     }
     m_frames.request(outcome->request.test);
 }
 
 void InspectPage::showHint() {
-    const bool running = m_session.fits.isRunning();
+    const bool running = m_fits.isRunning();
     m_hint->setText(running ? tr("Fitting...") : tr("Fit the current frame to see the methods side by side."));
     m_fit->setEnabled(!running);
 }
 
 std::vector<int> InspectPage::rowCameras() const {
     std::vector<int> rows;
-    const auto& shown = m_session.shownCameras();
-    const auto& dataset = m_session.opened.dataset();
+    const auto& shown = m_cameras.names();
+    const auto& dataset = m_datasets.dataset();
     if (shown.empty() || !dataset)
         return rows;
-    const auto current = std::find(shown.begin(), shown.end(), m_session.selection.camera());
+    const auto current = std::find(shown.begin(), shown.end(), m_selection.camera());
     const std::size_t first = current == shown.end() ? 0 : static_cast<std::size_t>(current - shown.begin());
     const std::size_t count = std::min(shown.size(), static_cast<std::size_t>(m_rows->value()));
     for (std::size_t i = 0; i < count; ++i)
@@ -205,35 +208,34 @@ std::vector<int> InspectPage::rowCameras() const {
 }
 
 void InspectPage::layOutGrid() {
-    m_shownCameras = methodCount() > 0 ? rowCameras() : std::vector<int>{};
+    m_rowCameras = methodCount() > 0 ? rowCameras() : std::vector<int>{};
     std::vector<core::Camera> cameras;
-    for (const int camera : m_shownCameras)
-        cameras.insert(cameras.end(), methodCount(),
-                       m_session.opened.dataset()->cameras[static_cast<std::size_t>(camera)]);
+    for (const int camera : m_rowCameras)
+        cameras.insert(cameras.end(), methodCount(), m_datasets.dataset()->cameras[static_cast<std::size_t>(camera)]);
     m_grid->setFixedColumns(static_cast<int>(methodCount()));
     m_grid->setCameras(cameras);
     for (std::size_t index = 0; index < cameras.size(); ++index) {
-        const auto camera = static_cast<std::size_t>(m_shownCameras[index / methodCount()]);
+        const auto camera = static_cast<std::size_t>(m_rowCameras[index / methodCount()]);
         CameraView* view = m_grid->view(static_cast<int>(index));
-        view->setHome(m_session.fits.outcome()->handsPx[camera]);
+        view->setHome(m_fits.outcome()->handsPx[camera]);
         std::vector<SkeletonLine> outline;
-        for (const QLineF& line : m_session.fits.outcome()->outlinesPx[camera])
+        for (const QLineF& line : m_fits.outcome()->outlinesPx[camera])
             outline.push_back({line.p1(), line.p2(), Qt::white});
         view->setSkeleton(outline);
     }
-    for (const int camera : m_shownCameras)
+    for (const int camera : m_rowCameras)
         showPicture(camera, picture(camera));
     showPoses();
 }
 
 ImagePyramid InspectPage::picture(int camera) const {
-    return m_session.fits.outcome() && camera >= 0 ? m_frames.picture(camera) : ImagePyramid();
+    return m_fits.outcome() && camera >= 0 ? m_frames.picture(camera) : ImagePyramid();
 }
 
 /// Without a picture the views are empty: they may have shown another camera's before.
 void InspectPage::showPicture(int camera, const ImagePyramid& picture) {
-    for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
-        for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column) {
+    for (std::size_t row = 0; row < m_rowCameras.size(); ++row) {
+        for (std::size_t column = 0; m_rowCameras[row] == camera && column < methodCount(); ++column) {
             CameraView* view = m_grid->view(static_cast<int>(row * methodCount() + column));
             view->setMessage(m_frames.lacksPicture(camera) ? tr("No picture at this instant.") : QString());
             view->setImage(picture);
@@ -243,15 +245,15 @@ void InspectPage::showPicture(int camera, const ImagePyramid& picture) {
 }
 
 void InspectPage::showFailure(int camera, const QString& message) {
-    for (std::size_t row = 0; row < m_shownCameras.size(); ++row)
-        for (std::size_t column = 0; m_shownCameras[row] == camera && column < methodCount(); ++column)
+    for (std::size_t row = 0; row < m_rowCameras.size(); ++row)
+        for (std::size_t column = 0; m_rowCameras[row] == camera && column < methodCount(); ++column)
             m_grid->view(static_cast<int>(row * methodCount() + column))->setMessage(message);
 }
 
 void InspectPage::showTitles() {
-    const auto& outcome = m_session.fits.outcome();
-    for (std::size_t row = 0; row < m_shownCameras.size(); ++row) {
-        const core::Camera& camera = m_session.opened.dataset()->cameras[static_cast<std::size_t>(m_shownCameras[row])];
+    const auto& outcome = m_fits.outcome();
+    for (std::size_t row = 0; row < m_rowCameras.size(); ++row) {
+        const core::Camera& camera = m_datasets.dataset()->cameras[static_cast<std::size_t>(m_rowCameras[row])];
         for (std::size_t column = 0; column < methodCount(); ++column) {
             const MethodOutcome& method = outcome->methods[column];
             const double errorMm = inspectedErrorMm(*outcome, method, iteration());
@@ -266,17 +268,17 @@ void InspectPage::showTitles() {
 }
 
 void InspectPage::showPoses() {
-    const auto& outcome = m_session.fits.outcome();
+    const auto& outcome = m_fits.outcome();
     m_iterationText->setText(outcome ? tr("Iteration %1 of %2").arg(iteration()).arg(lastIteration()) : QString());
     for (CurvePlot* plot : {m_errors, m_costs})
         plot->setCursor(outcome ? iteration() : std::nan(""));
-    if (!outcome || !m_session.opened.dataset()) {
+    if (!outcome || !m_datasets.dataset()) {
         m_job.stop();
         emit posesShown();
         return;
     }
     showTitles();
-    m_job.start([this, outcome, dataset = m_session.opened.dataset(),
+    m_job.start([this, outcome, dataset = m_datasets.dataset(),
                  iteration = iteration()](const JobContext& context) -> Job::Delivery {
         auto posed =
             std::make_shared<const InspectedPoses>(inspectedPoses(*dataset, *outcome, iteration, context.stop));
@@ -314,7 +316,7 @@ std::vector<MeshLayer> InspectPage::posedLayers() const {
 
 void InspectPage::showCurves() {
     std::vector<Curve> errors, costs;
-    if (const auto& outcome = m_session.fits.outcome()) {
+    if (const auto& outcome = m_fits.outcome()) {
         for (const MethodOutcome& method : outcome->methods) {
             Curve error{QString::fromStdString(method.method), methodColour(method.method), false, false, {}};
             Curve cost = error;

@@ -11,8 +11,12 @@
 #include <QStackedWidget>
 #include <QWidget>
 
+#include "widgets/document/selection.h"
+#include "widgets/document/shown_cameras.h"
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/jobs/frame_loader.h"
 #include "widgets/presenters/inspected_poses.h"
-#include "widgets/session/window_session.h"
+#include "widgets/session/dataset_session.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/curve_plot.h"
 
@@ -25,7 +29,8 @@ class InspectPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit InspectPage(WindowSession& session, QWidget* parent = nullptr);
+    InspectPage(const FitRunner& fits, const DatasetSession& datasets, const Selection& selection,
+                const ShownCameras& cameras, JobPool& pool, QWidget* parent = nullptr);
 
     CameraGrid* grid() const { return m_grid; }
     /// 0 is the start pose; methods that ended before stay at their result.
@@ -64,7 +69,10 @@ private:
     std::vector<int> rowCameras() const;
     std::size_t methodCount() const;
 
-    WindowSession& m_session;
+    const FitRunner& m_fits;
+    const DatasetSession& m_datasets;
+    const Selection& m_selection;
+    const ShownCameras& m_cameras;
     FrameLoader m_frames; ///< of the pair's test frame, whatever the window's current one is
     std::shared_ptr<const core::Dataset> m_dataset;
     const core::Sequence* m_sequence = nullptr;
@@ -79,7 +87,7 @@ private:
     CameraGrid* m_grid;
     CurvePlot* m_errors;
     CurvePlot* m_costs;
-    std::vector<int> m_shownCameras; ///< per row
+    std::vector<int> m_rowCameras; ///< per row
     std::shared_ptr<const InspectedPoses> m_posed;
     LayerLook m_look;
     bool m_startShown = false;

@@ -2,6 +2,7 @@
 #include "widgets/workspaces/workspaces.h"
 
 #include <algorithm>
+#include <map>
 
 #include <QDataStream>
 #include <QScrollArea>
@@ -51,12 +52,15 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     , m_marks(new MarkPresenter(session.joints, session.reconstructions, session.selection, *m_grid, m_scene, this))
     , m_layers(new LayerPresenter(session.selection, session.fits, *m_grid, m_scene, session.pool, this))
     , m_options(new ViewOptions(*m_grid, session.selection, session.reconstructions, this))
-    , m_framing(new HandFraming(session, *m_grid, this))
+    , m_framing(
+          new HandFraming({session.document, session.reconstructions, session.selection, session.opened, session.model},
+                          *m_grid, session.pool, this))
     , m_quality(new QualityPanel(session, this))
     , m_raters(new RatersPanel(session.raters, session.selection, session.reconstructions, session.opened, this))
-    , m_viewPanel(new ViewPanel(session, *m_layers, *m_options, this))
-    , m_inspect(new InspectPage(session, this))
-    , m_benchmark(new BenchmarkPage(session, this))
+    , m_viewPanel(new ViewPanel(session.selection, session.opened, session.shownCameras, *m_layers, *m_options, this))
+    , m_inspect(
+          new InspectPage(session.fits, session.opened, session.selection, session.shownCameras, session.pool, this))
+    , m_benchmark(new BenchmarkPage(session.benchmarks, session.opened, session.document, session.coverage, this))
     , m_scenePanel(new ScenePanel(m_scene, *m_layers, this))
     , m_masks(session.opened, session.selection, session.pool) {
     build();
@@ -66,7 +70,7 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     connect(m_quality, &QualityPanel::badRmsPxChanged, m_joints, &JointsPanel::setBadRmsPx);
     connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
     connect(&session, &WindowSession::ready, this, &Workspaces::takeSequence);
-    connect(&session, &WindowSession::shownCamerasChanged, this, &Workspaces::showOrder);
+    connect(&session.shownCameras, &ShownCameras::changed, this, &Workspaces::showOrder);
     connect(&session.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
     connect(&session.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
     connect(&session.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
@@ -247,7 +251,7 @@ void Workspaces::showOrder() {
     if (!dataset || m_grid->count() == 0)
         return;
     std::vector<int> order;
-    for (const std::string& camera : m_session.shownCameras())
+    for (const std::string& camera : m_session.shownCameras.names())
         order.push_back(dataset->cameraIndex(camera));
     m_grid->setOrder(order);
 }
@@ -354,29 +358,19 @@ int Workspaces::tabOf(const QWidget* panel) const {
 }
 
 QWidget* Workspaces::part(const QString& name) const {
-    if (name == QLatin1String("scene"))
-        return m_scene;
-    if (name == QLatin1String("joints"))
-        return m_joints;
-    if (name == QLatin1String("diagram"))
-        return m_joints->diagram();
-    if (name == QLatin1String("fit"))
-        return m_fitting;
-    if (name == QLatin1String("quality"))
-        return m_quality;
-    if (name == QLatin1String("raters"))
-        return m_raters;
-    if (name == QLatin1String("view"))
-        return m_viewPanel;
-    if (name == QLatin1String("inspect"))
-        return m_inspect;
-    if (name == QLatin1String("benchmark"))
-        return m_benchmark;
-    if (name == QLatin1String("curves"))
-        return m_fitting->plot();
-    if (name == QLatin1String("views"))
-        return m_grid;
-    return m_grid->view(name);
+    const std::map<QString, QWidget*> parts{{QStringLiteral("scene"), m_scene},
+                                            {QStringLiteral("joints"), m_joints},
+                                            {QStringLiteral("diagram"), m_joints->diagram()},
+                                            {QStringLiteral("fit"), m_fitting},
+                                            {QStringLiteral("quality"), m_quality},
+                                            {QStringLiteral("raters"), m_raters},
+                                            {QStringLiteral("view"), m_viewPanel},
+                                            {QStringLiteral("inspect"), m_inspect},
+                                            {QStringLiteral("benchmark"), m_benchmark},
+                                            {QStringLiteral("curves"), m_fitting->plot()},
+                                            {QStringLiteral("views"), m_grid}};
+    const auto found = parts.find(name);
+    return found == parts.end() ? m_grid->view(name) : found->second;
 }
 
 QByteArray Workspaces::saveState() const {

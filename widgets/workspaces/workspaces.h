@@ -28,7 +28,8 @@
 namespace widgets {
 
 /// The middle of the window: joints on the left, camera views in the middle, scene and panels on the right; what the
-/// middle shows depends on the workspace. It turns what happens in the views into the annotator's steps.
+/// middle shows depends on the workspace. It builds the panels, pages and presenters, gives each the parts of the
+/// session that it needs, and turns what happens in the views into the annotator's steps.
 class Workspaces : public QWidget {
     Q_OBJECT
 

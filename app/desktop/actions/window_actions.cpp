@@ -185,7 +185,7 @@ void bindView(MainWindow& window) {
         actions.bind(
             QStringLiteral("view.maximise%1").arg(number),
             [&window, grid, number] {
-                const auto& shown = window.session().shownCameras();
+                const auto& shown = window.session().shownCameras.names();
                 if (number > static_cast<int>(shown.size()))
                     return;
                 const int camera =

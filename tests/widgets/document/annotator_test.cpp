@@ -28,7 +28,7 @@ protected:
         std::vector<std::string> cameras;
         for (const core::Camera& camera : dataset->cameras)
             cameras.push_back(camera.name);
-        annotator.setCameraOrder(cameras);
+        shown.setNames(cameras);
         selection.setFrameCount(300);
         selection.setFrame(12);
         selection.setJoint(kIndex);
@@ -47,7 +47,8 @@ protected:
     AnnotationDocument document;
     JointList joints;
     Reconstructions reconstructions{document, selection};
-    Annotator annotator{document, selection, reconstructions, joints};
+    ShownCameras shown;
+    Annotator annotator{document, selection, reconstructions, joints, shown};
 };
 
 TEST_F(AnnotatorTest, TwoClicksMakeAPoint) {

@@ -50,8 +50,8 @@ protected:
     }
 
     widgets::FittingPanel fitting{session.selection, session.fits};
-    widgets::InspectPage inspect{session};
-    widgets::BenchmarkPage benchmark{session};
+    widgets::InspectPage inspect{session.fits, session.opened, session.selection, session.shownCameras, session.pool};
+    widgets::BenchmarkPage benchmark{session.benchmarks, session.opened, session.document, session.coverage};
 };
 
 TEST_F(FitPanelsTest, AFitFillsTableAndColumns) {

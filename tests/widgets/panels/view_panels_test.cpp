@@ -23,11 +23,11 @@ TEST_F(ViewPanelsTest, HiddenAndReorderedCamerasAreRemembered) {
     auto* list = child<QListWidget>(*spaces.viewPanel());
     ASSERT_EQ(list->count(), 8);
     list->item(2)->setCheckState(Qt::Unchecked);
-    EXPECT_EQ(session.shownCameras().size(), 7u);
+    EXPECT_EQ(session.shownCameras.names().size(), 7u);
     EXPECT_FALSE(spaces.grid()->view(2)->isVisible());
     reopen();
-    EXPECT_EQ(session.shownCameras().size(), 7u);
-    EXPECT_EQ(std::count(session.shownCameras().begin(), session.shownCameras().end(), "cam2"), 0);
+    EXPECT_EQ(session.shownCameras.names().size(), 7u);
+    EXPECT_EQ(std::count(session.shownCameras.names().begin(), session.shownCameras.names().end(), "cam2"), 0);
 }
 
 TEST_F(ViewPanelsTest, BrightnessIsOfOneViewOrAllAndIsRemembered) {
