@@ -114,6 +114,12 @@ const std::vector<ViewMark>& CameraView::marks() const {
 void CameraView::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_items->setSkeleton(lines);
 }
+void CameraView::setShapes(const OverlayShapes& shapes) {
+    m_items->setShapes(shapes);
+}
+const OverlayShapes& CameraView::shapes() const {
+    return m_items->shapes();
+}
 void CameraView::setEpipolarGuides(const std::vector<EpipolarGuide>& guides) {
     m_items->setGuides(guides);
 }

@@ -52,6 +52,9 @@ public:
     void setOtherMarks(const std::vector<ViewMark>& marks);
     const std::vector<ViewMark>& otherMarks() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
+    /// What an inspected method did: contour, rim, matches.
+    void setShapes(const OverlayShapes& shapes);
+    const OverlayShapes& shapes() const;
     void setEpipolarGuides(const std::vector<EpipolarGuide>& guides);
     /// Which hand is which; hidden with the other overlays.
     void setHandLabels(const std::vector<HandLabel>& labels);
