@@ -221,8 +221,14 @@ CameraTarget targetForRule(const CameraTarget& target, const MatchRule& rule) {
         searched.x[i] = std::round(searched.x[i]);
         searched.y[i] = std::round(searched.y[i]);
     }
-    CameraTarget result{target.camera, target.mask, target.maskBounds, target.contour, {}, target.centre,
-                        ContourIndex(searched, rule.bins), std::nullopt};
+    CameraTarget result{target.camera,
+                        target.mask,
+                        target.maskBounds,
+                        target.contour,
+                        {},
+                        target.centre,
+                        ContourIndex(searched, rule.bins),
+                        std::nullopt};
     return result;
 }
 

@@ -123,8 +123,8 @@ QImage fieldPicture(const core::CameraTarget& target, const core::MatchRule& rul
     }
     const cv::Rect region(0, 0, camera.size.width / kReduction, camera.size.height / kReduction);
     constexpr double kRefusedCost = 1e6;
-    const cv::Mat cost = core::chamferField(reduced, reducedDistance(rule),
-                                            {core::PenaltyKind::Absolute, kRefusedCost}, region, angleRad);
+    const cv::Mat cost = core::chamferField(reduced, reducedDistance(rule), {core::PenaltyKind::Absolute, kRefusedCost},
+                                            region, angleRad);
     QImage picture(region.width, region.height, QImage::Format_ARGB32_Premultiplied);
     picture.fill(0);
     for (int y = 0; y < region.height; ++y) {
@@ -198,8 +198,7 @@ InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Camera& c
     if (!target)
         return overlay;
     if (shown.count(InspectLayer::Field))
-        overlay.field =
-            fieldPicture(*target, core::matchRule(core::parseMethod(method.method)), camera, fieldAngleRad);
+        overlay.field = fieldPicture(*target, core::matchRule(core::parseMethod(method.method)), camera, fieldAngleRad);
     if (shown.count(InspectLayer::Difference))
         addDifference(camera, target->mask, posed, overlay);
     if (shown.count(InspectLayer::Contour))

@@ -12,8 +12,8 @@ std::vector<InspectOverlay> makeOverlays(const InspectOverlays::Scene& scene, co
         for (std::size_t m = 0; m < scene.outcome->methods.size(); ++m) {
             if (stop.stop_requested())
                 return {};
-            const MeshLayer posed = scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m]
-                                                                                   : MeshLayer();
+            const MeshLayer posed =
+                scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m] : MeshLayer();
             overlays.push_back(inspectOverlay(scene.outcome->methods[m],
                                               scene.dataset->cameras[static_cast<std::size_t>(camera)], camera,
                                               scene.iteration, shown, posed, fieldAngleRad));
@@ -64,8 +64,7 @@ void InspectOverlays::rebuild() {
     }
     m_job.start([this, scene = m_scene, shown = m_shown,
                  angle = m_fieldAngleRad](const JobContext& context) -> Job::Delivery {
-        auto overlays =
-            std::make_shared<std::vector<InspectOverlay>>(makeOverlays(scene, shown, angle, context.stop));
+        auto overlays = std::make_shared<std::vector<InspectOverlay>>(makeOverlays(scene, shown, angle, context.stop));
         return [this, overlays] { hand(std::move(*overlays)); };
     });
 }

@@ -12,6 +12,7 @@
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/idle_wait.h"
+#include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
@@ -60,7 +61,10 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("export"), &ScriptSteps::exportAnnotations},
                                                          {QStringLiteral("shot"), &ScriptSteps::shot},
                                                          {QStringLiteral("resize"), &ScriptSteps::resize},
-                                                         {QStringLiteral("timing"), &ScriptSteps::timing}};
+                                                         {QStringLiteral("timing"), &ScriptSteps::timing},
+                                                         {QStringLiteral("iteration"), &ScriptSteps::iteration},
+                                                         {QStringLiteral("layer"), &ScriptSteps::layer},
+                                                         {QStringLiteral("probe"), &ScriptSteps::probe}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -217,7 +221,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printJoint(step);
     if (what == QLatin1String("results"))
         return printResults();
-    throw refused("what", QStringLiteral("expected \"joint\" or \"results\""));
+    if (what == QLatin1String("matches"))
+        return printMatches(m_window, step);
+    throw refused("what", QStringLiteral("expected \"joint\", \"results\" or \"matches\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -248,6 +254,18 @@ QJsonObject ScriptSteps::printResults() {
     return {{QStringLiteral("start"), outcome->request.start},
             {QStringLiteral("test"), outcome->request.test},
             {QStringLiteral("results"), rows}};
+}
+
+QJsonObject ScriptSteps::iteration(const QJsonObject& step) {
+    return showIteration(m_window, step);
+}
+
+QJsonObject ScriptSteps::layer(const QJsonObject& step) {
+    return showLayer(m_window, step);
+}
+
+QJsonObject ScriptSteps::probe(const QJsonObject& step) {
+    return probeAt(m_window, step);
 }
 
 QJsonObject ScriptSteps::exportAnnotations(const QJsonObject& step) {

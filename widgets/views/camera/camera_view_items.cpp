@@ -32,8 +32,8 @@ CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     , m_otherMarks(new OtherMarksItem(m_root))
     , m_reprojections(new ReprojectionItem(m_root)) {
     double level = -10;
-    for (QGraphicsItem* item :
-         std::initializer_list<QGraphicsItem*>{m_shapes, m_skeleton, m_guides, m_ellipse, m_otherMarks, m_reprojections})
+    for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{m_shapes, m_skeleton, m_guides, m_ellipse,
+                                                                     m_otherMarks, m_reprojections})
         item->setZValue(level++);
     scene.addItem(m_root);
 }

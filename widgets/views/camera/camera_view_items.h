@@ -22,9 +22,9 @@ class OverlayShapesItem;
 class ReprojectionItem;
 class SkeletonItem;
 
-/// The vector items that lie over a view's image. Bottom to top: an inspected method's shapes, skeleton, guides, ellipse, other people's marks,
-/// reprojection lines, hand labels, marks. The scene's coordinates are image pixels + 0.5, so that pixel (0, 0) covers
-/// (0, 0) .. (1, 1).
+/// The vector items that lie over a view's image. Bottom to top: an inspected method's shapes, skeleton, guides,
+/// ellipse, other people's marks, reprojection lines, hand labels, marks. The scene's coordinates are image pixels +
+/// 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
 class CameraViewItems {
 public:
     explicit CameraViewItems(QGraphicsScene& scene);

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+#include "widgets/presenters/inspect_overlays.h"
+
+namespace widgets {
+
+/// Which layers lie over the inspected views, their scale, and what the methods would match at the pointer.
+class InspectLayerBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit InspectLayerBar(InspectOverlays& overlays, QWidget* parent = nullptr);
+
+    /// `shown`: the method's matches in the view under the pointer.
+    void showProbe(const std::string& method, const ShownMatches& shown, QPointF px);
+    void clearProbe();
+
+private:
+    void addButton(InspectLayer layer, const QString& text, const QString& tip);
+    void showState();
+    void showLegend();
+
+    InspectOverlays& m_overlays;
+    std::map<InspectLayer, QToolButton*> m_buttons;
+    QLabel* m_legend;
+    QSlider* m_direction;
+    QLabel* m_directionText;
+    QLabel* m_probe;
+};
+
+} // namespace widgets
