@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/desktop/script/workspace_file.h"
 #include "core/distance/circular_distance.h"
 #include "core/distance/orientation_bins.h"
+#include "core/error.h"
 #include "tests/app/window_fixture.h"
 
 namespace {
@@ -126,6 +128,32 @@ TEST_F(InspectScript, TheDifferenceSaysHowWellTheSilhouettesAgree) {
     EXPECT_GT(atStart, 0.3);
     EXPECT_GT(atEnd, 0.97);
     EXPECT_GT(atEnd, atStart);
+}
+
+TEST_F(InspectScript, AWorkspaceFileBringsTheSameViewsBack) {
+    fit("\"ch\",\"dch-thres\"");
+    run("{\"do\":\"iteration\",\"to\":3}\n{\"do\":\"layer\",\"id\":\"matches\",\"on\":true}\n"
+        "{\"do\":\"layer\",\"id\":\"difference\",\"on\":true}\n{\"do\":\"workspace\",\"path\":\"w.json\"}\n");
+    const std::string file = run("{\"do\":\"workspace\",\"path\":\"w.json\"}\n")[0]["path"].get<std::string>();
+    const app::Workspace saved = app::readWorkspace(file);
+    EXPECT_EQ(saved.methods, (std::vector<std::string>{"ch", "dch-thres"}));
+    EXPECT_EQ(saved.iteration, 3);
+    EXPECT_EQ(saved.layers, (std::vector<std::string>{"matches", "difference"}));
+    const QDir first(QString::fromStdString(file + ".1")), second(QString::fromStdString(file + ".2"));
+    QDir().mkpath(first.path());
+    QDir().mkpath(second.path());
+    app::restoreWorkspace(*window, saved);
+    const QStringList names = app::saveWorkspacePictures(*window, first);
+    EXPECT_TRUE(names.contains(QStringLiteral("ch_cam0.png"))) << names.join(' ').toStdString();
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":false}\n{\"do\":\"iteration\",\"to\":0}\n");
+    fit("\"best\"");
+    app::restoreWorkspace(*window, saved);
+    EXPECT_EQ(app::saveWorkspacePictures(*window, second), names);
+    for (const QString& name : names)
+        EXPECT_EQ(QImage(first.filePath(name)), QImage(second.filePath(name))) << name.toStdString();
+    app::Workspace lost = saved;
+    lost.camera = "cam77";
+    EXPECT_THROW(app::restoreWorkspace(*window, lost), core::Error);
 }
 
 } // namespace

@@ -41,7 +41,10 @@ void InspectOverlays::setShown(InspectLayer layer, bool shown) {
 }
 
 void InspectOverlays::setFieldAngleRad(double angleRad) {
+    if (angleRad == m_fieldAngleRad)
+        return;
     m_fieldAngleRad = angleRad;
+    emit shownChanged();
     if (isShown(InspectLayer::Field))
         rebuild();
 }

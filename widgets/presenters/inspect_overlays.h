@@ -27,6 +27,7 @@ public:
     bool isShown(InspectLayer layer) const { return m_shown.count(layer) > 0; }
     /// The direction whose field is shown.
     void setFieldAngleRad(double angleRad);
+    double fieldAngleRad() const { return m_fieldAngleRad; }
 
     /// What the grid shows from now on; a null outcome clears it.
     struct Scene {

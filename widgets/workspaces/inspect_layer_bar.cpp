@@ -77,10 +77,8 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     m_probe->setMinimumWidth(1); // long texts must not widen the window
     column->addWidget(m_probe);
     connect(&overlays, &InspectOverlays::shownChanged, this, &InspectLayerBar::showState);
-    connect(m_direction, &QSlider::valueChanged, this, [this](int step) {
-        m_overlays.setFieldAngleRad(step * kDegreesPerStep * std::numbers::pi / 180);
-        showState();
-    });
+    connect(m_direction, &QSlider::valueChanged, this,
+            [this](int step) { m_overlays.setFieldAngleRad(step * kDegreesPerStep * std::numbers::pi / 180); });
     clearProbe();
     showState();
 }
@@ -103,7 +101,10 @@ void InspectLayerBar::showState() {
     const bool hasField = m_overlays.isShown(InspectLayer::Field);
     m_direction->setVisible(hasField);
     m_directionText->setVisible(hasField);
-    m_directionText->setText(tr("%1\u00b0").arg(m_direction->value() * kDegreesPerStep));
+    const int direction = static_cast<int>(std::lround(degrees(m_overlays.fieldAngleRad())));
+    const QSignalBlocker blocker(m_direction);
+    m_direction->setValue(direction / kDegreesPerStep);
+    m_directionText->setText(tr("%1\u00b0").arg(direction));
     showLegend();
 }
 

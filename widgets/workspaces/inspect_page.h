@@ -48,6 +48,11 @@ public:
 
     /// Which layers are drawn over the views.
     InspectOverlays* overlays() const { return m_overlays; }
+    CurvePlot* errorPlot() const { return m_errors; }
+    CurvePlot* costPlot() const { return m_costs; }
+    /// Cameras that are shown, from the current one on.
+    int rows() const { return m_rows->value(); }
+    void setRows(int rows) { m_rows->setValue(rows); }
     /// Of a method of the fit, in a camera, at the iteration that is shown.
     ShownMatches matches(const QString& method, int camera) const;
 

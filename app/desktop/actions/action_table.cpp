@@ -160,6 +160,8 @@ const std::vector<ActionRow> kRows = {
     {"compare.layerField", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Field"), "Alt+5", "", QT_TRANSLATE_NOOP("app::ActionTable", "What a rim point of one direction costs at every pixel"), kCheck},
     {"compare.layerError", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Error"), "Alt+6", "", QT_TRANSLATE_NOOP("app::ActionTable", "The mesh by its distance to the recorded pose"), kCheck},
     {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"file.saveWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again"), kPlain, true},
+    {"file.openWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
     {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
     {"file.openResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
 

@@ -15,6 +15,7 @@
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
 #include "app/desktop/script/step_fields.h"
+#include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
 #include "core/numeric/median.h"
 #include "widgets/text/local_text.h"
@@ -64,7 +65,8 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("timing"), &ScriptSteps::timing},
                                                          {QStringLiteral("iteration"), &ScriptSteps::iteration},
                                                          {QStringLiteral("layer"), &ScriptSteps::layer},
-                                                         {QStringLiteral("probe"), &ScriptSteps::probe}};
+                                                         {QStringLiteral("probe"), &ScriptSteps::probe},
+                                                         {QStringLiteral("workspace"), &ScriptSteps::workspace}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -266,6 +268,12 @@ QJsonObject ScriptSteps::layer(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::probe(const QJsonObject& step) {
     return probeAt(m_window, step);
+}
+
+QJsonObject ScriptSteps::workspace(const QJsonObject& step) {
+    const QString path = outPath(step);
+    writeWorkspace(path.toStdString(), currentWorkspace(m_window));
+    return {{QStringLiteral("path"), path}};
 }
 
 QJsonObject ScriptSteps::exportAnnotations(const QJsonObject& step) {

@@ -41,6 +41,7 @@ private:
     QJsonObject iteration(const QJsonObject& step);
     QJsonObject layer(const QJsonObject& step);
     QJsonObject probe(const QJsonObject& step);
+    QJsonObject workspace(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();
