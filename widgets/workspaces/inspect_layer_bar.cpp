@@ -44,6 +44,7 @@ QPixmap scalePicture() {
 InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     : QWidget(parent)
     , m_overlays(overlays)
+    , m_scale(new QLabel(this))
     , m_legend(new QLabel(this))
     , m_direction(new QSlider(Qt::Horizontal, this))
     , m_directionText(new QLabel(this))
@@ -54,16 +55,18 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpacing / 2);
     column->addLayout(row);
-    addButton(InspectLayer::Contour, tr("Contour"), tr("The observed outline; its colour is its direction"));
-    addButton(InspectLayer::Rim, tr("Rim"), tr("Rim points of the posed hands with their normals"));
-    addButton(InspectLayer::Matches, tr("Matches"),
-              tr("From rim points to their contour points, by distance; refused ones dashed"));
-    addButton(InspectLayer::Difference, tr("Difference"),
-              tr("Silhouettes: red is seen but not covered, blue is covered but not seen"));
-    addButton(InspectLayer::Field, tr("Field"), tr("What a rim point of one direction costs at every pixel"));
-    addButton(InspectLayer::Error, tr("Error"), tr("The mesh by its distance to the recorded pose"));
+    addBox(InspectLayer::Contour, tr("Contour"), tr("The observed outline; its colour is its direction"));
+    addBox(InspectLayer::Rim, tr("Rim"), tr("Rim points of the posed hands with their normals"));
+    addBox(InspectLayer::Matches, tr("Matches"),
+           tr("From rim points to their contour points, by distance; refused ones dashed"));
+    addBox(InspectLayer::Difference, tr("Difference"),
+           tr("Silhouettes: red is seen but not covered, blue is covered but not seen"));
+    addBox(InspectLayer::Field, tr("Field"), tr("What a rim point of one direction costs at every pixel"));
+    addBox(InspectLayer::Error, tr("Error"), tr("The mesh by its distance to the recorded pose"));
     for (const InspectLayer layer : kInspectLayers)
-        row->addWidget(m_buttons.at(layer));
+        row->addWidget(m_boxes.at(layer));
+    m_scale->setPixmap(scalePicture());
+    m_legend->setMinimumWidth(1);
     m_direction->setRange(0, 360 / kDegreesPerStep - 1);
     m_direction->setFixedWidth(2 * kScaleWidth);
     m_direction->setFocusPolicy(Qt::NoFocus);
@@ -71,6 +74,7 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     row->addSpacing(kSpacing);
     row->addWidget(m_direction);
     row->addWidget(m_directionText);
+    row->addWidget(m_scale);
     row->addWidget(m_legend);
     row->addStretch(1);
     m_probe->setTextFormat(Qt::PlainText);
@@ -83,20 +87,18 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     showState();
 }
 
-void InspectLayerBar::addButton(InspectLayer layer, const QString& text, const QString& tip) {
-    auto* button = new QToolButton(this);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::NoFocus);
-    connect(button, &QToolButton::toggled, this, [this, layer](bool on) { m_overlays.setShown(layer, on); });
-    m_buttons[layer] = button;
+void InspectLayerBar::addBox(InspectLayer layer, const QString& text, const QString& tip) {
+    auto* box = new QCheckBox(text, this);
+    box->setToolTip(tip);
+    box->setFocusPolicy(Qt::NoFocus);
+    connect(box, &QCheckBox::toggled, this, [this, layer](bool on) { m_overlays.setShown(layer, on); });
+    m_boxes[layer] = box;
 }
 
 void InspectLayerBar::showState() {
-    for (const auto& [layer, button] : m_buttons) {
-        const QSignalBlocker blocker(button);
-        button->setChecked(m_overlays.isShown(layer));
+    for (const auto& [layer, box] : m_boxes) {
+        const QSignalBlocker blocker(box);
+        box->setChecked(m_overlays.isShown(layer));
     }
     const bool hasField = m_overlays.isShown(InspectLayer::Field);
     m_direction->setVisible(hasField);
@@ -116,10 +118,9 @@ void InspectLayerBar::showLegend() {
         parts << tr("field 0\u2013%1 px").arg(kFieldScalePx);
     if (m_overlays.isShown(InspectLayer::Error))
         parts << tr("error 0\u2013%1 mm").arg(kErrorScaleMm);
+    m_scale->setVisible(!parts.isEmpty());
     m_legend->setVisible(!parts.isEmpty());
-    m_legend->setToolTip(parts.join(QStringLiteral(", ")));
-    m_legend->setPixmap(scalePicture());
-    m_legend->setAccessibleName(parts.join(QStringLiteral(", ")));
+    m_legend->setText(parts.join(QStringLiteral(", ")));
 }
 
 void InspectLayerBar::clearProbe() {

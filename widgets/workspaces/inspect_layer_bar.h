@@ -4,9 +4,9 @@
 #include <map>
 #include <string>
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
-#include <QToolButton>
 #include <QWidget>
 
 #include "widgets/presenters/inspect_overlays.h"
@@ -25,12 +25,13 @@ public:
     void clearProbe();
 
 private:
-    void addButton(InspectLayer layer, const QString& text, const QString& tip);
+    void addBox(InspectLayer layer, const QString& text, const QString& tip);
     void showState();
     void showLegend();
 
     InspectOverlays& m_overlays;
-    std::map<InspectLayer, QToolButton*> m_buttons;
+    std::map<InspectLayer, QCheckBox*> m_boxes;
+    QLabel* m_scale;
     QLabel* m_legend;
     QSlider* m_direction;
     QLabel* m_directionText;
