@@ -5,6 +5,8 @@ namespace widgets {
 
 namespace {
 
+constexpr double kFieldOpacity = 0.6, kDifferenceOpacity = 1;
+
 std::vector<InspectOverlay> makeOverlays(const InspectOverlays::Scene& scene, const std::set<InspectLayer>& shown,
                                          double fieldAngleRad, const std::stop_token& stop) {
     std::vector<InspectOverlay> overlays;
@@ -78,7 +80,9 @@ void InspectOverlays::hand(std::vector<InspectOverlay> overlays) {
     for (int index = 0; index < m_grid.count(); ++index) {
         const InspectOverlay& overlay = overlays[static_cast<std::size_t>(index)];
         m_grid.view(index)->setShapes(overlay.shapes);
-        m_grid.view(index)->setFieldImage(overlay.field);
+        const bool isDifference = isShown(InspectLayer::Difference);
+        m_grid.view(index)->setFieldImage(overlay.field, isDifference ? kDifferenceOpacity : kFieldOpacity,
+                                          isDifference);
         m_ious.push_back(overlay.iou);
     }
     emit drawn();

@@ -142,9 +142,10 @@ void CameraView::setLabelsShown(bool shown) {
     m_items->setLabelsShown(shown);
 }
 
-void CameraView::setFieldImage(const QImage& field, double opacity) {
+void CameraView::setFieldImage(const QImage& field, double opacity, bool overMeshes) {
     m_field = field;
     m_fieldOpacity = opacity;
+    m_fieldOverMeshes = overMeshes;
     viewport()->update();
 }
 
