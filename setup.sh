@@ -10,7 +10,7 @@ packages=(
   g++ cmake ninja-build pkg-config
   libeigen3-dev libopencv-dev libtbb-dev libassimp-dev libmeshoptimizer-dev
   libavformat-dev libavcodec-dev libavutil-dev libswscale-dev
-  nlohmann-json3-dev libvalijson-dev libtomlplusplus-dev libmatio-dev libhdf5-dev libcli11-dev libsqlitecpp-dev libsqlite3-dev
+  nlohmann-json3-dev libvalijson-dev libtomlplusplus-dev libmatio-dev libhdf5-dev zlib1g-dev libcli11-dev libsqlitecpp-dev libsqlite3-dev
   qtbase5-dev libqt5svg5-dev qttools5-dev qttools5-dev-tools libvtk9-dev libvtk9-qt-dev
   qttranslations5-l10n breeze-icon-theme gnuplot-nox xvfb
   clang-format clang-tidy desktop-file-utils dpkg-dev

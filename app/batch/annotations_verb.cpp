@@ -166,9 +166,9 @@ void addAnnotationsVerb(CLI::App& program) {
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--from", arguments->kind, "Kind: " + kindList())->required();
     verb->add_option("file", arguments->file, "The file (or folder) to read")->required();
-    verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
+    verb->add_option("--map", arguments->map, "JSON file with the joint of each name there");
     CLI::Option* rater = verb->add_option("--rater", arguments->options.rater,
-                                          "Whose marks they are (default: as the file says, else your login name)")
+                                          "Rater of the marks (default: the file's, else your login name)")
                              ->check([](const std::string& name) {
                                  return name.empty() ? std::string("must not be empty") : std::string();
                              });

@@ -2,16 +2,19 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include <CLI/CLI.hpp>
 
+#include "app/batch/benchmark_arguments.h"
 #include "app/batch/interrupt.h"
 #include "app/batch/progress.h"
 #include "app/batch/verbs.h"
 #include "core/benchmark/benchmark_run.h"
 #include "core/benchmark/result_table.h"
+#include "core/benchmark/setups_report.h"
 #include "core/benchmark/sweep.h"
 #include "core/error.h"
 #include "core/io/benchmark/benchmark_folder.h"
@@ -25,15 +28,6 @@ namespace app {
 
 namespace {
 
-struct BenchmarkArguments {
-    std::string dataset, setup = "synthetic", pairs, shard, sweep, out;
-    std::vector<std::string> sequences;
-    std::vector<std::string> methods = {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"};
-    std::vector<std::string> external;
-    core::PairOptions draw;
-    int threads = 1;
-};
-
 core::Shard shardFrom(const std::string& text) {
     core::Shard shard;
     char rest = 0;
@@ -42,9 +36,9 @@ core::Shard shardFrom(const std::string& text) {
     return shard;
 }
 
-core::BenchmarkOptions optionsFrom(const BenchmarkArguments& arguments) {
+core::BenchmarkOptions optionsFrom(const BenchmarkArguments& arguments, const std::string& setup) {
     core::BenchmarkOptions options;
-    options.setup = arguments.setup == "realistic" ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+    options.setup = setup == "realistic" ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
     options.methods = arguments.sweep.empty() ? arguments.methods : core::sweepMethods();
     options.threads = arguments.threads;
     options.shard = shardFrom(arguments.shard);
@@ -99,30 +93,56 @@ core::BenchmarkResults run(const core::BenchmarkScene& scene, const core::Benchm
                               journal.finished());
 }
 
-void benchmark(const BenchmarkArguments& arguments) {
-    const core::BenchmarkOptions options = optionsFrom(arguments);
+/// One setup into a folder of its own: all files of a single run.
+core::BenchmarkFolder runSetup(const BenchmarkArguments& arguments, const std::string& setup, const std::string& out) {
+    const core::BenchmarkOptions options = optionsFrom(arguments, setup);
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const core::BenchmarkScene scene = core::readBenchmarkScene(dataset, arguments.sequences, options.setup);
     core::BenchmarkFolder folder{runInfo(arguments, options, scene), {}};
     core::requireRunnable(scene, folder.info.pairs, options);
     const std::vector<core::PairResult> external =
         externalRows(externalFrom(arguments, dataset), scene, options, folder.info);
-    core::BenchmarkJournal journal(arguments.out, folder.info);
+    core::BenchmarkJournal journal(out, folder.info);
     folder.results = run(scene, folder.info, options, journal);
     for (const core::PairResult& row : external)
         journal.append(row);
     core::addExternalRows(folder.results, folder.info.external, external);
-    core::writeBenchmarkTables(arguments.out, folder);
-    std::printf("%s", core::markdownTable(core::resultTable(folder.results, options.setup)).c_str());
-    if (folder.results.stopped) {
-        throw Interrupted(arguments.out +
-                          ": stopped; what is finished is kept, and the same command continues from there");
+    core::writeBenchmarkTables(out, folder);
+    return folder;
+}
+
+void endIfStopped(const core::BenchmarkFolder& folder, const std::string& out) {
+    if (folder.results.stopped)
+        throw Interrupted(out + ": stopped; what is finished is kept, and the same command continues from there");
+}
+
+void benchmark(BenchmarkArguments arguments) {
+    if (arguments.sweep == "realism") {
+        runRealismSweep(arguments);
+        return;
     }
+    std::sort(arguments.setups.begin(), arguments.setups.end(), std::greater<>()); // synthetic first
+    arguments.setups.erase(std::unique(arguments.setups.begin(), arguments.setups.end()), arguments.setups.end());
+    if (arguments.setups.size() == 1) {
+        const core::BenchmarkFolder folder = runSetup(arguments, arguments.setups.front(), arguments.out);
+        std::printf("%s", core::markdownTable(core::resultTable(folder.results, folder.info.setup)).c_str());
+        endIfStopped(folder, arguments.out);
+        return;
+    }
+    std::vector<core::BenchmarkFolder> folders;
+    for (const std::string& setup : arguments.setups) {
+        folders.push_back(runSetup(arguments, setup, arguments.out + "/" + setup));
+        endIfStopped(folders.back(), arguments.out);
+    }
+    core::writeSetupTables(arguments.out, folders);
+    std::printf("%s", core::markdownTable(core::setupsTable(core::setupResults(folders))).c_str());
 }
 
 /// A list of pairs leaves nothing to draw: an option that would draw them was meant to do something.
-void requireOneSourceOfPairs(const CLI::App& verb) {
+void requireOneSourceOfPairs(const CLI::App& verb, bool isRealism) {
     for (const char* option : {"--fraction", "--differences", "--seed"}) {
+        if (isRealism && std::string_view(option) == "--seed")
+            continue; // it seeds what is simulated, too
         if (verb.count("--pairs") > 0 && verb.count(option) > 0) {
             throw core::Error(core::ErrorCode::Usage, "", std::string("--pairs and ") + option,
                               std::string("--pairs names the frame pairs, so ") + option +
@@ -131,11 +151,30 @@ void requireOneSourceOfPairs(const CLI::App& verb) {
     }
 }
 
+/// True for the folder of a run in both setups.
+bool holdsBothSetups(const std::filesystem::path& folder) {
+    return !std::filesystem::exists(folder / "run.json") && std::filesystem::exists(folder / "synthetic/run.json") &&
+           std::filesystem::exists(folder / "realistic/run.json");
+}
+
 void merge(const std::vector<std::string>& folders, const std::string& out) {
-    const core::BenchmarkFolder merged =
-        core::mergedBenchmarkFolders(std::vector<std::filesystem::path>(folders.begin(), folders.end()));
-    core::writeBenchmarkFolder(out, merged);
-    std::printf("%s", core::markdownTable(core::resultTable(merged.results, merged.info.setup)).c_str());
+    const std::vector<std::filesystem::path> paths(folders.begin(), folders.end());
+    if (!std::all_of(paths.begin(), paths.end(), holdsBothSetups)) {
+        const core::BenchmarkFolder merged = core::mergedBenchmarkFolders(paths);
+        core::writeBenchmarkFolder(out, merged);
+        std::printf("%s", core::markdownTable(core::resultTable(merged.results, merged.info.setup)).c_str());
+        return;
+    }
+    std::vector<core::BenchmarkFolder> merged;
+    for (const char* setup : {"synthetic", "realistic"}) {
+        std::vector<std::filesystem::path> parts;
+        for (const std::filesystem::path& path : paths)
+            parts.push_back(path / setup);
+        merged.push_back(core::mergedBenchmarkFolders(parts));
+        core::writeBenchmarkFolder(std::filesystem::path(out) / setup, merged.back());
+    }
+    core::writeSetupTables(out, merged);
+    std::printf("%s", core::markdownTable(core::setupsTable(core::setupResults(merged))).c_str());
 }
 
 } // namespace
@@ -147,8 +186,10 @@ void addBenchmarkVerb(CLI::App& program) {
     verb->add_option("dataset", arguments->dataset, "The dataset folder")->required();
     verb->add_option("--sequences", arguments->sequences, "Names of the sequences (all with a recorded motion)")
         ->delimiter(',');
-    verb->add_option("--setup", arguments->setup,
-                     "synthetic: targets rendered from the recorded poses; realistic: from the masks")
+    verb->add_option("--setup", arguments->setups,
+                     "synthetic: targets rendered from the recorded poses; realistic: from the masks; "
+                     "synthetic,realistic: both, side by side")
+        ->delimiter(',')
         ->check(CLI::IsMember({"synthetic", "realistic"}));
     verb->add_option("--fraction", arguments->draw.fraction, "Share of the frames that are test frames (0.1)");
     verb->add_option("--differences", arguments->draw.differences, "Frames between start and test (1,5,10,15)")
@@ -157,8 +198,10 @@ void addBenchmarkVerb(CLI::App& program) {
     verb->add_option("--methods", arguments->methods, "Methods with their options, such as ch,dch-thres:tau=45,best")
         ->delimiter(',');
     verb->add_option("--sweep", arguments->sweep,
-                     "figures: the settings of the paper's figures and every open option, instead of --methods")
-        ->check(CLI::IsMember({"figures"}));
+                     "figures: the settings of the paper's figures and every open option, instead of --methods; "
+                     "realism: silhouettes that get less and less perfect (simulated)")
+        ->check(CLI::IsMember({"figures", "realism"}));
+    verb->add_option("--settings", arguments->settings, "Only these settings of --sweep realism")->delimiter(',');
     verb->add_option(
         "--external", arguments->external,
         "NAME=FILE: another tracker's joints (CSV sequence,start,test,hand,name,x,y,z, or JSON), a row of their own");
@@ -170,7 +213,7 @@ void addBenchmarkVerb(CLI::App& program) {
                      "The folder for the results; a second run goes on where the first one ended")
         ->required();
     verb->callback([arguments, verb] {
-        requireOneSourceOfPairs(*verb);
+        requireOneSourceOfPairs(*verb, arguments->sweep == "realism");
         benchmark(*arguments);
     });
 }

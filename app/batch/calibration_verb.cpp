@@ -23,6 +23,7 @@ struct CalibrationArguments {
 void convert(CalibrationArguments arguments) {
     if (!arguments.size.empty())
         arguments.options.size = parseImageSize(arguments.size, "--size");
+    arguments.options.assumeSize = true;
     if (arguments.scale > 0)
         arguments.options.mmPerUnit = arguments.scale;
     const std::vector<core::Camera> cameras = core::readCalibration(arguments.file, arguments.options);
@@ -57,10 +58,11 @@ void addCalibrationVerb(CLI::App& program) {
     auto arguments = std::make_shared<CalibrationArguments>();
     CLI::App* verb = program.add_subcommand("calibration", "Convert a calibration of another program");
     verb->add_option("file", arguments->file, "The file, or the folder for kinds with a file per camera")->required();
-    verb->add_option("--from", arguments->options.kind, "Its kind, if the content does not tell")
+    verb->add_option("--from", arguments->options.kind, "Its kind, if it does not follow from the content")
         ->check(CLI::IsMember(kindNames(false)));
     verb->add_option("--to", arguments->to, "The kind to write")->required()->check(CLI::IsMember(kindNames(true)));
-    verb->add_option("--size", arguments->size, "Image size WxH, for files that hold none");
+    verb->add_option("--size", arguments->size,
+                     "Image size WxH, for files that hold none (default: twice the mean principal point, plus one)");
     verb->add_option("--mm-per-unit", arguments->scale, "Length of the file's unit in mm, if it is not the usual one")
         ->check(CLI::PositiveNumber);
     verb->add_option("--section", arguments->options.section, "Which capture of an InterHand file");

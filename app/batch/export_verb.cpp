@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -8,6 +9,7 @@
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/formats/annotation_formats.h"
 
 namespace app {
@@ -16,7 +18,7 @@ namespace {
 
 struct ExportArguments {
     std::string dataset, sequence, kind, map, rater, out;
-    double sigmaPx = 1;
+    std::optional<double> sigmaPx;
 };
 
 std::string exportKinds() {
@@ -31,7 +33,10 @@ void exportSequence(const ExportArguments& arguments) {
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const core::Sequence& sequence = dataset.sequence(arguments.sequence);
     core::AnnotationExportOptions options;
-    options.triangulation.sigmaPx = arguments.sigmaPx;
+    if (arguments.sigmaPx)
+        options.triangulation.sigmaPx = *arguments.sigmaPx;
+    else
+        options.sigmas = core::datasetClickSigmas(dataset);
     options.jointMap = arguments.map;
     if (!arguments.rater.empty())
         options.rater = arguments.rater;
@@ -54,12 +59,12 @@ void addExportVerb(CLI::App& program) {
     verb->add_option("dataset", arguments->dataset, "Dataset folder")->required();
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--to", arguments->kind, "Kind: " + exportKinds())->required();
-    verb->add_option("--map", arguments->map, "JSON file that says which joint has which name there");
+    verb->add_option("--map", arguments->map, "JSON file with the joint of each name there");
     verb->add_option(
         "--rater", arguments->rater,
-        "Only the marks of this rater (everybody's where the format names raters, else those of the one with most)");
-    verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
-        ->capture_default_str()
+        "Only the marks of this rater (default: all raters where the format names them, else the one with most marks)");
+    verb->add_option("--sigma-px", arguments->sigmaPx,
+                     "Standard deviation of a click per axis, px (default: estimated from all clicks)")
         ->check(CLI::Range(1e-6, 1e6));
     verb->add_option("--out", arguments->out, "The file (or folder) to write")->required();
     verb->callback([arguments] { exportSequence(*arguments); });

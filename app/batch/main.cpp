@@ -25,9 +25,11 @@ int fail(std::string message, int status) {
 
 void addVerbs(CLI::App& program) {
     app::addAnnotationsVerb(program);
+    app::addAutolabelVerb(program);
     app::addBenchmarkVerb(program);
     app::addCalibrationVerb(program);
     app::addCheckVerb(program);
+    app::addDetectorVerb(program);
     app::addExportVerb(program);
     app::addFitVerb(program);
     app::addDemoVerb(program);

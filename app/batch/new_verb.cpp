@@ -21,6 +21,7 @@ struct NewArguments {
     std::string cameras, size, hands, sequence, sync, add, out;
     core::CalibrationOptions calibration;
     double mmPerUnit = 0, framesPerSecond = 0;
+    int frames = 0; ///< of a sequence without footage
     FootageArguments footage;
     std::vector<std::string> masks;
 };
@@ -29,6 +30,9 @@ core::CalibrationOptions calibrationOptions(const NewArguments& arguments) {
     core::CalibrationOptions options = arguments.calibration;
     if (!arguments.size.empty())
         options.size = parseImageSize(arguments.size, "--size");
+    else if (arguments.footage.scales.empty() && arguments.footage.crops.empty())
+        options.size = core::footageSize(footageOf(arguments.footage));
+    options.assumeSize = true;
     if (arguments.mmPerUnit > 0)
         options.mmPerUnit = arguments.mmPerUnit;
     return options;
@@ -84,8 +88,14 @@ void makeDataset(const NewArguments& arguments) {
     dataset.folder = folder;
     const std::optional<double> rate =
         arguments.framesPerSecond > 0 ? std::optional(arguments.framesPerSecond) : std::nullopt;
-    const core::NewSequence made = core::makeSequence(arguments.sequence, dataset.cameras, footageOf(arguments.footage),
-                                                      folder, rate, syncOf(arguments.sync));
+    const std::vector<core::Footage> footage = footageOf(arguments.footage);
+    const core::NewSequence made =
+        footage.empty() && arguments.frames > 0
+            ? core::NewSequence{core::sequenceWithoutFootage(arguments.sequence, dataset.cameras, arguments.frames,
+                                                             rate),
+                                {},
+                                dataset.cameras}
+            : core::makeSequence(arguments.sequence, dataset.cameras, footage, folder, rate, syncOf(arguments.sync));
     dataset.sequences.push_back(made.sequence);
     dataset.cameras = made.cameras;
     const std::vector<std::string> maskNotes = addMasks(dataset, arguments);
@@ -109,7 +119,7 @@ void addNewVerb(CLI::App& program) {
     auto arguments = std::make_shared<NewArguments>();
     CLI::App* verb = program.add_subcommand("new", "Make a dataset of a calibration and videos or images");
     verb->add_option("--cameras", arguments->cameras, "The calibration, of any kind that `calibration` reads");
-    verb->add_option("--from", arguments->calibration.kind, "Its kind, if the content does not tell");
+    verb->add_option("--from", arguments->calibration.kind, "Its kind, if it does not follow from the content");
     verb->add_option("--size", arguments->size, "Image size WxH, if the calibration holds none");
     verb->add_option("--mm-per-unit", arguments->mmPerUnit, "Length of the calibration's unit in mm")
         ->check(CLI::PositiveNumber);
@@ -118,13 +128,16 @@ void addNewVerb(CLI::App& program) {
     verb->add_option("--masks", arguments->masks,
                      "CAMERA=PATTERN or CAMERA=FOLDER of masks, or a folder or pattern with {camera} for all cameras; "
                      "can be repeated");
-    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not tell")
+    verb->add_option("--fps", arguments->framesPerSecond, "Frames per second, if the footage does not hold them")
         ->check(CLI::PositiveNumber);
     verb->add_option("--sync", arguments->sync,
                      "time: frames are mapped by their time stamps, so that frames which a camera lost are missing in "
                      "its view; index: by their number. "
                      "Default: time where all videos have the same rate and sound time stamps")
         ->check(CLI::IsMember({"index", "time"}));
+    verb->add_option("--frames", arguments->frames,
+                     "Number of frames of a sequence without footage, for annotations that were made elsewhere")
+        ->check(CLI::PositiveNumber);
     verb->add_option("--hands", arguments->hands, "A dataset whose hand models are taken");
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->default_val("1");
     verb->add_option("--add", arguments->add, "Add the sequence to this dataset instead of making a new one");

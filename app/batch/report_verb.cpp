@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -17,7 +18,7 @@ namespace {
 struct ReportArguments {
     std::string dataset, out;
     double badPx = 2;
-    double sigmaPx = 1;
+    std::optional<double> sigmaPx;
 };
 
 void report(const ReportArguments& arguments) {
@@ -27,7 +28,9 @@ void report(const ReportArguments& arguments) {
                                           : std::filesystem::path(arguments.out);
     core::AnnotationReportOptions options;
     options.badRmsPx = arguments.badPx;
-    options.quality.triangulation.sigmaPx = arguments.sigmaPx;
+    options.estimateSigmas = !arguments.sigmaPx;
+    if (arguments.sigmaPx)
+        options.quality.triangulation.sigmaPx = *arguments.sigmaPx;
     bool isWritten = false;
     {
         Progress progress("report");
@@ -49,8 +52,8 @@ void addReportVerb(CLI::App& program) {
     verb->add_option("--bad-px", arguments->badPx, "Joints with a larger reprojection error count as bad, px")
         ->capture_default_str()
         ->check(CLI::Range(1e-6, 1e6));
-    verb->add_option("--sigma-px", arguments->sigmaPx, "Standard deviation of a click per axis, px")
-        ->capture_default_str()
+    verb->add_option("--sigma-px", arguments->sigmaPx,
+                     "Standard deviation of a click per axis, px (estimated from all clicks)")
         ->check(CLI::Range(1e-6, 1e6));
     verb->add_option("--out", arguments->out, "The HTML file to write (report.html in the dataset)");
     verb->callback([arguments] { report(*arguments); });

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -13,7 +14,7 @@
 #include "core/io/dataset/dataset.h"
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/json_file.h"
-#include "core/rig/rig_health.h"
+#include "core/rig/rig_findings.h"
 #include "core/rig/rig_refinement.h"
 
 namespace app {
@@ -67,23 +68,85 @@ ordered_json refinementJson(const core::RigRefinement& refinement) {
             {"wrongClicks", refinement.wrongClicks}, {"converged", refinement.converged}, {"cameras", cameras}};
 }
 
-void writeJson(const std::string& file, const core::RigHealth& health,
-               const std::optional<core::RigRefinement>& refinement) {
+/// What the verb found; the names of the sequences are for the sentences.
+struct RigVerdict {
+    std::vector<std::string> sequences;
+    core::RigHealth health;
+    core::ClickSigmas sigmas;
+    std::optional<core::RigRefinement> refinement;
+};
+
+ordered_json raterJson(const core::RigHealth& health, const std::string& rater, const core::RaterSigma& sigma) {
+    ordered_json item{{"name", rater},
+                      {"sigmaPx", sigma.clickPx},
+                      {"assumed", sigma.isAssumed},
+                      {"clicks", sigma.clicks},
+                      {"wrongClicks", sigma.wrongClicks}};
+    for (std::size_t c = 0; c < sigma.clickPxByCamera.size(); ++c)
+        item["sigmaPxByCamera"][health.cameras[c].camera] = sigma.clickPxByCamera[c];
+    return item;
+}
+
+ordered_json sequenceJson(const core::SequenceHealth& sequence, const std::vector<std::string>& names) {
+    ordered_json item{{"sequence", names.at(static_cast<std::size_t>(sequence.sequence))},
+                      {"clicks", sequence.clicks},
+                      {"meanPx", {sequence.meanPx.x(), sequence.meanPx.y()}},
+                      {"meanSigmaPx", sequence.meanSigmaPx},
+                      {"off", sequence.isOff},
+                      {"drifting", sequence.isDrifting}};
+    if (sequence.driftPx)
+        item["driftPxPer100Frames"] = {sequence.driftPx->x(), sequence.driftPx->y()};
+    if (const auto& step = sequence.step) {
+        item["movedAtFrame"] = step->frame;
+        item["beforePx"] = {step->beforePx.x(), step->beforePx.y()};
+        item["afterPx"] = {step->afterPx.x(), step->afterPx.y()};
+    }
+    return item;
+}
+
+void writeJson(const std::string& file, const RigVerdict& verdict) {
+    const auto& [sequences, health, sigmas, refinement] = verdict;
     ordered_json document;
     document["sigmaPx"] = refinement ? ordered_json(refinement->sigmaPx) : ordered_json(nullptr);
     document["joints"] = health.joints;
     document["frames"] = health.frames;
     document["cameras"] = ordered_json::array();
-    for (const core::CameraHealth& camera : health.cameras)
-        document["cameras"].push_back(cameraJson(camera));
-    document["findings"] = core::rigFindings(health);
+    for (std::size_t c = 0; c < health.cameras.size(); ++c) {
+        ordered_json item = cameraJson(health.cameras[c]);
+        if (c < sigmas.systematicPx.size())
+            item["systematicPx"] = sigmas.systematicPx[c];
+        for (const core::SequenceHealth& sequence : health.cameras[c].sequences)
+            item["sequences"].push_back(sequenceJson(sequence, sequences));
+        document["cameras"].push_back(item);
+    }
+    document["raters"] = ordered_json::array();
+    for (const auto& [rater, sigma] : sigmas.raters)
+        document["raters"].push_back(raterJson(health, rater, sigma));
+    document["findings"] = core::rigFindings(health, sequences);
     if (refinement)
         document["refinement"] = refinementJson(*refinement);
     core::checkSchema(nlohmann::json(document), "rig-health", file);
     core::writeJsonFile(file, document);
 }
 
-void printHealth(const core::RigHealth& health) {
+/// How far every rater's clicks scatter, and what the cameras add.
+void printSigmas(const core::ClickSigmas& sigmas) {
+    for (const auto& [rater, sigma] : sigmas.raters) {
+        if (sigma.isAssumed) {
+            std::printf("clicks of %s: too few to know how far they scatter; 1 px is assumed\n", rater.c_str());
+            continue;
+        }
+        const auto [least, most] = std::minmax_element(sigma.clickPxByCamera.begin(), sigma.clickPxByCamera.end());
+        std::printf("clicks of %s scatter by %.2f px per axis (%.2f to %.2f by camera)\n", rater.c_str(), sigma.clickPx,
+                    *least, *most);
+    }
+    if (!sigmas.systematicPx.empty()) {
+        const auto [least, most] = std::minmax_element(sigmas.systematicPx.begin(), sigmas.systematicPx.end());
+        std::printf("the calibration's own error adds %.2f to %.2f px\n", *least, *most);
+    }
+}
+
+void printHealth(const core::RigHealth& health, const std::vector<std::string>& sequences) {
     std::printf("%d joints in %d frames; residuals are clicked - projected, px\n", health.joints, health.frames);
     std::printf("%-12s %7s %7s %17s %9s %9s\n", "camera", "clicks", "rms", "mean dx, dy", "+-", "scatter");
     for (const core::CameraHealth& camera : health.cameras) {
@@ -96,7 +159,7 @@ void printHealth(const core::RigHealth& health) {
                     camera.meanPx.x(), camera.meanPx.y(), camera.meanSigmaPx, camera.scatterPx,
                     camera.isOff ? "  off" : "");
     }
-    for (const std::string& sentence : core::rigFindings(health))
+    for (const std::string& sentence : core::rigFindings(health, sequences))
         std::printf("%s\n", sentence.c_str());
 }
 
@@ -137,19 +200,21 @@ void rig(const RigArguments& arguments) {
     }
     const core::Dataset dataset = core::readDataset(arguments.dataset);
     const std::vector<core::RigJoint> joints = core::readRigJoints(dataset, arguments.sequences, arguments.rater);
-    const core::RigHealth health = core::judgeRig(dataset.cameras, joints);
-    const auto refinement = core::refineRig(dataset.cameras, joints, {}, interruptToken());
+    const core::RigResiduals residuals = core::computeRigResiduals(dataset.cameras, joints);
+    const core::RigHealth health = core::judgeRig(dataset.cameras, joints, residuals);
+    const core::ClickSigmas sigmas = core::estimateClickSigmas(dataset.cameras, joints, residuals);
+    const std::vector<std::string> sequences = core::sequenceNames(dataset);
+    const auto refinement = core::refineRig(dataset.cameras, joints, residuals, {}, interruptToken());
     if (interruptToken().stop_requested())
         throw Interrupted(arguments.dataset + ": stopped; nothing was written");
-    printHealth(health);
+    printHealth(health, sequences);
+    printSigmas(sigmas);
     if (refinement && arguments.refine)
         printRefinement(*refinement);
-    else if (refinement)
-        std::printf("a click scatters by %.2f px per axis, the cameras' errors taken off\n", refinement->sigmaPx);
     if (!arguments.refine)
         printAdvice(health, joints, refinement.has_value());
     if (!arguments.json.empty())
-        writeJson(arguments.json, health, refinement);
+        writeJson(arguments.json, {sequences, health, sigmas, refinement});
     if (!arguments.refine)
         return;
     if (!refinement) {

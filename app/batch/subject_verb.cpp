@@ -130,7 +130,7 @@ bool makeMetric(core::Dataset& dataset, const std::vector<AnnotatedFrame>& annot
         camera.cameraFromWorld.translation *= mm;
     const bool isKnown = mm == 10 || mm == 1000 || mm == 25.4;
     std::printf("note: the calibration is not in mm: its unit is %.4g mm%s; the cameras of the new dataset are in mm\n",
-                mm, isKnown ? "" : " if this hand is as large as the model, so that scale says nothing");
+                mm, isKnown ? "" : " if this hand is as large as the model: the scale cannot be told from the unit");
     return true;
 }
 

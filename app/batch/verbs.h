@@ -9,9 +9,11 @@ namespace app {
 
 // Every verb adds itself as a subcommand with its options and a callback that does the work. One file per verb.
 void addAnnotationsVerb(CLI::App& program);
+void addAutolabelVerb(CLI::App& program);
 void addBenchmarkVerb(CLI::App& program);
 void addCalibrationVerb(CLI::App& program);
 void addCheckVerb(CLI::App& program);
+void addDetectorVerb(CLI::App& program);
 void addExportVerb(CLI::App& program);
 void addFitVerb(CLI::App& program);
 void addDemoVerb(CLI::App& program);

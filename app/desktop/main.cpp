@@ -16,6 +16,7 @@
 #include "app/desktop/script/workspace_file.h"
 #include "app/desktop/window_assembly.h"
 #include "core/error.h"
+#include "widgets/text/error_text.h"
 #include "widgets/views/private_display.h"
 
 namespace {
@@ -37,7 +38,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
         window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
         app::waitUntilIdle(window);
         if (!error.isEmpty()) {
-            std::cerr << "handlens: " << error.toStdString() << std::endl;
+            std::cerr << "handlens: " << widgets::withDetailBehind(error).toStdString() << std::endl;
             return 1;
         }
         const core::Sequence& sequence = *window.session().opened.sequence();
@@ -55,7 +56,7 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
 
 int run(int argc, char** argv, const app::CommandLine& line) {
     if (!line.language.empty() && !app::knownLanguage(QString::fromStdString(line.language))) {
-        std::cerr << "handlens: --language: the window does not speak \"" << line.language << "\"; it speaks "
+        std::cerr << "handlens: --language: unknown language \"" << line.language << "\"; known are "
                   << app::availableLanguages().join(QStringLiteral(", ")).toStdString() << std::endl;
         return 2;
     }

@@ -58,16 +58,16 @@ struct Mark {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     Placement placement = Placement::Manual;
     MarkState state = MarkState::Visible;
-    /// How sure the program that guessed it was, usually 0..1; nothing for what a person placed or accepted.
+    /// How sure the program that guessed it was, usually 0..1; empty for what a person placed or accepted.
     std::optional<double> likelihood = std::nullopt;
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }
     /// A guess that has not been checked yet: neither evidence nor progress, and not exported.
     bool isProposal() const { return hasPlace() && placement == Placement::Proposed; }
-    /// Somebody decided: placed, or cannot be placed.
+    /// A person decided: placed, or cannot be placed.
     bool isSettled() const { return !isProposal(); }
-    /// Somebody said where the joint is: by hand, or by accepting its reprojection.
+    /// A person placed the joint: by hand, or by accepting its reprojection.
     bool isPlaced() const { return hasPlace() && isSettled(); }
     /// It may enter triangulation and residuals: a person put it there.
     bool isEvidence() const { return isPlaced() && placement == Placement::Manual; }

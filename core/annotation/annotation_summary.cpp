@@ -26,7 +26,10 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
             summary.joints.occluded += coverage.occluded;
         }
     }
-    summary.noise = estimateClickNoise(set, cameras, rater, options);
+    TriangulationOptions ofAll = options; // the noise is what is asked
+    ofAll.sigmaPxByCamera.clear();
+    ofAll.isSigmaAssumed = false;
+    summary.noise = estimateClickNoise(set, cameras, rater, ofAll);
     return summary;
 }
 
@@ -51,7 +54,7 @@ void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& jo
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands,
                                        double badRmsPx, const QualityOptions& options, std::stop_token stop,
-                                       const PictureGaps& gaps) {
+                                       const PictureGaps& gaps, const std::optional<ClickSigmas>& sigmas) {
     AnnotationSummary summary;
     summary.sequence = sequence;
     summary.frameCount = frameCount;
@@ -63,13 +66,18 @@ AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCou
         const std::vector<int> frames = settledFrames(set, rater);
         if (frames.empty())
             continue;
-        QualityChecker checker(cameras, hands, rater, options);
+        QualityOptions ofRater = options;
+        if (sigmas)
+            ofRater.triangulation = sigmas->optionsFor(rater, options.triangulation);
+        QualityChecker checker(cameras, hands, rater, ofRater);
         for (const int frame : frames) {
             if (stop.stop_requested())
                 return summary;
             checker.check(set, frame);
         }
-        summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, options.triangulation, gaps));
+        summary.raters.push_back(summaryOf(rater, set, cameras, badRmsPx, ofRater.triangulation, gaps));
+        if (sigmas)
+            summary.raters.back().sigma = sigmas->of(rater);
         summary.raters.back().findings = checker.findings();
         addPoints(checker.points(), joints, summary);
         points[rater] = checker.points();

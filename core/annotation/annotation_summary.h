@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/annotation/click_noise.h"
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/quality.h"
 #include "core/annotation/raters.h"
 #include "core/annotation/reconstruction.h"
@@ -33,6 +34,7 @@ struct RaterSummary {
     HandCoverage joints;            ///< over both hands and all frames
     std::map<int, int> doneByFrame; ///< finished joints of both hands, for frames with marks
     std::optional<ClickNoise> noise;
+    std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; nothing without them
     std::vector<QualityFinding> findings; ///< by frame
 };
 
@@ -52,10 +54,11 @@ struct AnnotationSummary {
 };
 
 /// Looks at everything that was annotated in a sequence. A joint counts as bad above `badRmsPx`. What is there when
-/// `stop` is requested is returned.
+/// `stop` is requested is returned. With `sigmas` each rater's clicks count by them.
 AnnotationSummary summariseAnnotations(const std::string& sequence, int frameCount, const AnnotationSet& set,
                                        const std::vector<Camera>& cameras, const std::vector<HandModel>& hands,
                                        double badRmsPx = 2, const QualityOptions& options = {},
-                                       std::stop_token stop = {}, const PictureGaps& gaps = {});
+                                       std::stop_token stop = {}, const PictureGaps& gaps = {},
+                                       const std::optional<ClickSigmas>& sigmas = {});
 
 } // namespace core

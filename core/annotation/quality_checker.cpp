@@ -73,8 +73,10 @@ std::optional<Eigen::Vector2d> reprojection(const FrameCheck& check, const Joint
 /// True if two joints lie behind each other in that view, going by all views: then one pixel is right for both.
 bool coverEachOther(const FrameCheck& check, const JointId& a, const JointId& b, const std::string& camera) {
     const auto pxA = reprojection(check, a, camera), pxB = reprojection(check, b, camera);
-    const double gate =
-        check.options.sharedPixelPx + check.options.triangulation.outlierFactor * check.options.triangulation.sigmaPx;
+    double sigmaPx = check.options.triangulation.sigmaPx;
+    for (const double ofCamera : check.options.triangulation.sigmaPxByCamera)
+        sigmaPx = std::max(sigmaPx, ofCamera);
+    const double gate = check.options.sharedPixelPx + check.options.triangulation.outlierFactor * sigmaPx;
     return pxA && pxB && (*pxA - *pxB).norm() < gate;
 }
 

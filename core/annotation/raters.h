@@ -92,7 +92,7 @@ struct RaterWork {
     int frames = 0; ///< that hold them
     bool operator==(const RaterWork&) const = default;
 };
-/// Everybody who has settled a mark, ascending by name; repeat rounds count for themselves.
+/// All raters with a settled mark, ascending by name; repeat rounds count for themselves.
 std::vector<RaterWork> raterWork(const AnnotationSet& set);
 
 } // namespace core

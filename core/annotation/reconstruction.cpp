@@ -150,8 +150,20 @@ std::optional<Eigen::Vector3d> pointWithout(const std::vector<Camera>& cameras, 
         return std::nullopt;
     const auto refined = refinePoint(cameras, others, point.pointInWorld, options);
     if (refined)
-        covariance = triangulationInformation(cameras, others, *refined, options.sigmaPx).inverse();
+        covariance = triangulationInformation(cameras, others, *refined, options).inverse();
     return refined;
+}
+
+/// By how much the residuals of the inliers are larger than the sigmas say, as a variance.
+double misfitOf(const TriangulatedPoint& point, const Evidence& evidence, const TriangulationOptions& options) {
+    double squares = 0, freedom = -3;
+    for (std::size_t k = 0; k < point.inlier.size(); ++k) {
+        if (point.inlier[k]) {
+            squares += std::pow(point.residualPx[k] / options.sigmaOf(evidence.observations[k].camera), 2);
+            freedom += 2;
+        }
+    }
+    return misfitFactor(squares, freedom);
 }
 
 /// Leave-one-out residuals, and the manual mark that disagrees most beyond chance.
@@ -159,6 +171,7 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
                  const TriangulationOptions& options) {
     constexpr double kChiSquare999 = 13.815510557964274; // two degrees of freedom: -2 ln 0.001
     double worst = kChiSquare999;
+    const double misfit = options.isSigmaAssumed ? misfitOf(*joint.result.point, evidence, options) : 1;
     for (std::size_t k = 0; k < evidence.views.size(); ++k) {
         const std::size_t i = evidence.views[k];
         ViewReconstruction& view = joint.views[i];
@@ -168,7 +181,8 @@ void findSuspect(JointReconstruction& joint, const std::vector<Camera>& cameras,
         if (!px)
             continue;
         view.leaveOneOutPx = (*px - view.mark->px).norm();
-        const double found = surprise(cameras[i], *without, covariance, view.mark->px, options.sigmaPx);
+        const double found =
+            surprise(cameras[i], *without, covariance, view.mark->px, options.sigmaOf(static_cast<int>(i))) / misfit;
         if (found > worst) {
             worst = found;
             joint.suspect = view.camera;
@@ -189,8 +203,8 @@ void rankNextViews(JointReconstruction& joint, const std::vector<Camera>& camera
         const auto px = project(cameras[i], pointInWorld);
         if (!px || !isInside(cameras[i].size, *px))
             continue;
-        const Eigen::Matrix3d more = information + triangulationInformation(cameras, {{static_cast<int>(i), *px}},
-                                                                            pointInWorld, options.sigmaPx);
+        const Eigen::Matrix3d more =
+            information + triangulationInformation(cameras, {{static_cast<int>(i), *px}}, pointInWorld, options);
         const double sigma = sigmaMm(more.inverse());
         if (std::isfinite(sigma))
             joint.nextViews.push_back({cameras[i].name, sigma});
@@ -208,8 +222,7 @@ void rankSecondView(JointReconstruction& joint, const std::vector<Camera>& camer
         return;
     const Eigen::Vector3d onRay = ray->pointNearestOrigin();
     const Eigen::Vector3d point = onRay + ray->direction.dot(*options.nearInWorld - onRay) * ray->direction;
-    rankNextViews(joint, cameras, point,
-                  triangulationInformation(cameras, {click}, point, options.triangulation.sigmaPx),
+    rankNextViews(joint, cameras, point, triangulationInformation(cameras, {click}, point, options.triangulation),
                   options.triangulation);
 }
 
@@ -219,6 +232,7 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
                                 const std::string& rater, const JointId& jointId,
                                 const ReconstructionOptions& options) {
     JointReconstruction joint;
+    joint.systematicPx = options.triangulation.systematicPx;
     joint.views = viewsOf(set, cameras, frame, rater, jointId);
     findPictures(joint.views, options.withoutPicture);
     countViews(joint);
@@ -272,7 +286,9 @@ bool isBad(const JointReconstruction& joint, double badRmsPx) {
     if (!joint.hasPoint())
         return joint.manualViews >= 2;
     const TriangulatedPoint& point = *joint.result.point;
-    return point.rmsPx > badRmsPx || std::find(point.inlier.begin(), point.inlier.end(), false) != point.inlier.end();
+    constexpr double kAxesAndSpread = 2; // a residual has two axes, and some joints have more of it than others
+    return point.rmsPx > std::hypot(badRmsPx, kAxesAndSpread * joint.systematicPx) ||
+           std::find(point.inlier.begin(), point.inlier.end(), false) != point.inlier.end();
 }
 
 namespace {

@@ -71,6 +71,7 @@ struct JointReconstruction {
     /// Where the views disagree so that there is no point: the two clicks that lie farthest off each other's curves,
     /// the larger distance first; empty if no view sees the ray of another one's click.
     std::vector<CurveGap> gaps;
+    double systematicPx = 0; ///< what the calibration's error adds to a residual, per axis (TriangulationOptions)
 
     bool hasPoint() const { return result.point.has_value(); }
 };
@@ -96,7 +97,8 @@ std::optional<PixelEllipse> projectedEllipse(const Camera& camera, const Eigen::
 JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                 const std::string& rater, const JointId& joint,
                                 const ReconstructionOptions& options = {});
-/// It deserves a look: rmsPx above the threshold, an outlier, or no point from two or more manual views.
+/// It deserves a look: rmsPx above the threshold, an outlier, or no point from two or more manual views. What the
+/// calibration's error adds to rmsPx is said once, of the rig, and raises the threshold.
 bool isBad(const JointReconstruction& joint, double badRmsPx);
 /// Every joint that has at least one mark of that rater in that frame.
 std::map<JointId, JointReconstruction> reconstructFrame(const AnnotationSet& set, const std::vector<Camera>& cameras,

@@ -25,7 +25,7 @@ double rounded(double value) {
     return std::round(value * 1e6) / 1e6;
 }
 
-/// The model's joints that somebody annotated, in the model's order.
+/// The model's annotated joints, in the model's order.
 std::vector<JointId> annotatedJoints(const BenchmarkScene& scene) {
     std::set<JointId> annotated;
     for (const BenchmarkSequence& sequence : scene.sequences) {

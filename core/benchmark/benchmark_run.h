@@ -73,7 +73,7 @@ BenchmarkResults runBenchmark(const BenchmarkScene& scene, const std::vector<Fra
 /// Throws what runBenchmark would throw for methods, pairs and shard that make no sense, before any work is done.
 void requireRunnable(const BenchmarkScene& scene, const std::vector<FramePair>& pairs, const BenchmarkOptions& options);
 
-/// The joints over which errors are taken: all named joints, or (realistic) those of the model that somebody annotated.
+/// The joints over which errors are taken: all named joints, or (realistic) the model's annotated ones.
 std::vector<JointId> benchmarkJoints(const BenchmarkScene& scene, BenchmarkSetup setup);
 
 /// The joints that errors are measured against: recorded at the test frame, or (realistic) annotated there.

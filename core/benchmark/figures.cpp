@@ -222,6 +222,10 @@ std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule sc
 
 } // namespace
 
+std::string methodColour(const BenchmarkResults& results, const std::string& method) {
+    return colourOf(results, method);
+}
+
 std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::size_t most) {
     std::vector<std::string> chosen;
     const auto take = [&](const std::function<bool(const std::string&)>& wanted) {

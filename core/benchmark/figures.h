@@ -13,6 +13,9 @@ namespace core {
 /// `most`; other trackers are always among them.
 std::vector<std::string> headlineMethods(const BenchmarkResults& results, std::size_t most = 9);
 
+/// A method's colour (#rrggbb) in every figure of these results.
+std::string methodColour(const BenchmarkResults& results, const std::string& method);
+
 /// Error curves, error over the difference, error per joint, and error against seconds; `methods` chooses the lines.
 std::vector<Figure> overviewFigures(const BenchmarkResults& results, const std::vector<std::string>& methods);
 

@@ -189,18 +189,22 @@ std::string openCommand(const std::string& dataset, const FramePair& pair) {
            std::to_string(pair.test);
 }
 
-std::string reportHtml(const ReportContent& content) {
-    std::string text = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<title>Handlens benchmark</title>\n<style>\n" +
-                       std::string(kReportStyle) +
-                       "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n";
-    text += introduction(content) + tablesHtml(content);
+std::string reportBodyHtml(const ReportContent& content) {
+    std::string text = introduction(content) + tablesHtml(content);
     if (content.sweep)
         text += findingsHtml(content);
     text += figuresHtml(content.figures, content.pictures ? &*content.pictures : nullptr, "nothing is computed twice");
     if (content.sweep)
         text += optionsHtml(*content.results) + bestVariantsHtml(*content.results);
-    return text + worstHtml(content) + "</body>\n</html>\n";
+    return text + worstHtml(content);
+}
+
+std::string reportHtml(const ReportContent& content) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+           "<title>Handlens benchmark</title>\n<style>\n" +
+           std::string(kReportStyle) +
+           "</style>\n</head>\n<body>\n<h1>Hand pose from silhouettes: comparison of methods</h1>\n" +
+           reportBodyHtml(content) + "</body>\n</html>\n";
 }
 
 } // namespace core

@@ -28,6 +28,9 @@ std::vector<Figure> reportFigures(const BenchmarkResults& results, bool sweep);
 /// every open option, and the worst pairs with the command that opens each in the window.
 std::string reportHtml(const ReportContent& content);
 
+/// The parts of that page for one setup, from its introduction to its worst pairs, without head and title.
+std::string reportBodyHtml(const ReportContent& content);
+
 /// The command that opens a pair's test frame in the window.
 std::string openCommand(const std::string& dataset, const FramePair& pair);
 

@@ -13,7 +13,7 @@ namespace core {
 
 namespace {
 
-constexpr double kMarginMm = 25; ///< of the model's end, where its rounded cap is no wrist
+constexpr double kMarginMm = 25; ///< of the model's end, where it is a rounded cap
 constexpr double kSectionMm = 8; ///< vertices so near to the plane belong to the section
 constexpr double kOpening = 0.2; ///< mm per mm: a forearm widens, and may be bent against the hand
 constexpr double kLengthMm = 300;

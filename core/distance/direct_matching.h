@@ -18,7 +18,7 @@ struct DirectMatch {
 };
 
 // Exact matching of one query point by looking at every contour point: no set-up, any position, no grid. Ties go to the
-// smaller index. Nothing where no contour point qualifies.
+// smaller index. Empty where no contour point qualifies.
 
 /// Distance between a contour point and a pixel position.
 double distancePx(const OrientedContour& contour, int index, const Eigen::Vector2d& px);

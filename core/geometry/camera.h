@@ -56,7 +56,7 @@ Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised,
 /// turn the image over: no pixel shows them.
 bool lensHolds(const Camera& camera, const Eigen::Vector2d& normalised);
 
-/// Normalised coordinates of a recorded pixel, by Newton iteration to 1e-12; nothing where the lens model
+/// Normalised coordinates of a recorded pixel, by Newton iteration to 1e-12; empty where the lens model
 /// cannot be inverted (far outside the image).
 std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vector2d& px);
 

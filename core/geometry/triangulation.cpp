@@ -26,6 +26,10 @@ struct View {
 
 constexpr double kUnseen = std::numeric_limits<double>::infinity();
 
+double sigmaOf(const Observation& observation, const TriangulationOptions& options) {
+    return observation.sigmaPx > 0 ? observation.sigmaPx : options.sigmaOf(observation.camera);
+}
+
 std::vector<View> prepare(const std::vector<Camera>& cameras, const std::vector<Observation>& observations,
                           const TriangulationOptions& options) {
     std::vector<View> views;
@@ -35,9 +39,10 @@ std::vector<View> prepare(const std::vector<Camera>& cameras, const std::vector<
         view.camera = &cameras.at(static_cast<std::size_t>(observation.camera));
         view.cameraIndex = observation.camera;
         view.px = observation.px;
-        const double sigma = observation.sigmaPx > 0 ? observation.sigmaPx : options.sigmaPx;
+        const double sigma = sigmaOf(observation, options);
+        const double gatePx = std::max(options.outlierFactor * sigma, options.isSigmaAssumed ? kAssumedGatePx : 0);
         view.weight = 1 / (sigma * sigma);
-        view.gatePx2 = options.outlierFactor * options.outlierFactor * sigma * sigma;
+        view.gatePx2 = gatePx * gatePx;
         view.centre = view.camera->centreInWorld();
         if (const auto ray = viewingRay(*view.camera, view.px)) {
             view.direction = ray->direction;
@@ -250,18 +255,19 @@ std::optional<Eigen::Vector3d> settle(const std::vector<View>& views, Eigen::Vec
     return best;
 }
 
-TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>& inlier,
-                         const Eigen::Vector3d& point) {
+TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>& inlier, const Eigen::Vector3d& point,
+                         const TriangulationOptions& options) {
     TriangulatedPoint result;
     result.pointInWorld = point;
     result.inlier = inlier;
-    double sum = 0;
+    double sum = 0, squares = 0;
     int used = 0;
     for (std::size_t i = 0; i < views.size(); ++i) {
         const double residual2 = squaredResidual(views[i], point);
         result.residualPx.push_back(std::sqrt(residual2));
         if (inlier[i]) {
             sum += residual2;
+            squares += views[i].weight * residual2;
             ++used;
         }
     }
@@ -269,10 +275,17 @@ TriangulatedPoint report(const std::vector<View>& views, const std::vector<bool>
     result.covariance = normalEquations(
                             views, [&](std::size_t k) { return inlier[k]; }, point)
                             .hessian.inverse();
+    if (options.isSigmaAssumed)
+        result.covariance *= misfitFactor(squares, 2.0 * used - 3);
     return result;
 }
 
 } // namespace
+
+double misfitFactor(double squaresOverSigma2, double degreesOfFreedom) {
+    constexpr double kAssumption = 4; // degrees of freedom that the assumed sigma counts for
+    return std::max(1.0, (squaresOverSigma2 + kAssumption) / (degreesOfFreedom + kAssumption));
+}
 
 std::string_view failureText(TriangulationFailure failure) {
     switch (failure) {
@@ -308,18 +321,18 @@ TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::v
         return {std::nullopt,
                 severalCameras ? TriangulationFailure::RaysNearlyParallel : TriangulationFailure::ViewsDisagree};
     }
-    return {report(views, inlier, *point), {}};
+    return {report(views, inlier, *point, options), {}};
 }
 
 Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras,
                                          const std::vector<Observation>& observations,
-                                         const Eigen::Vector3d& pointInWorld, double sigmaPx) {
+                                         const Eigen::Vector3d& pointInWorld, const TriangulationOptions& options) {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
     for (const Observation& observation : observations) {
         const auto projection =
             projectWithJacobian(cameras.at(static_cast<std::size_t>(observation.camera)), pointInWorld);
         if (projection) {
-            const double sigma = observation.sigmaPx > 0 ? observation.sigmaPx : sigmaPx;
+            const double sigma = sigmaOf(observation, options);
             information += projection->pxByPointInWorld.transpose() * projection->pxByPointInWorld / (sigma * sigma);
         }
     }

@@ -25,7 +25,27 @@ struct TriangulationOptions {
     double outlierFactor = 4.0;  ///< an observation is an outlier if its residual > outlierFactor * its sigmaPx
     double minAngleRad = 0.0175; ///< widest angle between two rays below which there is no answer (1 degree)
     int maxIterations = 20;
+    /// Standard deviation of a click of each camera, px; empty: that of all, `sigmaPx`.
+    std::vector<double> sigmaPxByCamera{};
+    /// Nobody knows yet how far clicks and cameras are off: the gate of an outlier is at least kAssumedGatePx, and the
+    /// covariance grows with residuals that are larger than sigmaPx lets expect (misfitFactor).
+    bool isSigmaAssumed = false;
+    double systematicPx = 0; ///< the part of the sigmas that is the calibration's and not the clicks', px
+
+    /// Of a click of that camera which has no sigma of its own.
+    double sigmaOf(int camera) const {
+        const auto index = static_cast<std::size_t>(camera);
+        return index < sigmaPxByCamera.size() ? sigmaPxByCamera[index] : sigmaPx;
+    }
 };
+
+/// While sigma is assumed, clicks nearer than this to where the others put the joint are no outliers: cameras that were
+/// calibrated in a hurry differ by so much.
+inline constexpr double kAssumedGatePx = 12;
+
+/// By how much a variance is larger than was assumed: (sum of r^2 / sigma^2 + 4) / (degrees of freedom + 4), at least
+/// 1; the 4 stand for the assumption, so that few residuals do not outweigh it.
+double misfitFactor(double squaresOverSigma2, double degreesOfFreedom);
 
 /// A point from clicks in N views. rmsPx and covariance are over the inliers only.
 struct TriangulatedPoint {
@@ -64,7 +84,7 @@ TriangulationResult triangulate(const std::vector<Camera>& cameras, const std::v
 /// covariance. Cameras behind whose plane the point lies add nothing. The pixels are not used.
 Eigen::Matrix3d triangulationInformation(const std::vector<Camera>& cameras,
                                          const std::vector<Observation>& observations,
-                                         const Eigen::Vector3d& pointInWorld, double sigmaPx);
+                                         const Eigen::Vector3d& pointInWorld, const TriangulationOptions& options = {});
 
 /// The point that minimises the summed squared residuals (over sigma) of all given observations, from `start`: no
 /// outliers are sought. Empty if it leaves the front of a camera or the observations do not fix it.

@@ -14,7 +14,7 @@ inline constexpr std::array<std::string_view, 5> kFingers{"thumb", "index", "mid
 inline constexpr std::array<std::string_view, 6> kFingerJoints{"cmc", "mcp", "pip", "ip", "dip", "tip"};
 
 /// The joint on whose far end `joint` sits, going by names alone: index_pip for index_dip, thumb_mcp for thumb_ip.
-/// Nothing for the first joint of a finger, the wrist, the forearm and unknown names.
+/// Empty for the first joint of a finger, the wrist, the forearm and unknown names.
 std::optional<std::string> previousJoint(std::string_view joint);
 
 } // namespace core

@@ -18,7 +18,7 @@ struct RigJoint {
     std::vector<Observation> clicks; ///< two or more, each of another camera, in the order of the marks
 };
 
-/// Adds every joint of `set` that two or more cameras have clicked (marks outside their picture are no evidence); of
+/// Adds every joint of `set` that two or more cameras have clicked (marks outside their picture do not count); of
 /// one rater, or of all if `rater` is empty.
 void addRigJoints(std::vector<RigJoint>& joints, const AnnotationSet& set, const std::vector<Camera>& cameras,
                   int sequence, const std::string& rater = {});

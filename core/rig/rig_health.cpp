@@ -5,10 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "core/numeric/median.h"
+#include "core/rig/residual_regression.h"
 
 namespace core {
 
@@ -62,42 +60,6 @@ private:
     std::map<Key, std::size_t> m_index;
 };
 
-/// Residuals of a camera explained by causes: r = sum over i of row_i * unknowns, robust (IRLS).
-struct Regression {
-    Eigen::VectorXd unknowns;
-    Eigen::MatrixXd covariance;
-    double scatterPx = 0; ///< per axis, robust
-};
-
-/// Design of two rows (x, y) per click; `residuals` stacked alike. Nothing if the unknowns are not fixed.
-std::optional<Regression> regress(const Eigen::MatrixXd& design, const Eigen::VectorXd& residuals) {
-    const Eigen::Index clicks = residuals.size() / 2;
-    Eigen::VectorXd weights = Eigen::VectorXd::Ones(residuals.size());
-    Regression fit;
-    constexpr int kRounds = 20;
-    for (int round = 0; round < kRounds; ++round) {
-        const Eigen::MatrixXd normal = design.transpose() * weights.asDiagonal() * design;
-        const Eigen::LDLT<Eigen::MatrixXd> solver(normal);
-        if (solver.info() != Eigen::Success || !(solver.rcond() > 1e-10))
-            return std::nullopt;
-        fit.unknowns = solver.solve(design.transpose() * weights.asDiagonal() * residuals);
-        const Eigen::VectorXd rest = residuals - design * fit.unknowns;
-        std::vector<double> squares;
-        for (Eigen::Index i = 0; i < clicks; ++i)
-            squares.push_back(rest.segment<2>(2 * i).squaredNorm());
-        const double share =
-            std::max(0.1, 1 - static_cast<double>(design.cols()) / static_cast<double>(residuals.size()));
-        fit.scatterPx = std::max(0.01, std::sqrt(medianOf(squares) / kMedianOfChiSquare2 / share));
-        for (Eigen::Index i = 0; i < clicks; ++i) {
-            const double ratio = squares[static_cast<std::size_t>(i)] / (9 * fit.scatterPx * fit.scatterPx);
-            weights.segment<2>(2 * i).setConstant(1 / (1 + ratio * ratio));
-        }
-        fit.covariance =
-            fit.scatterPx * fit.scatterPx * solver.solve(Eigen::MatrixXd::Identity(design.cols(), design.cols()));
-    }
-    return fit;
-}
-
 /// The clicks of one camera and what is asked of them.
 class CameraJudge {
 public:
@@ -115,7 +77,7 @@ public:
             m_clicks.push_back(&click);
     }
 
-    CameraHealth judge() const {
+    CameraHealth judge() {
         CameraHealth health;
         health.camera = m_camera.name;
         health.clicks = m_count;
@@ -130,11 +92,8 @@ public:
         findMean(health);
         findVariation(health);
         findSpread(health);
-        findDrift(health);
         findDelay(health);
-        const double offPx = health.meanPx.norm();
-        health.isOff = !health.isLate && offPx > std::max(m_options.leastOffPx, 0.7 * health.scatterPx) &&
-                       offPx > m_options.significance * health.meanSigmaPx;
+        findCourse(health);
         const double gatePx = 5 * health.scatterPx;
         for (const RigResidual* click : m_clicks)
             health.wrongClicks += (click->leftOutPx - health.meanPx).norm() > gatePx && click->weight < 0.1;
@@ -165,7 +124,13 @@ private:
         return regress(design, residuals);
     }
 
-    void findMean(CameraHealth& health) const {
+    /// In halves of the image's larger side, from its middle.
+    Eigen::Vector2d placeOf(const RigResidual& click) const {
+        const Eigen::Vector2d middle(0.5 * m_camera.size.width, 0.5 * m_camera.size.height);
+        return (click.px - middle) / (0.5 * std::max(m_camera.size.width, m_camera.size.height));
+    }
+
+    void findMean(CameraHealth& health) {
         const auto fit = explain(2, [](const RigResidual&, Rows& rows) {
             rows.leftCols<2>().setIdentity();
             return true;
@@ -179,15 +144,13 @@ private:
         for (const RigResidual* click : m_clicks)
             others += click->othersPx2.trace() / 2;
         const double count = static_cast<double>(m_clicks.size());
-        const double sharedPx2 = std::max(0.0, others / count - fit->scatterPx * fit->scatterPx);
-        health.meanSigmaPx = std::sqrt(fit->covariance(0, 0) + sharedPx2);
+        m_othersPx = std::sqrt(std::max(0.0, others / count - fit->scatterPx * fit->scatterPx));
+        health.meanSigmaPx = std::hypot(std::sqrt(fit->covariance(0, 0)), m_othersPx);
     }
 
     void findVariation(CameraHealth& health) const {
-        const Eigen::Vector2d middle(0.5 * m_camera.size.width, 0.5 * m_camera.size.height);
-        const double half = 0.5 * std::max(m_camera.size.width, m_camera.size.height);
         const auto fit = explain(6, [&](const RigResidual& click, Rows& rows) {
-            const Eigen::Vector2d place = (click.px - middle) / half;
+            const Eigen::Vector2d place = placeOf(click);
             rows << 1, 0, place.x(), place.y(), 0, 0, 0, 1, 0, 0, place.x(), place.y();
             return true;
         });
@@ -210,18 +173,40 @@ private:
         health.spreadPx = std::max(std::sqrt(std::max(weights > 0 ? sum / weights : 0.0, 0.0)), 0.9 * health.scatterPx);
     }
 
-    void findDrift(CameraHealth& health) const {
-        const auto fit = explain(4, [this](const RigResidual& click, Rows& rows) {
-            const double time = m_joints[static_cast<std::size_t>(click.joint)].frame / 100.0;
-            rows << 1, 0, time, 0, 0, 1, 0, time;
-            return true;
-        });
-        if (!fit)
-            return;
-        health.driftPx = Eigen::Vector2d(fit->unknowns[2], fit->unknowns[3]);
-        health.driftSigmaPx = std::sqrt(fit->covariance(2, 2));
-        health.isDrifting = health.driftPx->norm() > m_options.leastOffPx &&
-                            health.driftPx->norm() > 2 * m_options.significance * health.driftSigmaPx;
+    bool isFar(const Eigen::Vector2d& meanPx, double sigmaPx, double scatterPx) const {
+        const double px = meanPx.norm();
+        return px > std::max(m_options.leastOffPx, 0.7 * scatterPx) && px > m_options.significance * sigmaPx;
+    }
+
+    /// Changes over the frames, and whether it is off always or at times.
+    void findCourse(CameraHealth& health) const {
+        std::vector<CourseClick> clicks;
+        for (const RigResidual* click : m_clicks) {
+            const RigJoint& joint = m_joints[static_cast<std::size_t>(click->joint)];
+            clicks.push_back({joint.sequence, joint.frame, placeOf(*click), click->leftOutPx});
+        }
+        health.sequences =
+            judgeCourse(std::move(clicks), {m_options.leastClicks, m_options.leastOffPx, m_options.significance});
+        health.isOff = !health.isLate && isFar(health.meanPx, health.meanSigmaPx, health.scatterPx);
+        double clearest = 0;
+        bool isOffAlways = true;
+        for (SequenceHealth& sequence : health.sequences) {
+            sequence.meanSigmaPx = std::hypot(sequence.meanSigmaPx, m_othersPx);
+            const double sigmaPx = sequence.meanSigmaPx, scatterPx = std::min(health.scatterPx, 1 / 0.7);
+            const auto& step = sequence.step;
+            sequence.isOff = !health.isLate && (step ? isFar(step->beforePx, sigmaPx, scatterPx) &&
+                                                           isFar(step->afterPx, sigmaPx, scatterPx)
+                                                     : isFar(sequence.meanPx, sigmaPx, scatterPx));
+            isOffAlways = isOffAlways && sequence.isOff;
+            health.hasMoved = health.hasMoved || step;
+            health.isDrifting = health.isDrifting || sequence.isDrifting;
+            if (sequence.driftPx && sequence.driftPx->norm() >= clearest * sequence.driftSigmaPx) {
+                clearest = sequence.driftPx->norm() / sequence.driftSigmaPx;
+                health.driftPx = sequence.driftPx;
+                health.driftSigmaPx = sequence.driftSigmaPx;
+            }
+        }
+        health.isOff = health.isOff && isOffAlways;
     }
 
     void findDelay(CameraHealth& health) const {
@@ -246,6 +231,7 @@ private:
     const RigHealthOptions& m_options;
     const Camera& m_camera;
     std::vector<const RigResidual*> m_clicks;
+    double m_othersPx = 0; ///< what the others' errors, which all clicks share, add to a mean
     double m_squaredPx2 = 0;
     int m_count = 0;
 };
@@ -259,7 +245,11 @@ bool RigHealth::anyOff() const {
 
 RigHealth judgeRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                    const RigHealthOptions& options) {
-    const RigResiduals rig = computeRigResiduals(cameras, joints);
+    return judgeRig(cameras, joints, computeRigResiduals(cameras, joints), options);
+}
+
+RigHealth judgeRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints, const RigResiduals& rig,
+                   const RigHealthOptions& options) {
     const Velocities velocities(cameras, joints, rig, options.widestGapFrames);
     std::vector<CameraJudge> judges;
     for (const Camera& camera : cameras)
@@ -267,7 +257,7 @@ RigHealth judgeRig(const std::vector<Camera>& cameras, const std::vector<RigJoin
     for (const RigResidual& click : rig.clicks)
         judges[static_cast<std::size_t>(click.camera)].add(click);
     RigHealth health;
-    for (const CameraJudge& judge : judges) {
+    for (CameraJudge& judge : judges) {
         health.cameras.push_back(judge.judge());
         health.isKnown |= health.cameras.back().isKnown;
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/rig/camera_course.h"
 #include "core/rig/rig_residuals.h"
 
 namespace core {
@@ -22,17 +23,20 @@ struct CameraHealth {
     double leaveOneOutPx = 0; ///< median distance from what the other cameras say
     double scatterPx = 0;     ///< per axis, after mean and variation are taken off
     double spreadPx = 0;      ///< per axis, of clicks and calibration error together: what a click of it is worth
-    /// Change of the mean over the frames of a sequence, px per 100 frames, with its standard deviation.
+    std::vector<SequenceHealth> sequences; ///< those with enough clicks of it: moves, drift, off there only
+    /// Change of the mean over the frames of the sequence in which it drifts most clearly, px per 100 frames, with its
+    /// standard deviation.
     std::optional<Eigen::Vector2d> driftPx;
     double driftSigmaPx = 0;
     /// By how many frames its picture lies behind the others', from residuals that go with the joints' image velocity.
     std::optional<double> delayFrames;
     double delaySigmaFrames = 0;
-    int wrongClicks = 0;  ///< far off while the camera's other clicks are not
-    bool isKnown = false; ///< enough clicks to judge it
-    bool isOff = false;   ///< its calibration moved: systematic, significant and large enough to matter
-    bool isLate = false;  ///< delayFrames is significant and at least a tenth of a frame
-    bool isDrifting = false;
+    int wrongClicks = 0;     ///< far off while the camera's other clicks are not
+    bool isKnown = false;    ///< enough clicks to judge it
+    bool isOff = false;      ///< in every frame: systematic, significant and large enough to matter
+    bool isLate = false;     ///< delayFrames is significant and at least a tenth of a frame
+    bool isDrifting = false; ///< in a sequence
+    bool hasMoved = false;   ///< within a sequence: it has a step
 };
 
 /// The state of a calibration as the clicks show it.
@@ -52,12 +56,11 @@ struct RigHealthOptions {
     double leastDelayFrames = 0.1;
 };
 
-/// Judges every camera by all clicks. A wrong click is told from a camera that is off by being alone.
+/// Judges every camera by all clicks. A wrong click is told from a camera that is off by being alone, one that moved
+/// within a sequence or between two from one that is off always. `residuals` are those of the joints.
+RigHealth judgeRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
+                   const RigResiduals& residuals, const RigHealthOptions& options = {});
 RigHealth judgeRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                    const RigHealthOptions& options = {});
-
-/// A sentence per finding, for people: "cam5 is 9.1 px off in every frame: its calibration moved". Empty if all is
-/// well.
-std::vector<std::string> rigFindings(const RigHealth& health);
 
 } // namespace core

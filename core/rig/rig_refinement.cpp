@@ -12,7 +12,6 @@
 #include <ceres/ceres.h>
 
 #include "core/numeric/median.h"
-#include "core/rig/rig_residuals.h"
 
 namespace core {
 
@@ -88,12 +87,13 @@ private:
 /// The adjustment and its unknowns.
 class Bundle {
 public:
-    Bundle(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints, const RigRefinementOptions& options)
+    Bundle(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints, const RigResiduals& residuals,
+           const RigRefinementOptions& options)
         : m_cameras(cameras)
         , m_joints(joints)
         , m_options(options)
         , m_corrections(cameras.size(), CameraCorrection::Zero())
-        , m_start(computeRigResiduals(cameras, joints))
+        , m_start(residuals)
         , m_points(m_start.pointInWorld) {
         m_left.resize(joints.size());
         for (std::size_t j = 0; j < joints.size(); ++j)
@@ -204,7 +204,7 @@ private:
     const std::vector<RigJoint>& m_joints;
     const RigRefinementOptions& m_options;
     std::vector<CameraCorrection> m_corrections;
-    RigResiduals m_start;                  // with the cameras as given
+    const RigResiduals& m_start;           // with the cameras as given
     std::vector<Eigen::Vector3d> m_points; // NaN where a joint takes no part
     std::vector<std::vector<bool>> m_left; // clicks that are left out, parallel to the joints' clicks
 };
@@ -324,7 +324,15 @@ std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const
                                        const RigRefinementOptions& options, std::stop_token stop) {
     if (!isEnough(joints, options))
         return std::nullopt;
-    Bundle bundle(cameras, joints, options);
+    return refineRig(cameras, joints, computeRigResiduals(cameras, joints), options, std::move(stop));
+}
+
+std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
+                                       const RigResiduals& residuals, const RigRefinementOptions& options,
+                                       std::stop_token stop) {
+    if (!isEnough(joints, options))
+        return std::nullopt;
+    Bundle bundle(cameras, joints, residuals, options);
     RigRefinement refinement;
     double sigmaPx = options.startSigmaPx;
     constexpr int kSolutions = 3;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/rig/rig_clicks.h"
+#include "core/rig/rig_residuals.h"
 
 namespace core {
 
@@ -49,10 +49,14 @@ struct RigRefinement {
 /// k1, k2 of every camera with weak priors, over all joints that two or more cameras see, in recorded pixels, robust;
 /// points are eliminated. The gauge stays: a similarity afterwards puts the spread and the mean orientation of the
 /// cameras back to what they were, and the middle of the clicked joints to where most cameras saw it. One thread: the
-/// result is always the same. Nothing if there are fewer than three cameras with clicks or too few joints, or if it was
+/// result is always the same. Empty if there are fewer than three cameras with clicks or too few joints, or if it was
 /// stopped.
 std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                                        const RigRefinementOptions& options = {}, std::stop_token stop = {});
+/// The same where the residuals of the joints are known already.
+std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
+                                       const RigResiduals& residuals, const RigRefinementOptions& options = {},
+                                       std::stop_token stop = {});
 
 /// Joints that refineRig counts: seen by three cameras or more.
 int countWellSeenJoints(const std::vector<RigJoint>& joints);
@@ -61,7 +65,7 @@ int countWellSeenJoints(const std::vector<RigJoint>& joints);
 /// lengths times exp(log focal), k1 and k2 added to: (angle 3, centre 3, log focal, k1, k2).
 using CameraCorrection = Eigen::Matrix<double, 9, 1>;
 Camera corrected(const Camera& camera, const CameraCorrection& correction);
-/// Derivative of the pixel of a point by that correction, at `correction`; nothing if the point is not in front.
+/// Derivative of the pixel of a point by that correction, at `correction`; empty if the point is not in front.
 std::optional<Eigen::Matrix<double, 2, 9>> pxByCorrection(const Camera& camera, const CameraCorrection& correction,
                                                           const Eigen::Vector3d& pointInWorld);
 

@@ -31,7 +31,7 @@ Eigen::Vector3d startPoint(const std::vector<Camera>& cameras, const RigJoint& j
     return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-/// One Gauss-Newton step of a joint's point over all of its clicks, [first, last) of `clicks`, and what it leaves.
+/// Gauss-Newton steps of a joint's point over all of its clicks, [first, last) of `clicks`, and what it leaves.
 class JointAdjustment {
 public:
     JointAdjustment(const std::vector<Camera>& cameras, RigResiduals& rig, std::size_t first, std::size_t last)
@@ -41,8 +41,8 @@ public:
         , m_last(last) {}
 
     /// False if the point left the front of a camera or is not fixed by its clicks.
-    bool iterate() {
-        for (int i = 0; i < 3; ++i) {
+    bool iterate(int steps) {
+        for (int i = 0; i < steps; ++i) {
             if (!linearise())
                 return false;
             point() += m_covariance * m_gradient;
@@ -115,10 +115,10 @@ std::vector<std::pair<std::size_t, std::size_t>> rangesOf(const std::vector<RigR
     return ranges;
 }
 
-void adjustPoints(const std::vector<Camera>& cameras, RigResiduals& rig) {
+void adjustPoints(const std::vector<Camera>& cameras, RigResiduals& rig, int steps) {
     for (const auto& [first, last] : rangesOf(rig.clicks)) {
         JointAdjustment adjustment(cameras, rig, first, last);
-        if (adjustment.iterate())
+        if (adjustment.iterate(steps))
             adjustment.judge();
         else
             rig.pointInWorld[static_cast<std::size_t>(rig.clicks[first].joint)].setConstant(
@@ -161,6 +161,14 @@ void weighClicks(RigResiduals& rig) {
     }
 }
 
+bool areSettled(const std::vector<double>& before, const std::vector<double>& after) {
+    constexpr double kSettled = 0.005; // as a share
+    for (std::size_t c = 0; c < after.size(); ++c)
+        if (std::abs(after[c] - before[c]) > kSettled * after[c])
+            return false;
+    return true;
+}
+
 } // namespace
 
 RigResiduals computeRigResiduals(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints) {
@@ -172,13 +180,16 @@ RigResiduals computeRigResiduals(const std::vector<Camera>& cameras, const std::
             for (const Observation& click : joints[j].clicks)
                 rig.clicks.push_back({static_cast<int>(j), click.camera, click.px});
     }
-    constexpr int kRounds = 15;
-    for (int i = 0; i < kRounds && !rig.clicks.empty(); ++i) {
-        adjustPoints(cameras, rig);
+    constexpr int kMaxRounds = 15, kFirstSteps = 3, kLastSteps = 2;
+    for (int i = 0; i < kMaxRounds && !rig.clicks.empty(); ++i) {
+        adjustPoints(cameras, rig, i == 0 ? kFirstSteps : 1);
+        const std::vector<double> before = rig.spreadPx;
         estimateSpreads(rig);
         weighClicks(rig);
+        if (areSettled(before, rig.spreadPx))
+            break;
     }
-    adjustPoints(cameras, rig);
+    adjustPoints(cameras, rig, kLastSteps);
     return rig;
 }
 

@@ -55,7 +55,7 @@ TEST_F(ActionsTest, ADefaultGivesWayToAKeyThatAPersonChoseBefore) {
     EXPECT_TRUE(window->actions().action(proposes)->shortcut().isEmpty());
 }
 
-TEST_F(ActionsTest, ShortcutPageIsTheTable) {
+TEST_F(ActionsTest, TheShortcutPageListsEveryActionOfTheTable) {
     ShortcutModel model(window->actions());
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     EXPECT_EQ(model.rowCount(), static_cast<int>(actionTable().size()));

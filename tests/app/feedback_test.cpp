@@ -85,7 +85,7 @@ TEST_F(Feedback, KeysThatDidNothingSayWhy) {
     EXPECT_EQ(session().document.undoStack()->count(), 0);
 }
 
-TEST_F(Feedback, ASecondRoundAsksFirstAndSaysHowFarItIs) {
+TEST_F(Feedback, ARepeatRoundAsksFirstAndSaysHowFarItIs) {
     startForAPerson();
     session().selection.setJoint(kIndex);
     click(0);
@@ -112,7 +112,7 @@ TEST_F(Feedback, ASecondRoundAsksFirstAndSaysHowFarItIs) {
     EXPECT_EQ(session().document.rater(), "ann");
 }
 
-TEST_F(Feedback, AScriptBeginsASecondRoundWithoutAQuestion) {
+TEST_F(Feedback, AScriptBeginsARepeatRoundWithoutAQuestion) {
     click(0);
     click(3);
     EXPECT_EQ(play(R"({"do":"action","id":"annotation.repeat"})"), 0) << errors.str();
@@ -134,7 +134,7 @@ TEST_F(Feedback, AReportCanBeOpened) {
     EXPECT_EQ(browser.source(), QUrl::fromLocalFile(page));
 }
 
-TEST_F(Feedback, WhatAPartOfTheWindowTellsIsSaid) {
+TEST_F(Feedback, StatusTipsOfThePartsAppearInTheStatusLine) {
     QString said;
     QObject::connect(&window->statusLine(), &widgets::StatusLine::said, window.get(),
                      [&](const QString& text) { said = text; });
@@ -143,7 +143,7 @@ TEST_F(Feedback, WhatAPartOfTheWindowTellsIsSaid) {
     EXPECT_EQ(said, QStringLiteral("Saved to picture.png"));
 }
 
-TEST_F(Feedback, AFrameThatThereIsNotOpensTheLastOne) {
+TEST_F(Feedback, AFrameBeyondTheEndOpensTheLastOne) {
     window->openDataset(QString::fromStdString(dataset().string()), QStringLiteral("a"), 9999);
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_EQ(session().selection.frame(), 29);

@@ -188,7 +188,7 @@ TEST_F(Program, TwoAndSixteenCamerasAreShown) {
     }
 }
 
-TEST_F(Program, SpeaksGerman) {
+TEST_F(Program, ShowsGermanWithTheLanguageOption) {
     writeDataset();
     play({{{"do", "goto"}, {"sequence", "a"}, {"frame", 12}},
           {{"do", "shot"}, {"of", "status"}, {"path", "german.png"}}},
@@ -200,7 +200,7 @@ TEST_F(Program, SpeaksGerman) {
     EXPECT_NE(german, english);
 }
 
-TEST_F(Program, AFrameOrALanguageThatThereIsNotEndsInOneSentence) {
+TEST_F(Program, AnUnknownFrameOrLanguageEndsInOneSentence) {
     writeDataset();
     const std::pair<QStringList, const char*> wishes[] = {
         {{QStringLiteral("--frame"), QStringLiteral("9999")}, "frames 0-29"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reasons and kinds are data; the window says all of them in the person's language.
 #include <QCoreApplication>
+#include <QLocale>
 #include <QTranslator>
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/text/advice.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/store_text.h"
 
 namespace {
@@ -50,13 +52,13 @@ core::Edit editOf(core::EditKind kind, core::MarkState state, int marks) {
     return edit;
 }
 
-TEST_F(ReasonsInGerman, EveryTriangulationFailure) {
+TEST_F(ReasonsInGerman, EveryTriangulationFailureIsTranslated) {
     using core::TriangulationFailure;
     for (int failure = 1; failure <= static_cast<int>(TriangulationFailure::ViewsDisagree); ++failure)
         expectTranslated([&] { return widgets::failureInWords(static_cast<TriangulationFailure>(failure)); });
 }
 
-TEST_F(ReasonsInGerman, EveryKindOfEdit) {
+TEST_F(ReasonsInGerman, EveryKindOfEditIsTranslated) {
     for (int kind = 0; kind <= static_cast<int>(core::EditKind::Import); ++kind)
         for (const int marks : {1, 4})
             for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable})
@@ -70,14 +72,33 @@ TEST_F(ReasonsInGerman, AnUnknownLabelOfAFileIsShownAsItStands) {
     EXPECT_EQ(widgets::editText(edit), QStringLiteral("a step of a later version"));
 }
 
-TEST_F(ReasonsInGerman, EveryReasonForReadingOnly) {
+TEST_F(ReasonsInGerman, EveryReasonForReadingOnlyIsTranslated) {
     using Kind = core::ReadOnlyReason::Kind;
     for (int kind = 1; kind <= static_cast<int>(Kind::ReadOnlyFile); ++kind)
         for (const char* holder : {"", "ann@lab, process 12"})
             expectTranslated([&] { return widgets::readOnlyInWords({static_cast<Kind>(kind), holder}); });
 }
 
-TEST_F(ReasonsInGerman, EveryRefusalOfAFitPair) {
+TEST_F(ReasonsInGerman, EveryErrorIsTranslatedAndKeepsItsEnglishDetailBehindTheText) {
+    const QLocale before;
+    for (int code = 0; code <= static_cast<int>(core::ErrorCode::Unsupported); ++code) {
+        const core::Error error(static_cast<core::ErrorCode>(code), "/data/cameras.json", "cameras[2].K",
+                                "is singular");
+        expectTranslated([&] {
+            QLocale::setDefault(QLocale(QLocale::German));
+            return widgets::withoutDetail(widgets::errorInWords(error));
+        });
+        const QString german = widgets::errorInWords(error);
+        EXPECT_TRUE(german.startsWith(QStringLiteral("/data/cameras.json: cameras[2].K: "))) << german.toStdString();
+        EXPECT_FALSE(widgets::withoutDetail(german).contains(QStringLiteral("singular")));
+        EXPECT_EQ(widgets::detailOf(german), QStringLiteral("is singular"));
+        QLocale::setDefault(QLocale(QLocale::English));
+        EXPECT_EQ(widgets::errorInWords(error), QString::fromUtf8(error.what()));
+    }
+    QLocale::setDefault(before);
+}
+
+TEST_F(ReasonsInGerman, EveryRefusalOfAFitPairIsTranslated) {
     for (const auto refusal : {widgets::FitRefusal::NoStartPose, widgets::FitRefusal::NoTestMasks})
         expectTranslated([&] { return widgets::fitRefusalText(refusal); });
 }

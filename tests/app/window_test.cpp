@@ -73,7 +73,7 @@ TEST_F(WindowClicks, KeysUndoAndRedo) {
     EXPECT_TRUE(window->actions().action(QStringLiteral("edit.undo"))->text().contains(QStringLiteral("index_mcp")));
 }
 
-TEST_F(WindowClicks, SurviveTheWindow) {
+TEST_F(WindowClicks, AreKeptWithTheirHistoryWhenTheWindowOpensAgain) {
     click(0);
     click(1);
     input.key(QStringLiteral("Ctrl+Z"), 0);
@@ -330,7 +330,7 @@ TEST_F(WindowAsAWhole, EveryActionCanBeTriggered) {
 }
 
 /// Keys at random, as fast as they go, over everything that has a shortcut.
-TEST_F(WindowAsAWhole, MashedKeysDoNoHarm) {
+TEST_F(WindowAsAWhole, RandomKeysNeitherCrashNorLoseEdits) {
     std::vector<QString> keys{QStringLiteral("Tab"), QStringLiteral("Return"), QStringLiteral("Esc"),
                               QStringLiteral("7"), QStringLiteral("Backspace")};
     for (const app::ActionRow& row : app::actionTable())

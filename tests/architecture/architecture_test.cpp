@@ -54,6 +54,11 @@ TEST(Architecture, FilesAreShort) {
 TEST(Architecture, FunctionsAreShort) {
     EXPECT_NO_VIOLATIONS(architecture::longFunctions(tree()));
 }
+TEST(Architecture, CommentsAndMessagesAreInPlainWords) {
+    std::vector<SourceFile> product = tree();
+    std::erase_if(product, [](const SourceFile& file) { return file.path.starts_with("tests/architecture/"); });
+    EXPECT_NO_VIOLATIONS(architecture::unplainWords(product));
+}
 TEST(Architecture, FilesAreTidy) {
     EXPECT_NO_VIOLATIONS(architecture::untidyFiles(tree()));
 }
@@ -154,6 +159,18 @@ TEST(Rules, CatchLongFilesAndFunctions) {
         judge(architecture::longFunctions, "core/hand/a.cpp", "namespace core {\n" + just + just + "}\n").empty());
     EXPECT_TRUE(judge(architecture::longFiles, "core/hand/a.cpp", std::string(400, '\n')).empty());
     EXPECT_EQ(judge(architecture::longFiles, "core/hand/a.cpp", std::string(401, '\n')).size(), 1u);
+}
+
+TEST(Rules, CatchUnplainWords) {
+    const auto caught = [](const std::string& line) {
+        return judge(architecture::unplainWords, "core/hand/a.h", line + "\n").size() == 1;
+    };
+    EXPECT_TRUE(caught("/// The label; nothing if the joint is unknown."));
+    EXPECT_TRUE(caught("throw Error(\"that is no verb\");"));
+    EXPECT_TRUE(caught("/// Everybody's marks."));
+    EXPECT_FALSE(caught("/// The label; empty if there is no mark."));
+    EXPECT_FALSE(caught("/// Does nothing if it is open."));
+    EXPECT_FALSE(caught("/// True if it is no longer open."));
 }
 
 TEST(Rules, CatchUntidyFiles) {

@@ -16,11 +16,12 @@ constexpr std::size_t kMostFunctionLines = 60;
 
 // Lowest first: a folder may include those before it.
 const std::vector<std::string> kCoreFolders{
-    "core/numeric",  "core/text",      "core/geometry",    "core/hand",       "core/demo_hand",
-    "core/contour",  "core/distance",  "core/fitting",     "core/subject",    "core/annotation",
-    "core/rig",      "core/benchmark", "core/io/files",    "core/io/hdf5",    "core/io/calibration",
-    "core/io/hands", "core/io/store",  "core/io/footage",  "core/io/dataset", "core/io/formats",
-    "core/io/demo",  "core/io/import", "core/io/benchmark"};
+    "core/numeric",    "core/text",        "core/geometry",       "core/hand",        "core/demo_hand",
+    "core/contour",    "core/distance",    "core/fitting",        "core/detection",   "core/subject",
+    "core/annotation", "core/rig",         "core/simulation",     "core/benchmark",   "core/io/files",
+    "core/io/hdf5",    "core/io/matlab",   "core/io/calibration", "core/io/hands",    "core/io/store",
+    "core/io/footage", "core/io/dataset",  "core/io/formats",     "core/io/detector", "core/io/demo",
+    "core/io/import",  "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",    "widgets/jobs",
                                               "widgets/session",      "widgets/models",      "widgets/views",
                                               "widgets/views/camera", "widgets/views/scene", "widgets/presenters",
@@ -42,12 +43,13 @@ const std::vector<Fence>& fences() {
          std::regex("(widgets/views/(scene/|curve|private_display)|app/desktop/main|tests/).*")},
         {"assimp", std::regex("assimp/.*"), std::regex("core/io/(hands/off_mesh|import/gltf)[a-z_]*\\.cpp|tests/.*")},
         {"OpenCV", std::regex("opencv2?/.*"),
-         std::regex("(core/(contour|distance|fitting|benchmark|io)/|widgets/|app/|tests/).*")},
+         std::regex("(core/(contour|distance|fitting|detection|simulation|benchmark|io)/|widgets/|app/|tests/).*")},
         {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/store/|tests/).*")},
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
         {"libav", std::regex("lib(av|sw)[a-z]+/.*"), std::regex("core/io/footage/.*")},
-        {"matio", std::regex("matio\\.h"), std::regex("core/io/(calibration|formats)/.*|tests/.*")},
+        {"matio", std::regex("matio\\.h"), std::regex("core/io/matlab/.*|tests/.*")},
+        {"zlib", std::regex("zlib\\.h"), std::regex("core/io/detector/.*|tests/.*")},
         {"HDF5", std::regex("hdf5\\.h"), std::regex("core/io/hdf5/.*|tests/.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
         {"spdlog", std::regex("spdlog/.*"), std::regex("(widgets/|app/).*")},
@@ -259,6 +261,20 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
             }
         }
     }
+    return violations;
+}
+
+Violations unplainWords(const std::vector<SourceFile>& files) {
+    static const std::regex unplain("(.*\\W)?(([a-z]+) (is|are) no (?!longer|more|larger|smaller|better|worse).*|"
+                                    "nothing (if|for|where|when|unless) .*|(some|any|every)body\\b.*)",
+                                    std::regex::icase);
+    static const std::regex plain(".*\\b(there (is|are) no|(do|does|write|writes|change|changes) nothing)\\b.*",
+                                  std::regex::icase);
+    Violations violations;
+    for (const SourceFile& file : files)
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            if (std::regex_match(file.lines[i], unplain) && !std::regex_match(file.lines[i], plain))
+                violations.push_back(at(file, static_cast<int>(i) + 1, "not plain words: " + file.lines[i]));
     return violations;
 }
 

@@ -28,6 +28,9 @@ Violations crowdedFolders(const std::vector<SourceFile>& files);
 Violations longFiles(const std::vector<SourceFile>& files);
 /// Functions of more than 60 lines, found by their indentation (the formatter guarantees it).
 Violations longFunctions(const std::vector<SourceFile>& files);
+/// Turns of phrase that are not plain engineering English: "is no X" for "is not an X", "nothing if" for an empty
+/// optional, "somebody" and its kin for a person or a rater.
+Violations unplainWords(const std::vector<SourceFile>& files);
 /// Files without the licence line, headers without #pragma once, folders with names that mean nothing.
 Violations untidyFiles(const std::vector<SourceFile>& files);
 

@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Brings the package into an empty root, and uses it from there as somebody would who has nothing else of the project:
+# Brings the package into an empty root, and uses it from there as a user would who has nothing else of the project:
 # the Debian package where this machine can make one, else an installation below that root.
 
 # usage(wanted exit status, output that must be seen, command...)

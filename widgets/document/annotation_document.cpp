@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "widgets/document/edit_command.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/store_text.h"
 
 namespace widgets {
@@ -136,7 +137,7 @@ void AnnotationDocument::writePending() {
         emit saved();
     } catch (const core::Error& error) {
         m_retry.start();
-        emit saveFailed(QString::fromUtf8(error.what()));
+        emit saveFailed(errorInWords(error));
     }
 }
 

@@ -17,26 +17,22 @@ namespace {
 
 constexpr qint64 kUpdateMs = 100; ///< rows may come faster than tables and curves are worth drawing
 
-core::Error refused(const QString& why) {
-    return {core::ErrorCode::BadInput, {}, {}, why.toStdString()};
-}
-
-/// Throws if the folder holds something that these results would replace.
-void requireRoomFor(const core::BenchmarkFolder& content, const std::filesystem::path& folder) {
+/// Why the folder cannot take these results; empty if it can. What is there is never replaced.
+QString objectionTo(const std::filesystem::path& folder, const core::BenchmarkFolder& content) {
     if (std::filesystem::exists(folder / "run.json")) {
         core::BenchmarkRunInfo there = core::readRunInfo(folder);
         there.dataset = content.info.dataset;
-        if (!(there == content.info))
-            throw refused(
-                BenchmarkRunner::tr("This folder holds the results of another benchmark. Choose another one."));
-        return;
+        return there == content.info
+                   ? QString()
+                   : BenchmarkRunner::tr("This folder holds the results of another benchmark. Choose another one.");
     }
     for (const char* file : {"results.csv", "joints.csv", "curves.csv", "table.md", "table.tex", "report.html",
                              "pairs.json", "finished.jsonl"}) {
         if (std::filesystem::exists(folder / file))
-            throw refused(BenchmarkRunner::tr("This folder already holds a file %1. Choose another one.")
-                              .arg(QLatin1String(file)));
+            return BenchmarkRunner::tr("This folder already holds a file %1. Choose another one.")
+                .arg(QLatin1String(file));
     }
+    return {};
 }
 
 /// True if the results were made from this dataset as it is now.
@@ -165,7 +161,8 @@ void BenchmarkRunner::save(const QString& folder) {
     }
     m_fileJob.start([this, folder, content = m_folder](const JobContext&) -> Job::Delivery {
         const std::filesystem::path path = folder.toStdString();
-        requireRoomFor(*content, path);
+        if (const QString objection = objectionTo(path, *content); !objection.isEmpty())
+            return [this, objection] { emit fileFailed(objection); };
         core::BenchmarkFolder sorted = *content; // rows of a run that goes on stand in the order in which they came
         core::sortRows(sorted.results);
         core::writeBenchmarkFolder(path, sorted);

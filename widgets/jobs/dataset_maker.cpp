@@ -9,23 +9,10 @@
 
 #include "core/error.h"
 #include "core/io/calibration/calibration.h"
-#include "core/io/footage/video_file.h"
 
 namespace widgets {
 
 namespace {
-
-/// The size of the first video that can be read, for calibrations that hold none.
-std::optional<core::ImageSize> footageSize(const std::vector<core::Footage>& footage) {
-    for (const core::Footage& one : footage) {
-        try {
-            if (std::filesystem::is_regular_file(one.path))
-                return core::readVideoInfo(one.path).size;
-        } catch (const core::Error&) { // what is wrong with it is said when the sequence is made
-        }
-    }
-    return std::nullopt;
-}
 
 std::vector<core::Camera> camerasOf(const NewDatasetRequest& request) {
     core::CalibrationOptions options;
@@ -33,7 +20,7 @@ std::vector<core::Camera> camerasOf(const NewDatasetRequest& request) {
     try {
         return core::readCalibration(request.calibration, options);
     } catch (const core::Error&) {
-        options.size = footageSize(request.footage);
+        options.size = core::footageSize(request.footage);
         if (!options.size)
             throw;
     }

@@ -6,6 +6,7 @@
 
 #include "core/error.h"
 #include "core/fitting/method_name.h"
+#include "widgets/text/error_text.h"
 
 namespace widgets {
 
@@ -37,7 +38,7 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
         for (const core::FitIteration& step : outcome.result.history)
             outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));
     } catch (const core::Error& error) {
-        outcome.failure = QString::fromUtf8(error.what());
+        outcome.failure = errorInWords(error);
     }
     return outcome;
 }

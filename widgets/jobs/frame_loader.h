@@ -45,7 +45,7 @@ public:
     bool lacksPicture(int camera) const;
     /// How much memory pictures may take. The requested frame is always kept.
     void setBudget(std::int64_t bytes);
-    /// Whether the next frame is fetched before somebody asks for it; it is at first.
+    /// Whether the next frame is fetched before it is asked for; it is at first.
     void setFetchingAhead(bool on) { m_fetchesAhead = on; }
 
 signals:

@@ -22,15 +22,15 @@ struct HandPlace {
 
 /// The hands in these poses; a hand without a pose is left out.
 std::vector<HandPlace> handsInPose(const std::vector<core::HandModel>& hands, const core::HandPoses& poses);
-/// The hands as anybody's marks say: their 3D joints in `frame` or, for a hand without, in the nearest frame that has
-/// some.
+/// The hands by the marks of all raters: their 3D joints in `frame` or, for a hand without, in the nearest frame that
+/// has some.
 std::vector<HandPlace> handsOfMarks(const core::AnnotationSet& set, const std::vector<core::Camera>& cameras,
                                     int frame);
 
 /// The part of the image that the hands fill, with some room around them, px; empty if no hand is seen.
 std::optional<QRectF> handsInView(const core::Camera& camera, const std::vector<HandPlace>& hands);
-/// The part of the image that anybody's marks of this view fill, with room around them: in `frame` or the nearest frame
-/// with some.
+/// The part of the image that the marks of all raters in this view fill, with room around them: in `frame` or the
+/// nearest frame with some.
 std::optional<QRectF> marksInView(const core::Camera& camera, const core::AnnotationSet& set, int frame);
 
 /// Per camera where the silhouettes of a frame lie, px; null where there are none. Throws Error if a mask file cannot

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/job.h"
 
+#include "widgets/text/error_text.h"
+
 #include <exception>
 #include <mutex>
 
@@ -73,7 +75,7 @@ void Job::start(Work work, int priority) {
             try {
                 delivery = work(context);
             } catch (const std::exception& e) {
-                error = QString::fromUtf8(e.what());
+                error = errorInWords(e);
             }
             link->post([=](Job& job) { job.deliver(generation, delivery, error); });
         },
@@ -101,7 +103,7 @@ void Job::deliver(quint64 generation, const Delivery& delivery, QString error) {
         if (error.isEmpty() && delivery)
             delivery();
     } catch (const std::exception& e) {
-        error = QString::fromUtf8(e.what());
+        error = errorInWords(e);
     }
     if (generation != m_generation) // the delivery has started new work, or stopped it
         return;

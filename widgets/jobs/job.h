@@ -49,7 +49,7 @@ public:
     /// Runs on a worker. It must hold (by value or shared pointer) all that it reads. May throw.
     using Work = std::function<Delivery(const JobContext&)>;
 
-    /// Whether the pool counts it as work that somebody waits for.
+    /// Whether the pool counts it as work that a person waits for.
     enum class Kind { Foreground, Background };
 
     explicit Job(JobPool& pool, Kind kind = Kind::Foreground, QObject* parent = nullptr);

@@ -16,7 +16,7 @@ namespace {
 
 const QColor kBadColour(0xE5, 0x5B, 0x5B);
 
-/// Nothing is placed, but somebody or something has proposed where it is.
+/// No mark is placed, but there are proposed ones.
 bool isProposed(const core::JointReconstruction* found) {
     return found && found->status == core::JointStatus::None &&
            std::any_of(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/models/result_table_model.h"
+#include "widgets/text/error_text.h"
 
 #include <cmath>
 
@@ -65,7 +66,7 @@ QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == Method ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole)
-        return method.failure.isEmpty() ? terminationText(method.result.termination) : method.failure;
+        return method.failure.isEmpty() ? terminationText(method.result.termination) : withDetailBehind(method.failure);
     if (role == ValueRole)
         return index.column() == Method ? QVariant(QString::fromStdString(method.method))
                                         : value(method, index.column());

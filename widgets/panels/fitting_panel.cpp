@@ -202,8 +202,11 @@ FitRequest FittingPanel::request() const {
 void FittingPanel::fitCurrentFrame() {
     const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
     const int last = std::max(0, m_selection.frameCount() - 1);
-    fit({std::clamp(m_selection.frame() - difference, 0, last), m_selection.frame(), chosenMethods(),
-         static_cast<FitTarget>(m_target->currentData().toInt())});
+    const int test = m_selection.frame();
+    int start = std::clamp(test - difference, 0, last);
+    if (start == test) // at the sequence's end: from the other side
+        start = std::clamp(test + difference, 0, last);
+    fit({start, test, chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())});
 }
 
 void FittingPanel::fit(const FitRequest& request) {

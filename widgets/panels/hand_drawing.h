@@ -15,7 +15,7 @@ class QPainter;
 /// The drawing of two hands, seen from their backs, that stands for joints wherever there is no picture.
 namespace widgets {
 
-/// Where a joint lies in a drawing of the left hand in the unit square (thumb on the right, y down); nothing for names
+/// Where a joint lies in a drawing of the left hand in the unit square (thumb on the right, y down); empty for names
 /// that it does not know. The right hand is its mirror image.
 std::optional<QPointF> diagramPosition(const std::string& joint);
 /// The square of one hand within a drawing of both.

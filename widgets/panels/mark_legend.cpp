@@ -30,7 +30,7 @@ MarkLegend::MarkLegend(QWidget* parent)
     : QWidget(parent)
     , m_rows{{example(MarkOrigin::Manual), tr("clicked: the 3D joint follows from these")},
              {example(MarkOrigin::Auto), tr("accepted as it was placed for you")},
-             {example(MarkOrigin::Proposed), tr("proposed: nobody's label yet")},
+             {example(MarkOrigin::Proposed), tr("proposed: not a label until it is accepted")},
              {example(MarkOrigin::Manual, true), tr("occluded, estimated")},
              {example(MarkOrigin::Manual, false, true), tr("contradicts the other views")}} {
     ViewMark right = example(MarkOrigin::Manual);

@@ -21,7 +21,7 @@ NameBar::NameBar(QWidget* parent)
     auto* label = new QLabel(tr("Your marks are kept under your &name:"), this);
     label->setBuddy(m_name);
     m_name->setMaximumWidth(kNameWidth);
-    m_name->setFocusPolicy(Qt::ClickFocus); // the keys are the annotation's until somebody clicks here
+    m_name->setFocusPolicy(Qt::ClickFocus); // the keys are the annotation's until a person clicks here
     m_keep->setFocusPolicy(Qt::NoFocus);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(2 * kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);

@@ -6,6 +6,7 @@
 
 #include "widgets/panels/state_colours.h"
 #include "widgets/text/advice.h"
+#include "widgets/text/error_text.h"
 
 namespace widgets {
 
@@ -76,10 +77,10 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
 }
 
 void StatusLine::sayBriefly(const QString& text) {
-    m_briefText = text;
+    m_briefText = withoutDetail(text);
     m_brief.start();
     refresh();
-    emit said(text);
+    emit said(m_briefText);
 }
 
 void StatusLine::setIdleText(const QString& text) {

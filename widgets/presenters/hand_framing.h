@@ -27,8 +27,8 @@ struct HandSources {
 };
 
 /// Zooms the views to the hands and writes beside each hand which one it is. Where the hands are comes from the
-/// recorded motion, the hand model of the marks, anybody's marks of this or the nearest annotated frame, or the masks;
-/// a view in which nothing is known shows its whole image. Zoom and pan then stay when the frame changes.
+/// recorded motion, the hand model of the marks, the marks of all raters in this or the nearest annotated frame, or the
+/// masks; a view in which nothing is known shows its whole image. Zoom and pan then stay when the frame changes.
 class HandFraming : public QObject {
     Q_OBJECT
 

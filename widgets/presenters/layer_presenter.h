@@ -44,7 +44,7 @@ public:
     /// hand out, nothing takes the layer away.
     void setAnnotatedPose(const std::optional<core::HandPoses>& poses, int frame);
 
-    /// Inspected poses, which the scene shows instead of those of the current frame; nothing for the current frame's.
+    /// Inspected poses, which the scene shows instead of those of the current frame; empty for the current frame's.
     void setInspected(std::optional<std::vector<MeshLayer>> layers);
     /// Each way of inspecting has an opacity of its own: over footage that is clicked in, meshes must not hide it.
     void setInspecting(bool inspecting);

@@ -13,7 +13,7 @@
 
 namespace widgets {
 
-/// What other people have settled in the open sequence: everybody but the document's rater, whose repeat round does not
+/// What other people have settled in the open sequence: all raters but the document's, whose repeat round does not
 /// count as another person.
 std::vector<core::RaterWork> workOfOthers(const AnnotationDocument& document);
 /// "anna has 1120 marks in 40 frames of this sequence.", one sentence for each; empty if there are none.

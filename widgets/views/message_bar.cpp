@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/views/message_bar.h"
 
+#include "widgets/text/error_text.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -77,7 +79,8 @@ void MessageBar::offer(const QString& text, const std::vector<MessageAction>& ac
     }
     m_buttons->addStretch(1);
     setColours(tone);
-    m_label->setText(text);
+    m_label->setText(withoutDetail(text));
+    m_label->setToolTip(detailOf(text));
     arrange(parentWidget() ? parentWidget()->width() : width());
     setVisible(!text.isEmpty());
 }

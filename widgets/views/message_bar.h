@@ -27,7 +27,7 @@ public:
 
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Shows the text, or hides the bar if it is empty.
+    /// Shows the text, or hides the bar if it is empty. The detail behind an error's text becomes the tool tip.
     void setMessage(const QString& text);
     /// Shows the text with a button for each action. Pressing one hides the bar.
     void offer(const QString& text, const std::vector<MessageAction>& actions, Tone tone = Tone::Notice);

@@ -31,7 +31,7 @@ QLabel* heading(const QString& text, QWidget* parent) {
     return label;
 }
 
-/// Frames in which somebody clicked a joint in two views: as a rule it has a 3D point.
+/// Frames with a joint that is clicked in two views: as a rule it has a 3D point.
 std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
     std::set<int> frames;
     std::map<std::tuple<int, std::string, core::JointId>, int> clicks;

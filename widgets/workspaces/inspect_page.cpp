@@ -123,7 +123,7 @@ QWidget* InspectPage::makeViews() {
     settings.xLabel = tr("Iteration");
     settings.xWhole = true;
     settings.yLogarithmic = true;
-    settings.emptyText = tr("There is nothing that the error could be measured against.");
+    settings.emptyText = tr("There is no reference to measure the error against.");
     settings.yLabel = tr("Error, mm");
     m_errors->setSettings(settings);
     settings.yLabel = tr("Cost, mm\u00b2");

@@ -57,7 +57,7 @@ public:
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
     ScenePanel* scenePanel() const { return m_scenePanel; }
     MaskAttacher* masks() { return &m_masks; }
-    /// What the status line says in this workspace; nothing where it speaks of the selected joint.
+    /// What the status line says in this workspace; empty where it describes the selected joint.
     WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);

@@ -35,7 +35,7 @@ const std::vector<ActionRow> kRows = {
     {"file.new", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Make a &new dataset..."), "Ctrl+N", "document-new", QT_TRANSLATE_NOOP("app::ActionTable", "Of a calibration and videos or folders of images")},
     {"file.demo", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "Open the &demo"), "Ctrl+Shift+O", "", ""},
     {"file.import", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Import annotations..."), "Ctrl+I", "document-import", "", kPlain, true},
-    {"file.export", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Export annotations..."), "Ctrl+E", "document-export", QT_TRANSLATE_NOOP("app::ActionTable", "Writes the annotations of this sequence: everybody's where the format names raters, else yours")},
+    {"file.export", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Export annotations..."), "Ctrl+E", "document-export", QT_TRANSLATE_NOOP("app::ActionTable", "Writes the annotations of this sequence: of all raters where the format names them, else yours")},
     {"file.report", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Report on the annotations..."), "Ctrl+R", "document-preview", QT_TRANSLATE_NOOP("app::ActionTable", "A page with progress, raters, worst joints and figures")},
     {"file.savePicture", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the views as a picture..."), "Ctrl+Shift+S", "document-save-as", ""},
     {"file.quit", kFile, QT_TRANSLATE_NOOP("app::ActionTable", "&Quit"), "Ctrl+Q", "application-exit", "", kPlain, true},

@@ -6,7 +6,7 @@
 #include <QLocale>
 
 #include "app/desktop/actions/action_id.h"
-#include "app/desktop/actions/second_round.h"
+#include "app/desktop/actions/repeat_round.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/range_window.h"
 #include "core/annotation/edits.h"
@@ -158,7 +158,7 @@ void bindModel(MainWindow& window) {
 void bindRaters(MainWindow& window) {
     widgets::Workspaces& spaces = window.workspaces();
     window.actions().bind(id("annotation.raters"), [&spaces] { spaces.raisePanel(spaces.ratersPanel()); });
-    bindSecondRound(window);
+    bindRepeatRound(window);
 }
 
 } // namespace

@@ -74,7 +74,7 @@ void announceOthers(MainWindow& window) {
             if (on)
                 bar->setMessage({});
             if (on && widgets::workOfOthers(window.session().document).empty())
-                window.statusLine().sayBriefly(MainWindow::tr("Nobody else has marks in this sequence."));
+                window.statusLine().sayBriefly(MainWindow::tr("No other person has marks in this sequence."));
         });
     const auto announce = [&window, bar, action] {
         const widgets::WindowSession& session = window.session();

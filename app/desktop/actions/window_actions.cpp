@@ -91,7 +91,7 @@ void bindOverlays(MainWindow& window) {
     actions.bind(id("view.frameHands"), [&window, framing] {
         if (!framing->frameHands())
             window.statusLine().sayBriefly(
-                MainWindow::tr("Nothing tells yet where the hands are: mark some joints, then frame them."));
+                MainWindow::tr("It is not known yet where the hands are: mark some joints, then frame them."));
     });
     actions.action(id("view.handLabels"))->setChecked(framing->labelsShown());
     actions.bindToggle(

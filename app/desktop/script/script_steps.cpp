@@ -18,6 +18,7 @@
 #include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
 #include "core/numeric/median.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 
 namespace app {
@@ -36,7 +37,7 @@ QString outcomeOf(MainWindow& window, Sender* sender, Done done, Failed failed, 
     QObject scope;
     QObject::connect(sender, done, &scope, [&] { ended = true; });
     QObject::connect(sender, failed, &scope, [&](const QString& message) {
-        error = message;
+        error = widgets::withDetailBehind(message);
         ended = true;
     });
     start();
@@ -212,7 +213,7 @@ QJsonObject ScriptSteps::fit(const QJsonObject& step) {
         throw refused("do", error);
     for (const widgets::MethodOutcome& method : fits.outcome()->methods)
         if (!method.failure.isEmpty())
-            throw refused("methods", method.failure);
+            throw refused("methods", widgets::withDetailBehind(method.failure));
     m_window.session().selection.setFrame(request.test);
     return {};
 }

@@ -86,7 +86,7 @@ void ExportWindow::explain() {
     m_readBy->setText(format.readBy);
     m_lost->setText(format.lost);
     m_whose->setText(core::annotationFormat(chosenKind).namesRaters
-                         ? tr("Everybody's annotations of this sequence, with their names")
+                         ? tr("The annotations of all raters of this sequence, with their names")
                          : tr("Your own annotations of this sequence"));
 }
 

@@ -61,14 +61,22 @@ void requireAllShards(const std::vector<BenchmarkFolder>& parts, const std::vect
             throw Error(ErrorCode::Usage, "", "shard", std::to_string(i) + "/" + std::to_string(count) + " is missing");
 }
 
-std::string reportOf(const BenchmarkFolder& content) {
+/// The ids in an SVG follow its name: figures of several setups on one page need different ones.
+std::string withPrefixedName(std::string gnuplot, const std::string& prefix) {
+    const std::string name = "sans-serif,13' name '"; // as gnuplotPreamble writes it
+    if (const std::size_t at = gnuplot.find(name); at != std::string::npos)
+        gnuplot.insert(at + name.size(), prefix);
+    return gnuplot;
+}
+
+ReportContent reportContent(const BenchmarkFolder& content, const std::string& prefix = {}) {
     ReportContent report{content.info.dataset, content.info.setup, content.info.sweep, &content.results, {}, {}};
     report.figures = reportFigures(content.results, content.info.sweep);
     std::vector<std::string> programs;
     for (const Figure& figure : report.figures)
-        programs.push_back(figure.gnuplot);
+        programs.push_back(withPrefixedName(figure.gnuplot, prefix));
     report.pictures = drawWithGnuplot(programs);
-    return reportHtml(report);
+    return report;
 }
 
 } // namespace
@@ -119,7 +127,28 @@ void writeBenchmarkTables(const fs::path& folder, const BenchmarkFolder& content
         missing > 0 ? "\nNot finished: " + std::to_string(missing) + " fits are missing.\n" : std::string();
     writeFileAtomically(folder / "table.md", markdownTable(table) + note);
     writeFileAtomically(folder / "table.tex", latexTable(table));
-    writeFileAtomically(folder / "report.html", reportOf(content));
+    writeFileAtomically(folder / "report.html", reportHtml(reportContent(content)));
+}
+
+std::vector<SetupResults> setupResults(const std::vector<BenchmarkFolder>& folders) {
+    std::vector<SetupResults> setups;
+    for (const BenchmarkFolder& folder : folders)
+        setups.push_back({folder.info.setup, &folder.results});
+    return setups;
+}
+
+void writeSetupTables(const fs::path& folder, const std::vector<BenchmarkFolder>& setups) {
+    const std::vector<SetupResults> results = setupResults(setups);
+    const ResultTable table = setupsTable(results);
+    const std::string agreement = setupsAgreement(results);
+    ensureFolder(folder);
+    writeFileAtomically(folder / "table.md", markdownTable(table) + (agreement.empty() ? "" : "\n" + agreement + "\n"));
+    writeFileAtomically(folder / "table.tex", latexTable(table));
+    std::vector<ReportContent> parts;
+    for (const BenchmarkFolder& setup : setups)
+        parts.push_back(
+            reportContent(setup, setup.info.setup == BenchmarkSetup::Synthetic ? "synthetic_" : "realistic_"));
+    writeFileAtomically(folder / "report.html", setupsReportHtml(parts));
 }
 
 void writeBenchmarkFolder(const fs::path& folder, const BenchmarkFolder& content) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/benchmark/benchmark_results.h"
+#include "core/benchmark/setups_report.h"
 #include "core/io/benchmark/benchmark_journal.h"
 
 namespace core {
@@ -24,6 +25,11 @@ BenchmarkFolder mergedBenchmarkFolders(const std::vector<std::filesystem::path>&
 
 /// Writes results.csv, joints.csv, curves.csv, table.md, table.tex and report.html, each atomically.
 void writeBenchmarkTables(const std::filesystem::path& folder, const BenchmarkFolder& content);
+
+/// The results of several setups for tables; they point into `folders`.
+std::vector<SetupResults> setupResults(const std::vector<BenchmarkFolder>& folders);
+/// Writes table.md, table.tex and report.html of several setups side by side, each atomically.
+void writeSetupTables(const std::filesystem::path& folder, const std::vector<BenchmarkFolder>& setups);
 
 /// Writes a folder that no run has filled: run.json, pairs.json, finished.jsonl and the tables.
 void writeBenchmarkFolder(const std::filesystem::path& folder, const BenchmarkFolder& content);

@@ -164,6 +164,43 @@ void tidyLens(Camera& camera) {
         lens.resize(8, 0);
 }
 
+/// The size of cameras whose principal points lie in the middle of their images.
+ImageSize assumedSize(const std::vector<Camera>& cameras) {
+    Eigen::Vector2d sum(0, 0);
+    for (const Camera& camera : cameras)
+        sum += camera.intrinsics.topRightCorner<2, 1>();
+    const Eigen::Vector2d size = 2 * sum / static_cast<double>(cameras.size()) + Eigen::Vector2d::Ones();
+    constexpr double kMost = 1 << 20;
+    if (!size.allFinite() || size.minCoeff() < 2 || size.maxCoeff() > kMost)
+        return {};
+    return {static_cast<int>(std::lround(size.x())), static_cast<int>(std::lround(size.y()))};
+}
+
+/// Cameras whose file holds no image size get that of the options. Throws Error if there is none.
+void setSizes(std::vector<Camera>& cameras, const Options& options, const std::string& file) {
+    const ImageSize size = options.size ? *options.size : options.assumeSize ? assumedSize(cameras) : ImageSize{};
+    for (Camera& camera : cameras) {
+        if (!(camera.size == ImageSize{}))
+            continue;
+        if (size == ImageSize{}) {
+            throw Error(ErrorCode::BadInput, file, camera.name + ".size",
+                        "such files hold no image size; give --size WxH");
+        }
+        camera.size = size;
+    }
+}
+
+/// Says which size was assumed; empty if the file holds sizes, or one was given.
+std::string sizeNote(const std::vector<Camera>& asStored, const Options& options, const std::vector<Camera>& cameras) {
+    const bool isStored =
+        std::all_of(asStored.begin(), asStored.end(), [](const Camera& c) { return !(c.size == ImageSize{}); });
+    if (options.size || isStored || cameras.empty())
+        return {};
+    const ImageSize size = cameras.front().size;
+    return "the file holds no image size: " + std::to_string(size.width) + " x " + std::to_string(size.height) +
+           " is assumed, twice the mean principal point; give the right one with --size WxH";
+}
+
 } // namespace
 
 const std::vector<CalibrationKind>& calibrationKinds() {
@@ -190,14 +227,8 @@ std::vector<Camera> readCalibration(const fs::path& path, const CalibrationOptio
     std::vector<Camera> cameras = row.read(source, options);
     if (cameras.empty())
         throw Error(ErrorCode::BadInput, path.string(), "", "holds no cameras");
+    setSizes(cameras, options, path.string());
     for (Camera& camera : cameras) {
-        if (camera.size == ImageSize{}) {
-            if (!options.size) {
-                throw Error(ErrorCode::BadInput, path.string(), camera.name + ".size",
-                            "such files hold no image size; give --size WxH");
-            }
-            camera.size = *options.size;
-        }
         camera.cameraFromWorld.translation *= mmPerUnit;
         tidyRotation(camera);
         tidyLens(camera);
@@ -219,8 +250,11 @@ void writeCalibration(const fs::path& file, std::string_view kind, const std::ve
 
 std::vector<std::string> calibrationNotes(const fs::path& path, const CalibrationOptions& options,
                                           const std::vector<Camera>& cameras) {
-    const Row& row = rowOf(Source(path), options);
+    const Source source(path);
+    const Row& row = rowOf(source, options);
     std::vector<std::string> notes;
+    if (const std::string note = sizeNote(row.read(source, options), options, cameras); !note.empty())
+        notes.push_back(note);
     if (*row.note != '\0' && !options.mmPerUnit)
         notes.emplace_back(row.note);
     const std::string unit = unitNote(cameras, options.mmPerUnit.value_or(row.kind.mmPerUnit));

@@ -2,12 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
-
-#include <matio.h>
 
 #include "core/error.h"
 #include "core/io/calibration/calibration_readers.h"
+#include "core/io/matlab/mat_file.h"
 
 namespace core {
 
@@ -15,29 +13,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using MatFile = std::unique_ptr<mat_t, decltype(&Mat_Close)>;
-using MatVariable = std::unique_ptr<matvar_t, decltype(&Mat_VarFree)>;
-/// Looks up a variable or a member of a struct; nullptr if there is none.
-using MatLookup = std::function<const matvar_t*(const char*)>;
+/// Looks up a variable of a file or a member of a structure.
+using MatLookup = std::function<MatValue(const char*)>;
 
-/// All numbers of a real variable, column by column, as MATLAB keeps them.
-std::vector<double> columnNumbers(const matvar_t* variable, const std::string& name, const std::string& field) {
-    if (variable == nullptr || variable->data == nullptr)
-        throw Error(ErrorCode::BadInput, name, field, "is missing");
-    if (variable->class_type != MAT_C_DOUBLE || variable->isComplex || variable->rank != 2)
-        throw Error(ErrorCode::BadInput, name, field, "a real matrix of doubles is expected");
-    const std::size_t count = variable->dims[0] * variable->dims[1];
-    const auto* data = static_cast<const double*>(variable->data);
-    std::vector<double> numbers(data, data + count);
-    for (const double number : numbers)
-        if (!std::isfinite(number))
-            throw Error(ErrorCode::BadInput, name, field, "holds a number that is not finite");
+/// All numbers of a matrix, column by column, as MATLAB keeps them.
+std::vector<double> columnNumbers(const MatValue& value) {
+    std::vector<double> numbers = value.numbers().values;
+    if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); }))
+        value.refuse("holds a number that is not finite");
     return numbers;
 }
 
 /// `place` stands before the members' names in errors.
 Camera matlabCamera(const MatLookup& find, const std::string& name, const std::string& place) {
-    const auto read = [&](const char* member) { return columnNumbers(find(member), name, place + member); };
+    const auto read = [&](const char* member) { return columnNumbers(find(member)); };
     Camera camera;
     // MATLAB multiplies from the left (x K, X r + t), so both are stored transposed; kept column by column, they read
     // as wanted row by row. K(0, 1) is the skew.
@@ -55,59 +44,73 @@ Camera matlabCamera(const MatLookup& find, const std::string& name, const std::s
     return camera;
 }
 
-std::string textOfChars(const matvar_t* variable) {
-    std::string text;
-    if (variable == nullptr || variable->class_type != MAT_C_CHAR || variable->data == nullptr)
-        return text;
-    const auto* bytes = static_cast<const unsigned char*>(variable->data);
-    const auto step = static_cast<std::size_t>(std::max(1, variable->data_size)); // one or two bytes a letter
-    for (std::size_t i = 0; i + step <= variable->nbytes; i += step)
-        if (bytes[i] != 0)
-            text += static_cast<char>(bytes[i]);
-    return text;
+/// Names of the cameras, if the file has as many as it has cameras; empty if it has none.
+std::vector<std::string> namesIn(const MatFile& file, std::size_t count) {
+    for (const char* variable : {"camnames", "camNames"}) {
+        const MatValue names = file.read(variable);
+        if (names.isMissing() || names.count() == 0)
+            continue;
+        std::vector<std::string> list = names.texts();
+        if (list.size() != count)
+            names.refuse("as many names as cameras are expected");
+        return list;
+    }
+    return {};
 }
 
-std::size_t elementCount(const matvar_t& variable) {
-    std::size_t count = 1;
-    for (int i = 0; i < variable.rank; ++i)
-        count *= variable.dims[i];
-    return count;
-}
-
-/// `list`: the cell of structs, one per camera, that DANNCE calls params and Label3D camParams.
-std::vector<Camera> camerasOfProject(mat_t* file, matvar_t& list, const std::string& name) {
-    const std::string listName = list.name == nullptr ? "params" : list.name;
-    if (list.class_type != MAT_C_CELL || list.data == nullptr)
-        throw Error(ErrorCode::BadInput, name, listName, "a cell with a struct per camera is expected");
-    const MatVariable names(Mat_VarRead(file, "camnames"), &Mat_VarFree);
-    const bool hasNames = names && names->class_type == MAT_C_CELL && names->data != nullptr;
-    const std::size_t count = elementCount(list);
-    if (hasNames && elementCount(*names) != count)
-        throw Error(ErrorCode::BadInput, name, "camnames", "as many names as cameras are expected");
-    std::vector<Camera> cameras;
+/// Image sizes, one per camera: `imageSize` (rows, columns) of some versions of Label3D, or those of the pictures that
+/// it keeps in `videos` (rows x columns x colours x frames). Empty if the file holds neither.
+std::vector<ImageSize> sizesIn(const MatFile& file, std::size_t count) {
+    constexpr double kMost = 1 << 20;
+    const auto sizeOf = [&](double rows, double columns) {
+        const bool isSize = rows >= 1 && columns >= 1 && rows < kMost && columns < kMost;
+        return isSize ? ImageSize{static_cast<int>(columns), static_cast<int>(rows)} : ImageSize{};
+    };
+    std::vector<ImageSize> sizes;
+    if (const MatValue stored = file.read("imageSize"); !stored.isMissing()) {
+        const MatNumbers numbers = stored.numbers();
+        const std::size_t rows = numbers.values.size() == 2 ? 1 : numbers.size(0);
+        if (numbers.values.size() != 2 * rows || (rows != 1 && rows != count))
+            stored.refuse("rows and columns of the images are expected, once or for every camera");
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t row = rows == 1 ? 0 : i;
+            sizes.push_back(sizeOf(numbers.values[row], numbers.values[row + rows]));
+        }
+        return sizes;
+    }
+    const MatValue videos = file.readShape("videos");
+    if (!videos.isCell() || videos.count() != count)
+        return {};
     for (std::size_t i = 0; i < count; ++i) {
-        const int index = static_cast<int>(i);
-        const std::string place = listName + "{" + std::to_string(i + 1) + "}";
-        matvar_t* member = Mat_VarGetCell(&list, index);
-        if (member == nullptr || member->class_type != MAT_C_STRUCT)
-            throw Error(ErrorCode::BadInput, name, place, "a struct is expected");
-        cameras.push_back(matlabCamera(
-            [member](const char* field) { return Mat_VarGetStructFieldByName(member, field, 0); }, name, place + "."));
-        cameras.back().name = hasNames ? textOfChars(Mat_VarGetCell(names.get(), index)) : "";
-        if (cameras.back().name.empty())
-            cameras.back().name = "Camera" + std::to_string(i + 1);
+        const MatValue video = videos.element(i);
+        sizes.push_back(video.count() > 0
+                            ? sizeOf(static_cast<double>(video.size(0)), static_cast<double>(video.size(1)))
+                            : ImageSize{});
+    }
+    return sizes;
+}
+
+/// `list`: a structure per camera, in a cell or an array of structures, that DANNCE calls params and Label3D camParams.
+std::vector<Camera> camerasOfProject(const MatFile& file, const MatValue& list, const std::string& listName) {
+    if (!list.isCell() && !list.isStructure())
+        list.refuse("a cell with a struct per camera is expected");
+    const std::vector<std::string> names = namesIn(file, list.count());
+    const std::vector<ImageSize> sizes = sizesIn(file, list.count());
+    std::vector<Camera> cameras;
+    for (std::size_t i = 0; i < list.count(); ++i) {
+        const MatValue camera = list.element(i);
+        const std::string number = std::to_string(i + 1);
+        const std::string place = listName + (list.isCell() ? "{" + number + "}" : "(" + number + ")") + ".";
+        cameras.push_back(matlabCamera([&](const char* member) { return camera.member(member); }, file.name(), place));
+        cameras.back().name = names.empty() || names[i].empty() ? "Camera" + number : names[i];
+        if (!sizes.empty())
+            cameras.back().size = sizes[i];
     }
     return cameras;
 }
 
-Camera cameraOfFile(mat_t* file, const fs::path& path) {
-    std::vector<MatVariable> held;
-    Camera camera = matlabCamera(
-        [&](const char* variable) {
-            held.emplace_back(Mat_VarRead(file, variable), &Mat_VarFree);
-            return held.back().get();
-        },
-        path.string(), "");
+Camera cameraOfFile(const MatFile& file, const fs::path& path) {
+    Camera camera = matlabCamera([&](const char* variable) { return file.read(variable); }, path.string(), "");
     camera.name = path.stem().string();
     if (camera.name.ends_with("_params"))
         camera.name.resize(camera.name.size() - 7);
@@ -115,19 +118,16 @@ Camera cameraOfFile(mat_t* file, const fs::path& path) {
 }
 
 std::vector<Camera> camerasOfMat(const fs::path& path) {
-    const std::string name = path.string();
-    constexpr std::uintmax_t kHeaderBytes = 128;
-    std::error_code ignored;
-    const bool isLongEnough = fs::file_size(path, ignored) >= kHeaderBytes && !ignored;
-    const MatFile file(isLongEnough ? Mat_Open(name.c_str(), MAT_ACC_RDONLY) : nullptr, &Mat_Close);
-    if (!file)
-        throw Error(ErrorCode::BadInput, name, "", "is not a readable MATLAB file");
+    const MatFile file(path);
     for (const char* listName : {"params", "camParams"}) {
-        const MatVariable list(Mat_VarRead(file.get(), listName), &Mat_VarFree);
-        if (list)
-            return camerasOfProject(file.get(), *list, name);
+        const MatValue list = file.read(listName);
+        if (!list.isMissing())
+            return camerasOfProject(file, list, listName);
     }
-    return {cameraOfFile(file.get(), path)};
+    if (file.read("K").isMissing() && file.read("r").isMissing())
+        file.refuse("params",
+                    "is missing: cameras are expected in params (DANNCE), camParams (Label3D), or K, r and t");
+    return {cameraOfFile(file, path)};
 }
 
 } // namespace
@@ -137,8 +137,6 @@ bool looksLikeDannce(const CalibrationSource& source) {
 }
 
 std::vector<Camera> readDannce(const CalibrationSource& source, const CalibrationOptions&) {
-    Mat_LogInit("handlens");
-    Mat_LogInitFunc("handlens", [](int, char*) {}); // its messages are ours to give
     std::vector<Camera> cameras;
     for (const fs::path& file : calibrationFiles(source.path(), {".mat"})) {
         const std::vector<Camera> some = camerasOfMat(file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "core/error.h"
@@ -31,8 +32,9 @@ std::vector<QcaTag> tagsOf(std::string_view text, const std::string& file) {
         const std::size_t nameEnd = std::min(inner.find_first_of(" \t\r\n/"), inner.size());
         QcaTag tag{std::string(inner.substr(0, nameEnd)), {}};
         for (inner.remove_prefix(nameEnd);;) {
-            const std::size_t equals = inner.find('='), open = inner.find('"', std::min(equals, inner.size()));
-            const std::size_t close = open == std::string_view::npos ? open : inner.find('"', open + 1);
+            const std::size_t equals = inner.find('='),
+                              open = inner.find_first_of("\"'", std::min(equals, inner.size()));
+            const std::size_t close = open == std::string_view::npos ? open : inner.find(inner[open], open + 1);
             if (close == std::string_view::npos)
                 break;
             std::string_view key = inner.substr(0, equals);
@@ -69,9 +71,16 @@ struct QcaCamera {
     }
 };
 
+/// Cameras that record pictures for people; the others see markers only.
 bool isVideo(const QcaCamera& camera) {
     const std::string model = camera.text("camera", "model");
-    return model.find("Video") != std::string::npos || model == "none";
+    return model.find("Video") != std::string::npos || model == "none" || model.empty();
+}
+
+/// Cameras that were switched off or that the calibration did not find have no place.
+bool isCalibrated(const QcaCamera& camera) {
+    return camera.text("camera", "active") != "0" && camera.text("camera", "calibrated") != "false" &&
+           camera.tags.contains("transform") && camera.tags.contains("intrinsic");
 }
 
 std::vector<QcaCamera> camerasOf(const std::vector<QcaTag>& tags, const std::string& file) {
@@ -89,23 +98,48 @@ std::vector<QcaCamera> camerasOf(const std::vector<QcaTag>& tags, const std::str
     return cameras;
 }
 
-Camera toCamera(const QcaCamera& qca) {
+/// Pixels of the pictures per pixel of the sensor: QTM calibrates the whole sensor and names the height of smaller
+/// pictures, such as 540p, beside 1080 lines.
+double pictureScale(const QcaCamera& qca) {
     const std::string resolution = qca.text("camera", "video_resolution");
-    if (!resolution.empty() && resolution != "N/A" && resolution != "1080p") {
+    if (resolution.empty() || resolution == "N/A" || resolution == "none")
+        return 1;
+    double lines = 0;
+    constexpr double kSensorLines = 1080;
+    if (!resolution.ends_with('p') ||
+        !parseNumber(std::string_view(resolution).substr(0, resolution.size() - 1), lines) || lines < 16 ||
+        lines > kSensorLines) {
         throw Error(ErrorCode::Unsupported, qca.file, qca.name + ".video_resolution",
-                    resolution + " is not read: it is not established how such files are scaled");
+                    resolution + " is not read: a number of lines up to 1080p is expected");
     }
-    const double left = qca.number("fov_video", "left"), top = qca.number("fov_video", "top");
-    Camera camera;
-    camera.name = qca.name;
-    camera.size = {static_cast<int>(qca.number("fov_video", "right") - left) + 1,
-                   static_cast<int>(qca.number("fov_video", "bottom") - top) + 1};
+    return lines / kSensorLines;
+}
+
+/// Size and intrinsic matrix. The sensor's coordinates are taken to be 0 at the first pixel's centre, as in files whose
+/// sensorMaxU is 64 (width - 1).
+void setIntrinsics(Camera& camera, const QcaCamera& qca) {
+    const char* view = qca.tags.contains("fov_video") ? "fov_video" : "fov_video_max";
+    const double left = qca.number(view, "left"), top = qca.number(view, "top");
+    const double width = qca.number(view, "right") - left + 1, height = qca.number(view, "bottom") - top + 1;
+    if (!(width >= 1 && height >= 1 && width < 1e5 && height < 1e5)) {
+        throw Error(ErrorCode::BadInput, qca.file, qca.name + "." + view,
+                    "right and bottom must lie beyond left and top");
+    }
+    const double scale = pictureScale(qca);
+    camera.size = {static_cast<int>(std::lround(width * scale)), static_cast<int>(std::lround(height * scale))};
     // QTM counts in 1/64 px; files that other programs write in its format may count in whole ones.
-    const bool isFine = qca.number("intrinsic", "sensorMaxU") > 20 * (left + camera.size.width);
+    const bool isFine = qca.number("intrinsic", "sensorMaxU") > 20 * (left + width);
     const double unit = isFine ? 64 : 1;
     const auto px = [&](const char* key) { return qca.number("intrinsic", key) / unit; };
-    camera.intrinsics << px("focalLengthU"), px("skew"), px("centerPointU") - left, 0, px("focalLengthV"),
-        px("centerPointV") - top, 0, 0, 1;
+    const auto place = [scale](double sensor, double first) { return (sensor - first + 0.5) * scale - 0.5; };
+    camera.intrinsics << px("focalLengthU") * scale, px("skew") * scale, place(px("centerPointU"), left), 0,
+        px("focalLengthV") * scale, place(px("centerPointV"), top), 0, 0, 1;
+}
+
+Camera toCamera(const QcaCamera& qca) {
+    Camera camera;
+    camera.name = qca.name;
+    setIntrinsics(camera, qca);
     camera.distortion = {qca.number("intrinsic", "radialDistortion1"), qca.number("intrinsic", "radialDistortion2"),
                          qca.number("intrinsic", "tangentalDistortion1"),
                          qca.number("intrinsic", "tangentalDistortion2"), qca.number("intrinsic", "radialDistortion3")};
@@ -131,11 +165,16 @@ bool looksLikeQualisys(const CalibrationSource& source) {
 std::vector<Camera> readQualisys(const CalibrationSource& source, const CalibrationOptions&) {
     const std::string file = source.path().string();
     std::vector<Camera> cameras;
-    for (const QcaCamera& camera : camerasOf(tagsOf(source.text(), file), file))
-        if (isVideo(camera))
+    int videos = 0;
+    for (const QcaCamera& camera : camerasOf(tagsOf(source.text(), file), file)) {
+        videos += isVideo(camera) ? 1 : 0;
+        if (isVideo(camera) && isCalibrated(camera))
             cameras.push_back(toCamera(camera));
-    if (cameras.empty())
-        throw Error(ErrorCode::BadInput, file, "cameras", "holds no video cameras");
+    }
+    if (cameras.empty()) {
+        throw Error(ErrorCode::BadInput, file, "cameras",
+                    videos == 0 ? "holds no video cameras" : "none of its video cameras is calibrated");
+    }
     return cameras;
 }
 

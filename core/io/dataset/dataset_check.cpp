@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <functional>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +25,8 @@
 #include "core/io/files/json_file.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/hands/hand_file.h"
+#include "core/io/hdf5/pandas_frame.h"
+#include "core/io/hdf5/sleap_file.h"
 #include "core/io/store/annotation_store.h"
 
 namespace core {
@@ -175,9 +179,64 @@ void checkDataset(Findings& findings, const fs::path& folder) {
             findings.push_back({true, dataset.camerasFile + ": " + sentence});
 }
 
+/// A calibration of any kind; what is worth knowing about it are notes.
+void checkCalibration(Findings& findings, const fs::path& path) {
+    CalibrationOptions options;
+    options.assumeSize = true;
+    const std::vector<Camera> cameras = readCalibration(path, options);
+    for (const std::string& note : calibrationNotes(path, options, cameras))
+        findings.push_back({true, path.string() + ": " + note});
+}
+
+bool isCalibration(const fs::path& path) {
+    try {
+        sniffCalibration(path);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+/// What a file without a telling extension begins with.
+bool isJson(const fs::path& file) {
+    char first = 0;
+    std::ifstream(file) >> first;
+    return first == '{' || first == '[';
+}
+
+/// Annotations in HDF5: of SLEAP, else a data frame of pandas (DeepLabCut, Anipose).
+void checkHdf5(Findings& findings, const fs::path& path) {
+    if (const Hdf5File file(path); !file.has("metadata") && !file.has("tracks")) {
+        readPandasFrame(file);
+        return;
+    }
+    const SleapFile file = readSleapFile(path);
+    std::set<std::pair<std::string, int>> pictures;
+    std::set<std::string> nodes;
+    std::size_t guesses = 0;
+    for (const SleapInstance& instance : file.instances) {
+        pictures.insert({instance.video, instance.frame});
+        guesses += instance.isGuess ? 1 : 0;
+        for (const SleapPoint& point : instance.points)
+            nodes.insert(point.node);
+    }
+    findings.push_back({true, path.string() + ": " + std::to_string(file.instances.size() - guesses) +
+                                  " labelled and " + std::to_string(guesses) + " guessed skeletons of " +
+                                  std::to_string(nodes.size()) + " nodes in " + std::to_string(pictures.size()) +
+                                  " pictures"});
+}
+
 void checkFile(Findings& findings, const fs::path& file) {
     if (file.extension() == ".sqlite") {
         AnnotationStore::open(file, StoreAccess::ReadOnly).annotations();
+        return;
+    }
+    if (file.extension() == ".slp" || file.extension() == ".h5") {
+        checkHdf5(findings, file);
+        return;
+    }
+    if (file.extension() != ".json" && !isJson(file)) {
+        checkCalibration(findings, file);
         return;
     }
     const nlohmann::json value = readJsonFile(file);
@@ -188,10 +247,10 @@ void checkFile(Findings& findings, const fs::path& file) {
         checkSurface(findings, readHandModel(file), file.string());
     else if (format == "handlens-dataset")
         checkDataset(findings, fs::absolute(file).parent_path());
-    else if (format == "handlens-cameras")
-        readCameras(file);
-    else if (format.starts_with("handlens-"))
+    else if (format.starts_with("handlens-") && format != "handlens-cameras")
         readOwnFile(file, format.substr(9));
+    else if (isCalibration(file))
+        checkCalibration(findings, file);
     else
         throw Error(ErrorCode::Unsupported, file.string(), "format", "is none of Handlens's own");
 }
@@ -203,7 +262,15 @@ std::vector<CheckFinding> checkPath(const fs::path& path) {
     if (!fs::exists(path, ignored))
         throw Error(ErrorCode::NotFound, path.string(), "", "no such file or folder");
     Findings findings;
-    attempt(findings, [&] { fs::is_directory(path) ? checkDataset(findings, path) : checkFile(findings, path); });
+    const bool isCalibrationFolder = !fs::exists(path / "dataset.json", ignored) && isCalibration(path);
+    attempt(findings, [&] {
+        if (!fs::is_directory(path))
+            checkFile(findings, path);
+        else if (isCalibrationFolder)
+            checkCalibration(findings, path);
+        else
+            checkDataset(findings, path);
+    });
     return findings;
 }
 

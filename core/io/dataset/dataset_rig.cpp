@@ -6,6 +6,7 @@
 #include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/rig/rig_findings.h"
 
 namespace core {
 
@@ -33,8 +34,19 @@ std::vector<RigJoint> readRigJoints(const Dataset& dataset, const std::vector<st
     return joints;
 }
 
+std::vector<std::string> sequenceNames(const Dataset& dataset) {
+    std::vector<std::string> names;
+    for (const Sequence& sequence : dataset.sequences)
+        names.push_back(sequence.name);
+    return names;
+}
+
+ClickSigmas datasetClickSigmas(const Dataset& dataset) {
+    return estimateClickSigmas(dataset.cameras, readRigJoints(dataset));
+}
+
 std::vector<std::string> datasetRigFindings(const Dataset& dataset) {
-    return rigFindings(judgeRig(dataset.cameras, readRigJoints(dataset)));
+    return rigFindings(judgeRig(dataset.cameras, readRigJoints(dataset)), sequenceNames(dataset));
 }
 
 } // namespace core

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/dataset/frames.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <thread>
 
 #include <opencv2/core.hpp>
 
@@ -58,12 +61,15 @@ struct FrameSource::Impl {
     std::vector<HandModel> hands;
     Motion motion;
     std::vector<std::unique_ptr<View>> views; ///< parallel to cameras
+    std::atomic<std::int64_t> budget = 0;     ///< bytes for decoded pictures of all videos; 0: a few pictures each
     std::mutex posedMutex;
     std::shared_ptr<const PosedHands> posed; ///< of the frame that was rendered last
 
     std::shared_ptr<const PosedHands> posedAt(int frame);
     cv::Mat rendered(const Camera& camera, int frame);
-    cv::Mat fromVideo(View& view, int frame);
+    cv::Mat fromVideo(View& view, int frame, const std::stop_token& stop);
+    int videoCount() const;
+    int threadsPerVideo() const;
     cv::Mat fromImage(View& view, int frame) const;
     GreyLevels levelsOf(View& view, const cv::Mat& picture) const;
 };
@@ -92,13 +98,27 @@ cv::Mat FrameSource::Impl::rendered(const Camera& camera, int frame) {
     return renderShaded(camera, surfaces);
 }
 
-cv::Mat FrameSource::Impl::fromVideo(View& view, int frame) {
+int FrameSource::Impl::videoCount() const {
+    return static_cast<int>(std::count_if(
+        views.begin(), views.end(), [](const auto& view) { return view->source.kind == ViewKind::Video; }));
+}
+
+/// Several videos are decoded side by side, so each takes only some of the cores.
+int FrameSource::Impl::threadsPerVideo() const {
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, videoCount()), 1, 4);
+}
+
+cv::Mat FrameSource::Impl::fromVideo(View& view, int frame, const std::stop_token& stop) {
     const std::lock_guard lock(view.mutex);
+    if (stop.stop_requested())
+        return {};
     if (!view.video) {
         const fs::path index = videoIndexFile(folder, sequenceName, view.source.camera);
-        view.video = std::make_unique<VideoFile>(folder / view.source.path, index);
+        view.video = std::make_unique<VideoFile>(folder / view.source.path, index, threadsPerVideo());
+        if (budget > 0)
+            view.video->setBudget(budget / videoCount());
     }
-    return view.video->read(footageFrameAt(view.source, frame));
+    return view.video->read(footageFrameAt(view.source, frame), stop);
 }
 
 cv::Mat FrameSource::Impl::fromImage(View& view, int frame) const {
@@ -153,7 +173,22 @@ bool FrameSource::hasPicture(int camera, int frame) const {
     return hasPictureAt(m_impl->views.at(static_cast<std::size_t>(camera))->source, frame);
 }
 
-cv::Mat FrameSource::read(int camera, int frame) const {
+void FrameSource::setBudget(std::int64_t bytes) {
+    m_impl->budget = bytes;
+    for (const std::unique_ptr<View>& view : m_impl->views) {
+        const std::lock_guard lock(view->mutex);
+        if (view->video)
+            view->video->setBudget(bytes / m_impl->videoCount());
+    }
+}
+
+bool FrameSource::fetchAhead(int camera, int direction, const std::stop_token& stop) const {
+    View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
+    const std::lock_guard lock(view.mutex);
+    return view.video && view.video->fetchAhead(direction, stop);
+}
+
+cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop) const {
     const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
     if (frame < 0 || frame >= m_impl->frameCount) {
@@ -174,9 +209,11 @@ cv::Mat FrameSource::read(int camera, int frame) const {
         image = m_impl->fromImage(view, frame);
         break;
     case ViewKind::Video:
-        image = m_impl->fromVideo(view, frame);
+        image = m_impl->fromVideo(view, frame, stop);
         break;
     }
+    if (image.empty() && stop.stop_requested())
+        return {};
     image = turned(image, view.source.rotateDegrees);
     if (image.cols != calibrated.size.width || image.rows != calibrated.size.height) {
         throw Error(ErrorCode::BadInput, (m_impl->folder / view.source.path).string(), "size",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include <opencv2/core/mat.hpp>
 
@@ -32,7 +33,16 @@ public:
     /// and (of more than 8 bits) brought to 8 bits as the view says. A plain backdrop where hasPicture is false. Throws
     /// Error: NotFound if the recording has no such frame, BadInput if the file is damaged or its size is not the
     /// camera's.
-    cv::Mat read(int camera, int frame) const;
+    /// Empty if it was stopped.
+    cv::Mat read(int camera, int frame, const std::stop_token& stop = {}) const;
+
+    /// How much memory decoded pictures of videos may take, near the frames that were read last; a few are kept at
+    /// first.
+    void setBudget(std::int64_t bytes);
+    /// Decodes the nearest picture of a video that is not kept before (direction -1) or after (+1) the frame that was
+    /// read last, so that reading it takes a few milliseconds. False if there is nothing to do for this camera (all
+    /// that fits is kept, it has no video, nothing of it was read yet), or it was stopped.
+    bool fetchAhead(int camera, int direction, const std::stop_token& stop) const;
 
 private:
     struct Impl;

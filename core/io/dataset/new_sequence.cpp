@@ -10,12 +10,15 @@
 #include "core/io/dataset/measured_footage.h"
 #include "core/io/footage/file_pattern.h"
 #include "core/io/footage/image_folder.h"
+#include "core/io/footage/video_file.h"
 
 namespace core {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr double kUsualFramesPerSecond = 50;
 
 /// The footage of one camera on its way into the sequence.
 struct Measured : MeasuredFootage {
@@ -172,6 +175,30 @@ ViewSource viewOf(const Measured& measured, const std::string& camera, int frame
 
 } // namespace
 
+std::optional<ImageSize> footageSize(const std::vector<Footage>& footage) {
+    for (const Footage& one : footage) {
+        try {
+            const ImageSize size = fs::is_regular_file(one.path) ? readVideoInfo(one.path).size : measure(one).size;
+            const bool isTurned = one.pictures.rotateDegrees.value_or(0) % 180 != 0;
+            return isTurned ? ImageSize{size.height, size.width} : size;
+        } catch (const Error&) { // what is wrong with it is said when the sequence is made
+        }
+    }
+    return std::nullopt;
+}
+
+Sequence sequenceWithoutFootage(const std::string& name, const std::vector<Camera>& cameras, int frameCount,
+                                std::optional<double> framesPerSecond) {
+    Sequence sequence;
+    sequence.name = name;
+    sequence.annotations = "annotations/" + name + ".sqlite";
+    sequence.frameCount = frameCount;
+    sequence.framesPerSecond = framesPerSecond.value_or(kUsualFramesPerSecond);
+    for (const Camera& camera : cameras)
+        sequence.views.push_back({camera.name, ViewKind::None, "", 0});
+    return sequence;
+}
+
 NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cameras,
                          const std::vector<Footage>& footage, const fs::path& datasetFolder,
                          std::optional<double> framesPerSecond, FootageSync sync) {
@@ -193,7 +220,7 @@ NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cam
         throw Error(ErrorCode::BadInput, measured.begin()->second.path, "frames",
                     "no instant is in the footage of all cameras (check the offsets)");
     }
-    sequence.framesPerSecond = framesPerSecond.value_or(rate > 0 ? rate : 50);
+    sequence.framesPerSecond = framesPerSecond.value_or(rate > 0 ? rate : kUsualFramesPerSecond);
     for (const Camera& camera : cameras) {
         const auto found = measured.find(camera.name);
         sequence.views.push_back(found == measured.end()

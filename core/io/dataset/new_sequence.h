@@ -33,6 +33,13 @@ enum class FootageSync {
     Time       ///< by time: instants of frames that a camera lost are missing in its view
 };
 
+/// The size of the first pictures that can be read, for calibrations that hold none.
+std::optional<ImageSize> footageSize(const std::vector<Footage>& footage);
+
+/// A sequence of cameras without footage, for annotations that were made elsewhere.
+Sequence sequenceWithoutFootage(const std::string& name, const std::vector<Camera>& cameras, int frameCount,
+                                std::optional<double> framesPerSecond = {});
+
 /// Looks at the footage of all cameras and makes a sequence of it: it is as long as its shortest footage. Missing
 /// images, and frames that a video lost, are instants without a picture. Paths are written relative to `datasetFolder`
 /// (which need not exist yet). Cameras without footage get no picture. `framesPerSecond`: that of the videos if not

@@ -18,7 +18,7 @@ namespace core {
 std::vector<CsvRow> parseCsv(std::string_view text, const std::string& file);
 std::vector<CsvRow> readCsv(const std::filesystem::path& file);
 
-/// The number in a cell; nothing for a missing value (empty, NaN, nan, null, NA). Throws Error(BadInput) naming file
+/// The number in a cell; empty for a missing value (empty, NaN, nan, null, NA). Throws Error(BadInput) naming file
 /// and `field` for anything else.
 std::optional<double> cellNumber(std::string_view cell, const std::string& file, const std::string& field);
 

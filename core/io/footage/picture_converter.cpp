@@ -6,6 +6,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/io/footage/planes420.h"
+
 extern "C" {
 #include <libavutil/frame.h>
 #include <libavutil/pixdesc.h>
@@ -58,6 +60,20 @@ bool PictureConverter::prepare(const AVFrame& picture) {
 }
 
 cv::Mat PictureConverter::toBgr(const AVFrame& picture) {
+    const bool isPlain = picture.format == AV_PIX_FMT_YUV420P || picture.format == AV_PIX_FMT_YUVJ420P;
+    if (!isPlain || picture.width < 2 || picture.height < 2)
+        return byLibrary(picture);
+    Planes420 planes;
+    for (int i = 0; i < 3; ++i) {
+        planes.data[i] = picture.data[i];
+        planes.stride[i] = picture.linesize[i];
+    }
+    planes.width = picture.width;
+    planes.height = picture.height;
+    return bgrOf(planes, colourMatrix(sws_getCoefficients(colourSpace(picture)), isFullRange(picture)));
+}
+
+cv::Mat PictureConverter::byLibrary(const AVFrame& picture) {
     if (!prepare(picture))
         return {};
     // The library writes whole vectors: rows are longer than the picture.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <iterator>
 
 extern "C" {
 #include <libavutil/imgutils.h>
@@ -14,10 +15,10 @@ namespace core {
 
 namespace {
 
-constexpr std::int64_t kKeptBytes = 24 << 20; ///< of decoded pictures, at most
-constexpr int kLate = 16;                     ///< a picture does not come this many pictures late
-constexpr int kNear = 8;                      ///< packets: decoding on is cheaper than seeking
-constexpr int kStrange = 64;                  ///< packets that are not in the index, after a seek
+constexpr std::int64_t kUsualBudget = 24 << 20; ///< bytes of decoded pictures
+constexpr int kLate = 16;                       ///< a picture does not come this many pictures late
+constexpr int kNear = 8;                        ///< packets: decoding on is cheaper than seeking
+constexpr int kStrange = 64;                    ///< packets that are not in the index, after a seek
 
 std::int64_t bytesOf(const AVFrame& frame) {
     return std::max(0,
@@ -31,39 +32,56 @@ bool isEntry(const AVFrame& frame) {
 
 } // namespace
 
-PictureReader::PictureReader(std::filesystem::path file, VideoIndex index)
+PictureReader::PictureReader(std::filesystem::path file, VideoIndex index, int threads)
     : m_file(std::move(file))
     , m_index(std::move(index))
     , m_demuxer(m_file)
-    , m_decoder(m_demuxer.stream(), m_file.string()) {
+    , m_decoder(m_demuxer.stream(), m_file.string(), threads)
+    , m_budget(kUsualBudget) {
     for (std::size_t p = 0; p < m_index.packets.size(); ++p)
         m_numberByHash.emplace_back(m_index.packets[p].hash, static_cast<int>(p));
     std::sort(m_numberByHash.begin(), m_numberByHash.end());
     m_isRunning = true; // at the first packet
 }
 
-const AVFrame& PictureReader::read(int picture) {
+void PictureReader::setBudget(std::int64_t bytes) {
+    m_budget = bytes;
+    trim();
+}
+
+const AVFrame* PictureReader::read(int picture, const std::stop_token& stop) {
+    if (picture != m_focus)
+        m_direction = picture < m_focus ? -1 : 1;
+    m_focus = picture;
+    return decode(picture, stop);
+}
+
+const AVFrame* PictureReader::decode(int picture, const std::stop_token& stop) {
     const AVFrame* frame = kept(picture);
-    if (frame == nullptr && m_damaged.count(picture) == 0 && canGoOn(picture) && advanceTo(picture) == Outcome::Found)
+    const bool isKnownDamaged = m_damaged.contains(picture);
+    if (frame == nullptr && !isKnownDamaged && canGoOn(picture) && advanceTo(picture, stop) == Outcome::Found)
         frame = kept(picture);
     if (frame != nullptr && !VideoDecoder::isDamaged(*frame))
-        return *frame;
-    const int start = m_index.startFor(picture, INT_MAX);
-    if (m_damaged.count(picture) == 0 && (frame = searchFrom(start, picture)) != nullptr)
-        return *frame;
+        return frame;
+    if (!isKnownDamaged && !stop.stop_requested())
+        frame = searchFrom(m_index.startFor(picture, INT_MAX), picture, stop);
+    if (frame != nullptr && !VideoDecoder::isDamaged(*frame))
+        return frame;
+    if (!isKnownDamaged && stop.stop_requested())
+        return nullptr;
     m_damaged.insert(picture);
     throw Error(ErrorCode::BadInput, m_file.string(), "frame " + std::to_string(picture),
                 "the picture is damaged and cannot be decoded");
 }
 
 /// Starts at `start`, then further and further back. Null if the picture does not come whole.
-const AVFrame* PictureReader::searchFrom(int start, int picture) {
+const AVFrame* PictureReader::searchFrom(int start, int picture, const std::stop_token& stop) {
     int damaged = 0;
     for (int back = 1;; back *= 4) {
         startAt(start);
-        const Outcome outcome = advanceTo(picture);
+        const Outcome outcome = advanceTo(picture, stop);
         const AVFrame* frame = outcome == Outcome::Found ? kept(picture) : nullptr;
-        if (frame != nullptr && !VideoDecoder::isDamaged(*frame))
+        if (outcome == Outcome::Stopped || (frame != nullptr && !VideoDecoder::isDamaged(*frame)))
             return frame;
         damaged += frame != nullptr || (outcome == Outcome::Missing && m_decoder.errors() > 0) ? 1 : 0;
         if (start == 0 || damaged == 2)
@@ -73,24 +91,62 @@ const AVFrame* PictureReader::searchFrom(int start, int picture) {
     }
 }
 
+bool PictureReader::fetchAhead(int direction, const std::stop_token& stop) {
+    m_direction = direction;
+    const std::optional<int> picture = wantedAhead();
+    if (!picture || stop.stop_requested())
+        return false;
+    try {
+        decode(*picture, stop);
+    } catch (const Error&) { // it is said when somebody wants the picture
+    }
+    return !stop.stop_requested();
+}
+
+/// How little a picture is wanted: its distance from the last one that was read; those behind are wanted less.
+int PictureReader::remoteness(int picture) const {
+    constexpr int kBehind = 3;
+    const int ahead = (picture - m_focus) * m_direction;
+    return ahead >= 0 ? ahead : -kBehind * ahead;
+}
+
+/// The nearest picture ahead that is not kept, if keeping it is worth the work. Going back, whole groups are decoded
+/// for it: the cache is filled again only when half of it is used up.
+std::optional<int> PictureReader::wantedAhead() const {
+    int picture = m_focus + m_direction;
+    while (m_kept.contains(picture) || m_damaged.contains(picture))
+        picture += m_direction;
+    if (picture < 0 || picture >= m_index.pictures() || m_kept.empty())
+        return std::nullopt;
+    const std::int64_t each = m_keptBytes / static_cast<std::int64_t>(m_kept.size());
+    if (m_keptBytes + each <= m_budget)
+        return picture;
+    const int distance = remoteness(picture), count = static_cast<int>(m_kept.size());
+    const int most = std::max(remoteness(m_kept.begin()->first), remoteness(m_kept.rbegin()->first));
+    const bool isWorthIt = distance < most && (m_direction > 0 || distance <= count / 2);
+    return isWorthIt ? std::optional(picture) : std::nullopt;
+}
+
 const AVFrame* PictureReader::kept(int picture) const {
-    const auto found =
-        std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
-    return found == m_kept.end() ? nullptr : found->frame.get();
+    const auto found = m_kept.find(picture);
+    return found == m_kept.end() ? nullptr : found->second.get();
 }
 
 void PictureReader::keep(int picture, const AVFrame& frame) {
-    const auto old =
-        std::find_if(m_kept.begin(), m_kept.end(), [&](const Kept& one) { return one.picture == picture; });
-    if (old != m_kept.end()) { // perhaps from a worse start
-        m_keptBytes -= bytesOf(*old->frame);
-        m_kept.erase(old);
-    }
-    m_kept.push_back({picture, FramePointer(av_frame_clone(&frame))});
+    FramePointer& place = m_kept[picture];
+    m_keptBytes -= place ? bytesOf(*place) : 0; // perhaps from a worse start
+    place.reset(av_frame_clone(&frame));
     m_keptBytes += bytesOf(frame);
-    while (m_keptBytes > kKeptBytes && m_kept.size() > 1) {
-        m_keptBytes -= bytesOf(*m_kept.front().frame);
-        m_kept.pop_front();
+    trim();
+}
+
+/// Lets go of the least wanted pictures.
+void PictureReader::trim() {
+    while (m_keptBytes > m_budget && m_kept.size() > 1) {
+        const auto first = m_kept.begin(), last = std::prev(m_kept.end());
+        const auto least = remoteness(first->first) > remoteness(last->first) ? first : last;
+        m_keptBytes -= bytesOf(*least->second);
+        m_kept.erase(least);
     }
 }
 
@@ -145,8 +201,10 @@ void PictureReader::skipTo(int packet) {
     }
 }
 
-PictureReader::Outcome PictureReader::advanceTo(int picture) {
+PictureReader::Outcome PictureReader::advanceTo(int picture, const std::stop_token& stop) {
     while (m_isRunning) {
+        if (stop.stop_requested())
+            return Outcome::Stopped;
         while (const AVFrame* frame = m_decoder.receive()) {
             const int number = pictureOf(*frame);
             if (number < m_firstPicture)

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <set>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -18,34 +20,43 @@ namespace core {
 /// enough before. Every packet that is read is compared with the index, and every picture is known by its packet; where
 /// decoding that started in the middle does not yield what the index says, it starts further back, in the end at the
 /// beginning.
+/// All pictures that are decoded on the way are kept, as decoded, within a budget: those nearest to the last one that
+/// was read, the side that reading goes to before the other.
 class PictureReader {
 public:
-    /// Throws Error(BadInput) if the video cannot be opened.
-    PictureReader(std::filesystem::path file, VideoIndex index);
+    /// `threads` decode. Throws Error(BadInput) if the video cannot be opened.
+    PictureReader(std::filesystem::path file, VideoIndex index, int threads);
 
     const VideoIndex& index() const { return m_index; }
-    /// The picture, as decoded; valid until the next call. Throws Error(BadInput) if it is damaged.
-    const AVFrame& read(int picture);
+    /// How much memory kept pictures may take; one is always kept.
+    void setBudget(std::int64_t bytes);
+    /// The picture, as decoded; valid until the next call; null if it was stopped, which loses nothing that is decoded.
+    /// Throws Error(BadInput) if it is damaged.
+    const AVFrame* read(int picture, const std::stop_token& stop = {});
+    /// Decodes the nearest picture that is not kept before (direction -1) or after (+1) the last one that was read, and
+    /// all that it leans on. False if there is nothing to do: all that fits the budget is kept.
+    bool fetchAhead(int direction, const std::stop_token& stop);
+    bool isKept(int picture) const { return m_kept.contains(picture); }
 
 private:
-    enum class Outcome { Found, Missing, Lost };
-    struct Kept {
-        int picture = -1;
-        FramePointer frame;
-    };
+    enum class Outcome { Found, Missing, Lost, Stopped };
 
     const AVFrame* kept(int picture) const;
     void keep(int picture, const AVFrame& frame);
+    void trim();
+    int remoteness(int picture) const;
+    std::optional<int> wantedAhead() const;
+    const AVFrame* decode(int picture, const std::stop_token& stop);
     bool canGoOn(int picture) const;
     void startAt(int packet);
     bool seekTo(int packet);
     void skipTo(int packet);
-    Outcome advanceTo(int picture);
+    Outcome advanceTo(int picture, const std::stop_token& stop);
     bool feed();
     int pictureOf(const AVFrame& frame);
     bool isPacket(const AVPacket& packet, int number) const;
     int numberOf(const AVPacket& packet) const;
-    const AVFrame* searchFrom(int start, int picture);
+    const AVFrame* searchFrom(int start, int picture, const std::stop_token& stop);
 
     std::filesystem::path m_file;
     VideoIndex m_index;
@@ -58,9 +69,11 @@ private:
     int m_lastPicture = -1;                                    ///< the highest that this run has yielded
     int m_counted = 0;                                         ///< pictures of this run
     bool m_isRunning = false;
-    bool m_hasEnded = false; ///< the decoder has been told that no packet follows
-    std::deque<Kept> m_kept;
-    std::int64_t m_keptBytes = 0;
+    bool m_hasEnded = false;            ///< the decoder has been told that no packet follows
+    std::map<int, FramePointer> m_kept; ///< by picture
+    std::int64_t m_keptBytes = 0, m_budget;
+    int m_focus = 0;     ///< the last picture that was read
+    int m_direction = 1; ///< that reading goes to
     std::set<int> m_damaged;
 };
 

@@ -8,16 +8,7 @@
 
 namespace core {
 
-namespace {
-
-/// Several videos are decoded side by side, so each takes only some of the cores.
-int threadCount() {
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / 2, 1, 4);
-}
-
-} // namespace
-
-VideoDecoder::VideoDecoder(const AVStream& stream, const std::string& file)
+VideoDecoder::VideoDecoder(const AVStream& stream, const std::string& file, int threads)
     : m_packet(av_packet_alloc())
     , m_picture(av_frame_alloc()) {
     const AVCodec* codec = avcodec_find_decoder(stream.codecpar->codec_id);
@@ -28,10 +19,14 @@ VideoDecoder::VideoDecoder(const AVStream& stream, const std::string& file)
     }
     m_codec.reset(avcodec_alloc_context3(codec));
     int failed = avcodec_parameters_to_context(m_codec.get(), stream.codecpar);
-    m_codec->thread_count = threadCount();
+    m_codec->thread_count = std::max(1, threads);
     failed = failed < 0 ? failed : avcodec_open2(m_codec.get(), codec, nullptr);
     if (failed < 0)
         throw Error(ErrorCode::BadInput, file, "", "not a readable video (" + libavMessage(failed) + ")");
+}
+
+int VideoDecoder::usualThreads() {
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 4);
 }
 
 bool VideoDecoder::send(const AVPacket* packet, int number) {

@@ -10,8 +10,11 @@ namespace core {
 /// Decodes packets into pictures, each of which says which packet it comes from.
 class VideoDecoder {
 public:
-    /// Throws Error(Unsupported), naming `file`, if there is no decoder for this stream.
-    VideoDecoder(const AVStream& stream, const std::string& file);
+    /// `threads` work on the stream. Throws Error(Unsupported), naming `file`, if there is no decoder for it.
+    VideoDecoder(const AVStream& stream, const std::string& file, int threads = 1);
+
+    /// As many as the machine has, at most 4.
+    static int usualThreads();
 
     /// Takes the packet with this number; null = the stream has ended, give out what is held back. `number` comes back
     /// with the picture that the packet holds (the decoder reorders pictures and may drop some). False if the packet is

@@ -47,22 +47,26 @@ struct VideoFile::Handle {
     PictureConverter converter;
 };
 
-VideoFile::VideoFile(fs::path file, const fs::path& indexFile)
+VideoFile::VideoFile(fs::path file, const fs::path& indexFile, int threads)
     : m_file(std::move(file)) {
     VideoIndex index = indexOf(m_file, indexFile);
     m_info = infoOf(index);
-    m_handle.reset(new Handle{PictureReader(m_file, std::move(index)), {}});
+    m_handle.reset(
+        new Handle{PictureReader(m_file, std::move(index), threads > 0 ? threads : VideoDecoder::usualThreads()), {}});
 }
 
 VideoFile::~VideoFile() = default;
 
-cv::Mat VideoFile::read(int frame) {
+cv::Mat VideoFile::read(int frame, const std::stop_token& stop) {
     const std::string field = "frame " + std::to_string(frame);
     if (frame < 0 || frame >= m_info.frames) {
         throw Error(ErrorCode::NotFound, m_file.string(), field,
                     "the video has frames 0 to " + std::to_string(m_info.frames - 1));
     }
-    const AVFrame& picture = m_handle->reader.read(frame);
+    const AVFrame* decoded = m_handle->reader.read(frame, stop);
+    if (decoded == nullptr)
+        return {};
+    const AVFrame& picture = *decoded;
     if (picture.width != m_info.size.width || picture.height != m_info.size.height) {
         throw Error(ErrorCode::BadInput, m_file.string(), field,
                     sizeText(picture.width, picture.height) + ", but the video begins with " +
@@ -72,6 +76,18 @@ cv::Mat VideoFile::read(int frame) {
     if (image.empty())
         throw Error(ErrorCode::Unsupported, m_file.string(), field, "its pixel format is not supported");
     return image;
+}
+
+void VideoFile::setBudget(std::int64_t bytes) {
+    m_handle->reader.setBudget(bytes);
+}
+
+bool VideoFile::fetchAhead(int direction, const std::stop_token& stop) {
+    return m_handle->reader.fetchAhead(direction < 0 ? -1 : 1, stop);
+}
+
+bool VideoFile::isKept(int frame) const {
+    return m_handle->reader.isKept(frame);
 }
 
 VideoInfo readVideoInfo(const fs::path& file, const fs::path& indexFile) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <stop_token>
 #include <vector>
 
 #include <opencv2/core/mat.hpp>
@@ -25,15 +26,24 @@ struct VideoInfo {
 class VideoFile {
 public:
     /// `indexFile` is where the index is kept between runs; empty, not writable, damaged or stale, the video is indexed
-    /// anew. Throws Error: NotFound, or BadInput if it is not a readable video.
-    VideoFile(std::filesystem::path file, const std::filesystem::path& indexFile);
+    /// anew. `threads` decode; 0 = as many as the machine has, at most 4. Throws Error: NotFound, or BadInput if it is
+    /// not a readable video.
+    VideoFile(std::filesystem::path file, const std::filesystem::path& indexFile, int threads = 0);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
     const VideoInfo& info() const { return m_info; }
     /// The frame as CV_8UC3 BGR. Throws Error: NotFound beyond the end, BadInput if it cannot be decoded.
-    cv::Mat read(int frame);
+    /// Empty if it was stopped.
+    cv::Mat read(int frame, const std::stop_token& stop = {});
+    /// How much memory decoded pictures near the last frame may take; a few are kept at first.
+    void setBudget(std::int64_t bytes);
+    /// Decodes the nearest frame that is not kept before (direction -1) or after (+1) the last one that was read. False
+    /// if all that fits is kept, or it was stopped.
+    bool fetchAhead(int direction, const std::stop_token& stop);
+    /// True if the frame can be had without decoding.
+    bool isKept(int frame) const;
 
 private:
     struct Handle;

@@ -108,7 +108,7 @@ struct Decoded {
 Decoded decodeFromStart(VideoDemuxer& demuxer, const std::string& file, std::size_t most, VideoIndex& index,
                         const std::function<void(const AVPacket&)>& each) {
     Decoded decoded;
-    VideoDecoder decoder(demuxer.stream(), file);
+    VideoDecoder decoder(demuxer.stream(), file, VideoDecoder::usualThreads());
     int number = 0;
     for (bool ended = false; !ended && decoded.packets.size() < most;) {
         const AVPacket* packet = demuxer.next();

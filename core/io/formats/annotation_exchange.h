@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/annotation/annotation_set.h"
+#include "core/annotation/click_sigmas.h"
 #include "core/geometry/triangulation.h"
 
 namespace core {
@@ -14,9 +15,15 @@ namespace core {
 /// What an export is to hold.
 struct AnnotationExportOptions {
     TriangulationOptions triangulation;
+    /// What clicks are worth, per rater and camera; without them all count as triangulation.sigmaPx says.
+    std::optional<ClickSigmas> sigmas{};
     std::optional<std::string>
         rater; ///< only this one; formats that name no raters take the one with most marks otherwise
     std::filesystem::path jointMap; ///< JSON that renames joints; empty = the format's own
+
+    TriangulationOptions triangulationOf(const std::string& ofRater) const {
+        return sigmas ? sigmas->optionsFor(ofRater, triangulation) : triangulation;
+    }
 };
 /// How an import is to be read.
 struct AnnotationImportOptions {

@@ -93,7 +93,7 @@ std::string chosenRater(const Sequence& sequence, const AnnotationSet& set, cons
     return most == marks.end() || most->second == 0 ? std::string() : most->first;
 }
 
-/// All marks under one name; second rounds stay second rounds. Two people's marks must not meet in one joint.
+/// All marks under one name; repeat rounds stay repeat rounds. Two people's marks must not meet in one joint.
 AnnotationSet withRater(const AnnotationSet& set, const std::string& rater, const std::string& file) {
     AnnotationSet renamed;
     renamed.notes = set.notes;
@@ -156,7 +156,7 @@ std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, 
         return rater;
     }
     const JointMap map = mapFor(handler, options.jointMap);
-    handler.write({dataset, sequence, set, rater, map, options.triangulation, path});
+    handler.write({dataset, sequence, set, rater, map, options, path});
     return rater;
 }
 

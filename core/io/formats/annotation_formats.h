@@ -17,7 +17,7 @@ struct AnnotationFormat {
     std::string_view description; ///< English, for lists
     bool canImport = false;
     bool isFolder = false;    ///< the export is a folder with one file per view or frame
-    bool namesRaters = false; ///< it holds everybody's annotations, with their names
+    bool namesRaters = false; ///< it holds the annotations of all raters, with their names
     bool canExport = true;
 };
 /// All formats: handlens, tzionas, coco, anipose2d, anipose3d, deeplabcut, sleap, label3d, trc, interhand, freihand,
@@ -27,7 +27,7 @@ const std::vector<AnnotationFormat>& annotationFormats();
 const AnnotationFormat& annotationFormat(std::string_view kind);
 
 /// Writes the annotations of one sequence: beside `path`, then renamed; never half a file. Returns whose they are, ""
-/// for everybody's. Throws Error(Usage) for an unknown kind,
+/// for those of all raters. Throws Error(Usage) for an unknown kind,
 /// Error(Unsupported) for one that can only be read, Error(Io) if it cannot be written.
 std::string exportAnnotations(const Dataset& dataset, const Sequence& sequence, const AnnotationSet& set,
                               std::string_view kind, const std::filesystem::path& path,

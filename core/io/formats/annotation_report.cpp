@@ -10,6 +10,7 @@
 #include "core/io/dataset/sequence_pictures.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/gnuplot.h"
+#include "core/rig/rig_findings.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
 
@@ -52,11 +53,18 @@ std::string limitsCell(const BlandAltman& axis, int values) {
 
 constexpr const char* kTableEnd = "</tbody>\n</table>\n";
 
-/// What stands for the rater where nobody has marked anything.
-std::string nobodyText(const AnnotationSummary& sequence) {
+/// Stands in the rater's column of a sequence without marks.
+std::string noRaterText(const AnnotationSummary& sequence) {
     return sequence.proposals == 0
-               ? "nobody yet"
-               : "nobody yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
+               ? "no marks yet"
+               : "no marks yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
+}
+
+/// How far a rater's clicks scatter; "1 (assumed)" while that is not known.
+std::string sigmaCell(const RaterSummary& rater) {
+    if (!rater.sigma)
+        return htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2);
+    return rater.sigma->isAssumed ? htmlTextCell("1 (assumed)") : htmlNumberCell(rater.sigma->clickPx, 2);
 }
 
 std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
@@ -65,7 +73,7 @@ std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
                                            "joints done", "partial", "bad", "occluded", "click &sigma;, px"});
     for (const AnnotationSummary& sequence : sequences) {
         if (sequence.empty()) {
-            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(nobodyText(sequence)) + count(0) +
+            text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(noRaterText(sequence)) + count(0) +
                     count(sequence.frameCount) +
                     "<td></td><td></td><td></td><td></td><td></td><td></td><td></td></tr>\n";
         }
@@ -73,14 +81,14 @@ std::string progressHtml(const std::vector<AnnotationSummary>& sequences) {
             text += "<tr>" + htmlTextCell(sequence.sequence) + htmlTextCell(rater.rater) + count(rater.frames) +
                     count(sequence.frameCount) + count(rater.clicks) + count(rater.accepted) +
                     count(rater.joints.done) + count(rater.joints.partial) + count(rater.joints.bad) +
-                    count(rater.joints.occluded) +
-                    htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2) + "</tr>\n";
+                    count(rater.joints.occluded) + sigmaCell(rater) + "</tr>\n";
         }
     }
     return text + kTableEnd +
            "<p>Bad: a large reprojection error, a click that disagrees, or no 3D point from two or more clicks. Click "
            "&sigma;: how far this "
-           "rater's clicks scatter per axis, estimated from how well they agree.</p>\n";
+           "rater's clicks scatter per axis, estimated from how well they agree, the cameras' own errors taken "
+           "off.</p>\n";
 }
 
 std::string agreementHtml(const std::vector<AnnotationSummary>& sequences) {
@@ -225,7 +233,7 @@ Figure uncertaintyFigure(const std::vector<AnnotationSummary>& sequences) {
 }
 
 /// What all clicks say of the cameras; empty while there are too few.
-std::string rigHtml(const RigHealth& rig) {
+std::string rigHtml(const RigHealth& rig, const std::vector<AnnotationSummary>& sequences) {
     if (!rig.isKnown)
         return "";
     std::string text = "<h2>Cameras</h2>\n" + tableHead({"camera", "clicks", "rms, px", "mean dx, px", "mean dy, px",
@@ -239,7 +247,10 @@ std::string rigHtml(const RigHealth& rig) {
     }
     text += std::string(kTableEnd) + "<p>Clicked minus projected, over all clicks of the dataset; for the mean, each "
                                      "joint is placed by the other cameras.</p>\n";
-    const std::vector<std::string> findings = rigFindings(rig);
+    std::vector<std::string> names;
+    for (const AnnotationSummary& sequence : sequences)
+        names.push_back(sequence.sequence);
+    const std::vector<std::string> findings = rigFindings(rig, names);
     if (!findings.empty()) {
         text += "<ul>\n";
         for (const std::string& sentence : findings)
@@ -276,8 +287,8 @@ std::string annotationReportHtml(const std::string& dataset, const std::vector<A
     const bool hasBegun = std::any_of(sequences.begin(), sequences.end(),
                                       [](const AnnotationSummary& sequence) { return !sequence.empty(); });
     if (hasBegun) {
-        text += rigHtml(rig) + agreementHtml(sequences) + worstJointsHtml(sequences) + findingsHtml(sequences) +
-                figuresHtml(figures, pictures, "it takes as long as this time");
+        text += rigHtml(rig, sequences) + agreementHtml(sequences) + worstJointsHtml(sequences) +
+                findingsHtml(sequences) + figuresHtml(figures, pictures, "it takes as long as this time");
     }
     return text + "</body>\n</html>\n";
 }
@@ -286,10 +297,15 @@ bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& 
                            const AnnotationReportOptions& options, std::stop_token stop,
                            const std::function<void(int done, int total)>& progress) {
     std::vector<AnnotationSummary> sequences;
+    const std::vector<RigJoint> joints = readRigJoints(dataset);
+    const RigResiduals residuals = computeRigResiduals(dataset.cameras, joints);
+    std::optional<ClickSigmas> sigmas;
+    if (options.estimateSigmas)
+        sigmas = estimateClickSigmas(dataset.cameras, joints, residuals);
     for (const Sequence& sequence : dataset.sequences) {
         sequences.push_back(summariseAnnotations(sequence.name, sequence.frameCount, readAnnotations(dataset, sequence),
                                                  dataset.cameras, dataset.hands, options.badRmsPx, options.quality,
-                                                 stop, pictureGaps(dataset, sequence)));
+                                                 stop, pictureGaps(dataset, sequence), sigmas));
         if (stop.stop_requested())
             return false;
         if (progress)
@@ -300,7 +316,7 @@ bool writeAnnotationReport(const Dataset& dataset, const std::filesystem::path& 
     for (const Figure& figure : figures)
         programs.push_back(figure.gnuplot);
     const auto pictures = drawWithGnuplot(programs);
-    const RigHealth rig = judgeRig(dataset.cameras, readRigJoints(dataset));
+    const RigHealth rig = judgeRig(dataset.cameras, joints, residuals);
     writeFileAtomically(path,
                         annotationReportHtml(dataset.name, sequences, figures, pictures ? &*pictures : nullptr, rig));
     return true;

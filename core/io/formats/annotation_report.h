@@ -28,6 +28,7 @@ std::string annotationReportHtml(const std::string& dataset, const std::vector<A
 struct AnnotationReportOptions {
     double badRmsPx = 2; ///< joints with a larger reprojection error count as bad
     QualityOptions quality;
+    bool estimateSigmas = true; ///< from the clicks; else every click counts as quality.triangulation says
 };
 
 /// Reads the annotations of a dataset and writes the report of all its sequences, atomically; nothing, and false, if

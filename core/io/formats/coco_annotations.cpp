@@ -61,7 +61,7 @@ ordered_json categories(const JointMap& map) {
     return list;
 }
 
-/// One hand in one image; nothing if no joint of the list is placed there.
+/// One hand in one image; empty if no joint of the list is placed there.
 std::optional<ordered_json> handAnnotation(const ExportRequest& job, int frame, const Camera& camera, Side hand) {
     ordered_json keypoints = ordered_json::array(), placements = ordered_json::array();
     Eigen::Vector2d low(1e30, 1e30), high(-1e30, -1e30);

@@ -31,8 +31,8 @@ std::vector<JointId> markedJoints(const ExportRequest& job) {
 }
 
 std::map<JointId, JointReconstruction> pointsOf(const ExportRequest& job, int frame) {
-    auto joints =
-        reconstructFrame(job.set, job.dataset.cameras, frame, job.rater, {job.triangulation, false, std::nullopt});
+    auto joints = reconstructFrame(job.set, job.dataset.cameras, frame, job.rater,
+                                   {job.options.triangulationOf(job.rater), false, std::nullopt});
     std::erase_if(joints, [](const auto& item) { return !item.second.hasPoint(); });
     return joints;
 }

@@ -17,9 +17,9 @@ struct ExportRequest {
     const Dataset& dataset;
     const Sequence& sequence;
     const AnnotationSet& set;
-    const std::string& rater; ///< whose marks are written; empty: everybody's, for formats that name raters
+    const std::string& rater; ///< whose marks are written; empty: those of all raters, for formats that name them
     const JointMap& map;
-    const TriangulationOptions& triangulation;
+    const AnnotationExportOptions& options;
     const std::filesystem::path& path;
 };
 
@@ -60,7 +60,7 @@ inline constexpr double kVisibleLikelihood = 1.0;
 inline constexpr double kOccludedLikelihood = 0.5;
 
 /// Whose view the labels of a video are of; nothing, and it is counted, if it is not of this sequence. A video without
-/// a camera's name is that of `file`'s camera; so is no name at all.
+/// a camera's name is that of `file`'s camera; an empty name, too.
 std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& video,
                                          const std::filesystem::path& file);
 /// The joint of a body part; where its name does not say the hand, the track's name may.
@@ -75,7 +75,7 @@ bool holdsFiles(const std::filesystem::path& path, const std::string& extension)
 std::string cameraOfFile(const ImportRequest& job, const std::filesystem::path& file);
 /// The camera that is named in a text, as a word; the longest name wins, so that "front_left" is not taken for "left".
 std::optional<std::string> cameraIn(const Dataset& dataset, const std::string& text);
-/// The number at the end of a file's stem, such as 41 in img041.png; nothing if there is none.
+/// The number at the end of a file's stem, such as 41 in img041.png; empty if there is none.
 std::optional<int> trailingNumber(const std::string& name);
 
 void writeTzionasAnnotations(const ExportRequest& job);

@@ -34,7 +34,7 @@ ordered_json calibration(const std::vector<Camera>& cameras) {
     return {{"K", intrinsics}, {"M", motions}};
 }
 
-/// The joints of one hand; nothing if none has a point.
+/// The joints of one hand; empty if none has a point.
 std::optional<ordered_json> handJson(const std::map<JointId, JointReconstruction>& points, const JointMap& map,
                                      Side hand) {
     ordered_json joints = ordered_json::array();

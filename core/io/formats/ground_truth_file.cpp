@@ -22,7 +22,7 @@ ordered_json viewJson(const ViewReconstruction& view) {
     return {{"camera", view.camera},
             {"px", {view.mark->px.x(), view.mark->px.y()}},
             {"state", stateName(view.outside ? MarkState::Occluded
-                                             : view.mark->state)}, // nobody sees what lies outside the picture
+                                             : view.mark->state)}, // a place outside the picture is not visible
             {"placement", placementName(view.mark->placement)},
             {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
 }
@@ -81,10 +81,11 @@ void writeGroundTruth(const std::filesystem::path& file, const Dataset& dataset,
     const PictureGaps gaps = pictureGaps(dataset, sequence);
     ordered_json frames = ordered_json::array();
     for (const int frame : framesToWrite) {
-        const ReconstructionOptions reconstruction{options.triangulation, false, std::nullopt, gaps.at(frame)};
         ordered_json raters = ordered_json::array();
         for (const std::string& rater : ratersOf(set, frame)) {
             if (!options.rater || *options.rater == rater) {
+                const ReconstructionOptions reconstruction{options.triangulationOf(rater), false, std::nullopt,
+                                                           gaps.at(frame)};
                 if (auto hands = handsJson(set, dataset.cameras, frame, rater, reconstruction); !hands.empty())
                     raters.push_back({{"rater", rater}, {"hands", std::move(hands)}});
             }

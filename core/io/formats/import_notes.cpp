@@ -48,7 +48,7 @@ std::string ImportNotes::partsText() const {
     if (named < m_parts.size())
         names += " and " + std::to_string(m_parts.size() - named) + " more";
     return "left out: " + std::to_string(marks) + (marks == 1 ? " mark" : " marks") +
-           " of body parts that are no joints (" + names + "): a name that fits is " + m_fittingPart +
+           " of body parts that are not joints (" + names + "): a name that fits is " + m_fittingPart +
            "; --map FILE says which joint each name stands for";
 }
 

@@ -34,11 +34,11 @@ public:
 
     /// The joint of a name in a list that both hands share.
     std::optional<JointId> jointOf(std::string_view sharedName) const;
-    /// The name in such a list; nothing if the joint is unknown there.
+    /// The name in such a list; empty if the joint is unknown there.
     std::optional<std::string> sharedName(const JointId& joint) const;
     /// The joint of a name in a list of one hand.
     std::optional<JointId> jointOf(std::string_view name, Side hand) const;
-    /// All joints of one hand in the order of the list, with their names there; nothing for the identity.
+    /// All joints of one hand in the order of the list, with their names there; empty for the identity.
     std::vector<std::pair<std::string, JointId>> handList(Side hand) const;
 
 private:

@@ -1,141 +1,22 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include <matio.h>
-
-#include "core/error.h"
 #include "core/io/formats/format_requests.h"
+#include "core/io/matlab/mat_file.h"
 
 // Reads the MATLAB files of Label3D: its own saves (skeleton, handLabeled2D, data_3D) and what it exports for DANNCE
 // (labelData per camera). Pixels count from 1 there, frames of videos from 0. handLabeled2D holds clicks; data_2d of an
-// export are reprojections of its 3D points, which are no evidence.
+// export are reprojections of its 3D points, which are not evidence.
 namespace core {
-
-namespace fs = std::filesystem;
 
 namespace {
 
-using MatFile = std::unique_ptr<mat_t, decltype(&Mat_Close)>;
-using MatVariable = std::unique_ptr<matvar_t, decltype(&Mat_VarFree)>;
-
-/// An array of numbers as MATLAB keeps it: the first index runs fastest.
-struct Numbers {
-    std::vector<std::size_t> shape;
-    std::vector<double> values;
-    std::size_t size(std::size_t axis) const { return axis < shape.size() ? shape[axis] : 1; }
-    double at(std::size_t row, std::size_t column) const { return values[row + column * size(0)]; }
-};
-
-template <class Type>
-void copyNumbers(const matvar_t& variable, std::vector<double>& values) {
-    const auto* data = static_cast<const Type*>(variable.data);
-    values.assign(data, data + values.size());
-}
-
-/// The file, with errors that name it.
-class Source {
-public:
-    explicit Source(const fs::path& path)
-        : m_name(path.string())
-        , m_file(nullptr, &Mat_Close) {
-        Mat_LogInit("handlens");
-        Mat_LogInitFunc("handlens", [](int, char*) {}); // its messages are ours to give
-        constexpr std::uintmax_t kHeaderBytes = 128;
-        std::error_code ignored;
-        if (fs::is_regular_file(path) && fs::file_size(path, ignored) >= kHeaderBytes)
-            m_file.reset(Mat_Open(m_name.c_str(), MAT_ACC_RDONLY));
-        if (!m_file)
-            throw Error(fs::exists(path) ? ErrorCode::BadInput : ErrorCode::NotFound, m_name, "",
-                        fs::exists(path) ? "is not a readable MATLAB file" : "there is no such file");
-    }
-    [[noreturn]] void refuse(const std::string& field, const std::string& what) const {
-        throw Error(ErrorCode::BadInput, m_name, field, what);
-    }
-    /// Null if there is none.
-    MatVariable find(const char* variable) const { return {Mat_VarRead(m_file.get(), variable), &Mat_VarFree}; }
-    MatVariable read(const char* variable) const {
-        MatVariable found = find(variable);
-        if (!found || !found->data)
-            refuse(variable, "is missing");
-        return found;
-    }
-    Numbers numbers(const matvar_t* variable, const std::string& field) const {
-        if (!variable || variable->isComplex)
-            refuse(field, variable ? "real numbers are expected" : "is missing");
-        Numbers numbers{{variable->dims, variable->dims + variable->rank}, {}};
-        std::size_t count = 1;
-        for (const std::size_t size : numbers.shape)
-            count *= size;
-        numbers.values.resize(count);
-        if (count == 0)
-            return numbers;
-        switch (variable->data ? variable->class_type : MAT_C_EMPTY) {
-        case MAT_C_DOUBLE:
-            copyNumbers<double>(*variable, numbers.values);
-            break;
-        case MAT_C_SINGLE:
-            copyNumbers<float>(*variable, numbers.values);
-            break;
-        case MAT_C_INT64:
-            copyNumbers<std::int64_t>(*variable, numbers.values);
-            break;
-        case MAT_C_INT32:
-            copyNumbers<std::int32_t>(*variable, numbers.values);
-            break;
-        case MAT_C_UINT32:
-            copyNumbers<std::uint32_t>(*variable, numbers.values);
-            break;
-        default:
-            refuse(field, "numbers are expected");
-        }
-        return numbers;
-    }
-    std::string text(const matvar_t* variable, const std::string& field) const {
-        if (!variable || variable->class_type != MAT_C_CHAR)
-            refuse(field, "a text is expected");
-        std::string text;
-        const std::size_t length = variable->nbytes / std::max<std::size_t>(1, std::size_t(variable->data_size));
-        for (std::size_t i = 0; variable->data && i < length; ++i)
-            text += variable->data_size == 2 ? static_cast<char>(static_cast<const std::uint16_t*>(variable->data)[i])
-                                             : static_cast<const char*>(variable->data)[i];
-        return text;
-    }
-    std::vector<std::string> texts(const matvar_t* cell, const std::string& field) const {
-        std::vector<std::string> list;
-        for (std::size_t i = 0; i < cells(cell, field); ++i)
-            list.push_back(text(Mat_VarGetCell(const_cast<matvar_t*>(cell), static_cast<int>(i)),
-                                field + "{" + std::to_string(i + 1) + "}"));
-        return list;
-    }
-    /// How many a cell array has.
-    std::size_t cells(const matvar_t* cell, const std::string& field) const {
-        if (!cell || cell->class_type != MAT_C_CELL)
-            refuse(field, cell ? "a cell array is expected" : "is missing");
-        std::size_t count = 1;
-        for (int axis = 0; axis < cell->rank; ++axis)
-            count *= cell->dims[axis];
-        return count;
-    }
-    /// A member of the i-th structure in a cell array.
-    Numbers member(const matvar_t* cell, const std::string& field, std::size_t i, const char* name) const {
-        const std::string place = field + "{" + std::to_string(i + 1) + "}";
-        matvar_t* item = Mat_VarGetCell(const_cast<matvar_t*>(cell), static_cast<int>(i));
-        if (!item || item->class_type != MAT_C_STRUCT)
-            refuse(place, "a structure is expected");
-        return numbers(Mat_VarGetStructFieldByName(item, name, 0), place + "." + name);
-    }
-
-private:
-    std::string m_name;
-    MatFile m_file;
-};
-
 /// The dataset's cameras in the file's order: by their names, else in the dataset's order, which is said.
-std::vector<std::string> camerasOf(ImportRequest& job, const Source& source, std::size_t count) {
+std::vector<std::string> camerasOf(ImportRequest& job, const MatFile& source, std::size_t count) {
     std::vector<std::string> names;
-    if (const MatVariable cell = source.find("camnames"); cell && cell->class_type == MAT_C_CELL)
-        names = source.texts(cell.get(), "camnames");
+    if (const MatValue named = source.read("camnames"); named.count() > 0)
+        names = named.texts();
     const auto isKnown = [&job](const std::string& name) { return job.dataset.cameraIndex(name) >= 0; };
     if (names.size() == count && std::any_of(names.begin(), names.end(), isKnown))
         return names;
@@ -153,11 +34,11 @@ std::vector<std::string> camerasOf(ImportRequest& job, const Source& source, std
     return names;
 }
 
-/// The joints of a file in its order; nothing for a body part that stands for none.
+/// The joints of a file in its order; empty for a body part that stands for none.
 using JointList = std::vector<std::optional<JointId>>;
 
 /// The i-th entry of the joint map is the i-th joint of a file without names.
-JointList jointsOfMap(const ImportRequest& job, const Source& source, const std::string& field, std::size_t count) {
+JointList jointsOfMap(const ImportRequest& job, const MatFile& source, const std::string& field, std::size_t count) {
     if (job.map.entries().size() != count) {
         source.refuse(field, "names no joints: --map must list the " + std::to_string(count) +
                                  " of them in the file's order, each with its hand");
@@ -171,11 +52,8 @@ JointList jointsOfMap(const ImportRequest& job, const Source& source, const std:
     return joints;
 }
 
-std::vector<std::string> jointNames(const Source& source, std::size_t count) {
-    const MatVariable skeleton = source.read("skeleton");
-    const matvar_t* names =
-        skeleton->class_type == MAT_C_STRUCT ? Mat_VarGetStructFieldByName(skeleton.get(), "joint_names", 0) : nullptr;
-    std::vector<std::string> list = source.texts(names, "skeleton.joint_names");
+std::vector<std::string> jointNames(const MatFile& source, std::size_t count) {
+    std::vector<std::string> list = source.read("skeleton").member("joint_names").texts();
     if (list.size() != count) {
         source.refuse("skeleton.joint_names",
                       "has " + std::to_string(list.size()) + " names, " + std::to_string(count) + " are expected");
@@ -190,16 +68,14 @@ void addClick(ImportRequest& job, double frame, const JointId& joint, const std:
 }
 
 /// What Label3D exports for DANNCE: per camera, a row per labelled frame.
-void readDannceLabels(ImportRequest& job, const Source& source) {
-    const MatVariable labels = source.read("labelData");
-    const std::vector<std::string> cameras = camerasOf(job, source, source.cells(labels.get(), "labelData"));
+void readDannceLabels(ImportRequest& job, const MatFile& source) {
+    const MatValue labels = source.read("labelData");
+    const std::vector<std::string> cameras = camerasOf(job, source, labels.count());
     for (std::size_t c = 0; c < cameras.size(); ++c) {
-        const std::string field = "labelData{" + std::to_string(c + 1) + "}";
-        const Numbers places = source.member(labels.get(), "labelData", c, "data_2d"),
-                      frames = source.member(labels.get(), "labelData", c, "data_frame");
+        const MatValue view = labels.element(c);
+        const MatNumbers places = view.member("data_2d").numbers(), frames = view.member("data_frame").numbers();
         if (places.size(0) != frames.values.size() || places.size(1) % 2 != 0)
-            source.refuse(field + ".data_2d",
-                          "a row per frame of data_frame, and x and y of every joint, are expected");
+            view.member("data_2d").refuse("a row per frame of data_frame, and x and y of every joint, are expected");
         const JointList joints = jointsOfMap(job, source, "labelData", places.size(1) / 2);
         for (std::size_t row = 0; row < frames.values.size(); ++row)
             for (std::size_t j = 0; j < joints.size(); ++j)
@@ -211,10 +87,10 @@ void readDannceLabels(ImportRequest& job, const Source& source) {
 
 /// The frame of every labelled picture of a session: framesToLabel counts from 1 in sync's data_frame, which counts the
 /// frames of the videos from 0.
-std::vector<double> framesOf(const ImportRequest& job, const Source& source, std::size_t count) {
-    const MatVariable wanted = source.find("framesToLabel");
+std::vector<double> framesOf(const ImportRequest& job, const MatFile& source, std::size_t count) {
+    const MatValue wanted = source.read("framesToLabel");
     std::vector<double> frames;
-    if (!wanted) {
+    if (wanted.isMissing()) {
         if (count != static_cast<std::size_t>(std::max(0, job.sequence.frameCount))) {
             source.refuse("framesToLabel", "is missing: nothing says which frames the " + std::to_string(count) +
                                                " labelled pictures are");
@@ -223,25 +99,24 @@ std::vector<double> framesOf(const ImportRequest& job, const Source& source, std
             frames.push_back(static_cast<double>(i));
         return frames;
     }
-    frames = source.numbers(wanted.get(), "framesToLabel").values;
+    frames = wanted.numbers().values;
     if (frames.size() != count)
-        source.refuse("framesToLabel",
-                      "has " + std::to_string(frames.size()) + " frames, " + std::to_string(count) + " are expected");
-    const MatVariable sync = source.find("sync");
-    const Numbers numbers =
-        sync && source.cells(sync.get(), "sync") > 0 ? source.member(sync.get(), "sync", 0, "data_frame") : Numbers();
+        wanted.refuse("has " + std::to_string(frames.size()) + " frames, " + std::to_string(count) + " are expected");
+    const MatValue sync = source.read("sync");
+    const bool isSynchronised = sync.count() > 0;
+    const MatNumbers numbers = isSynchronised ? sync.element(0).member("data_frame").numbers() : MatNumbers();
     for (double& frame : frames) {
         const bool isThere = frame >= 1 && frame <= static_cast<double>(numbers.values.size());
-        if (sync && !isThere)
-            source.refuse("framesToLabel", "holds a frame that sync does not have");
-        frame = sync ? numbers.values[static_cast<std::size_t>(frame) - 1] : frame - 1;
+        if (isSynchronised && !isThere)
+            wanted.refuse("holds a frame that sync does not have");
+        frame = isSynchronised ? numbers.values[static_cast<std::size_t>(frame) - 1] : frame - 1;
     }
     return frames;
 }
 
 /// Points of a session without clicks: a row per frame, x, y, z of every joint.
-void readPoints(ImportRequest& job, const Source& source) {
-    const Numbers points = source.numbers(source.read("data_3D").get(), "data_3D");
+void readPoints(ImportRequest& job, const MatFile& source) {
+    const MatNumbers points = source.read("data_3D").numbers();
     if (points.size(1) % 3 != 0)
         source.refuse("data_3D", "x, y and z of every joint are expected");
     const std::vector<std::string> names = jointNames(source, points.size(1) / 3);
@@ -261,7 +136,7 @@ void readPoints(ImportRequest& job, const Source& source) {
 }
 
 /// The clicks of a session: joint x camera x 2 x frame.
-void readClicks(ImportRequest& job, const Source& source, const Numbers& clicks) {
+void readClicks(ImportRequest& job, const MatFile& source, const MatNumbers& clicks) {
     const std::size_t jointCount = clicks.size(0), cameraCount = clicks.size(1);
     if (clicks.size(2) != 2)
         source.refuse("handLabeled2D", "joints x cameras x 2 x frames are expected");
@@ -283,9 +158,9 @@ void readClicks(ImportRequest& job, const Source& source, const Numbers& clicks)
     }
 }
 
-void readSession(ImportRequest& job, const Source& source) {
-    const MatVariable clicked = source.find("handLabeled2D");
-    const Numbers clicks = clicked ? source.numbers(clicked.get(), "handLabeled2D") : Numbers();
+void readSession(ImportRequest& job, const MatFile& source) {
+    const MatValue clicked = source.read("handLabeled2D");
+    const MatNumbers clicks = clicked.isMissing() ? MatNumbers() : clicked.numbers();
     if (std::any_of(clicks.values.begin(), clicks.values.end(), [](double value) { return std::isfinite(value); })) {
         readClicks(job, source, clicks);
         return;
@@ -297,10 +172,10 @@ void readSession(ImportRequest& job, const Source& source) {
 } // namespace
 
 void readLabel3d(ImportRequest& job) {
-    const Source source(job.path);
-    if (source.find("labelData"))
+    const MatFile source(job.path);
+    if (!source.read("labelData").isMissing())
         readDannceLabels(job, source);
-    else if (source.find("skeleton"))
+    else if (!source.read("skeleton").isMissing())
         readSession(job, source);
     else
         source.refuse("labelData", "is missing: this is neither an export for DANNCE nor a session of Label3D");

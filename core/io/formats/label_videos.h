@@ -19,7 +19,7 @@ struct VideoOfSequence {
     std::string camera; ///< whose footage it is; empty if the name does not tell
 };
 
-/// The view of the sequence, or the sequence itself, that a video's name stands for; nothing for a video of something
+/// The view of the sequence, or the sequence itself, that a video's name stands for; empty for a video of something
 /// else. A video belongs if it is called as the footage of a view (file without ending, or folder of the pictures), as
 /// the sequence, or as the sequence with a camera's name before or after it.
 std::optional<VideoOfSequence> videoOfSequence(const Dataset& dataset, const Sequence& sequence,

@@ -50,7 +50,8 @@ void writePointCsv(const ExportRequest& job) {
     const PictureGaps gaps = pictureGaps(job.dataset, job.sequence);
     for (const std::string& rater : job.rater.empty() ? ratersOf(job.set) : std::vector{job.rater}) {
         for (const int frame : settledFrames(job.set, rater)) {
-            const ReconstructionOptions options{job.triangulation, false, std::nullopt, gaps.at(frame)};
+            const ReconstructionOptions options{job.options.triangulationOf(rater), false, std::nullopt,
+                                                gaps.at(frame)};
             for (const auto& [id, joint] : reconstructFrame(job.set, job.dataset.cameras, frame, rater, options))
                 text += csvLine(pointRow(job, frame, rater, id, joint));
         }

@@ -48,7 +48,7 @@ public:
     explicit Machine(std::string_view pickle)
         : m_rest(pickle) {}
 
-    /// The value that remains at the end; nothing if the pickle holds something else.
+    /// The value that remains at the end; empty if the pickle holds something else.
     std::optional<Item> run() {
         while (!m_rest.empty()) {
             const char code = m_rest.front();

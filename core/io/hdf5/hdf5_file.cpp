@@ -13,11 +13,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::recursive_mutex& libraryMutex() {
-    static std::recursive_mutex mutex;
-    return mutex;
-}
-
 /// An identifier of the library, closed as its kind wants.
 class Id {
 public:
@@ -129,8 +124,13 @@ Id recordOf(const std::string& field, hid_t memoryType) {
 
 } // namespace
 
+std::unique_lock<std::recursive_mutex> lockHdf5() {
+    static std::recursive_mutex mutex;
+    return std::unique_lock(mutex);
+}
+
 Hdf5File::Hdf5File(const fs::path& file)
-    : m_lock(libraryMutex())
+    : m_lock(lockHdf5())
     , m_name(file.string()) {
     if (!fs::exists(file))
         throw Error(ErrorCode::NotFound, m_name, "", "there is no such file");

@@ -16,9 +16,12 @@ struct Hdf5Numbers {
     std::vector<double> values;
 };
 
+/// Held by whoever uses the library, which is not made for threads.
+std::unique_lock<std::recursive_mutex> lockHdf5();
+
 /// An HDF5 file that is open for reading. Paths are those inside the file, such as "metadata/nodes". All readers throw
 /// Error(BadInput) naming the file and the dataset if it is missing, damaged, or of another type. Only one of them is
-/// open at a time: the library is not made for threads.
+/// open at a time (lockHdf5).
 class Hdf5File {
 public:
     /// Throws Error(NotFound) if there is no such file, Error(BadInput) if it is not one of HDF5.
@@ -45,7 +48,7 @@ public:
     std::vector<std::string> texts(const std::string& path, const std::string& field) const;
     bool holdsTexts(const std::string& path, const std::string& field) const;
 
-    /// Of a group or dataset; nothing if it has no such attribute or that is no single text or number.
+    /// Of a group or dataset; empty if it has no such attribute or one that is not a single text or number.
     std::optional<std::string> textAttribute(const std::string& path, const std::string& attribute) const;
     std::optional<double> numberAttribute(const std::string& path, const std::string& attribute) const;
 

@@ -31,7 +31,8 @@ std::string frameGroup(const Hdf5File& file) {
         if (isFrame(file, name))
             frames.push_back(name);
     if (frames.size() != 1)
-        file.refuse("df_with_missing", frames.empty() ? "is missing: this is no data frame of pandas" : "is missing");
+        file.refuse("df_with_missing",
+                    frames.empty() ? "is missing: this is not a data frame of pandas" : "is missing");
     return frames.front();
 }
 

@@ -58,7 +58,7 @@ std::string videoPath(const json& video) {
     return {};
 }
 
-/// The number in "video3/video", where a project holds the pictures itself; nothing for other footage.
+/// The number in "video3/video", where a project holds the pictures itself; empty for other footage.
 std::optional<int> embeddedNumber(const json& video) {
     const json backend = video.value("backend", json::object());
     const std::string dataset =
@@ -221,10 +221,13 @@ struct Axes {
             const json list = parsed(file, path + ", dims", *dims);
             if (list.is_array() && std::all_of(list.begin(), list.end(), [](const json& n) { return n.is_string(); }))
                 names = list.get<std::vector<std::string>>();
+            areNamed = true;
         }
         if (names.size() != numbers.shape.size())
             file.refuse(path, std::to_string(names.size()) + " axes are expected");
     }
+    /// The axes turned round, as an export that is not laid out for MATLAB has them.
+    void reverse() { std::reverse(names.begin(), names.end()); }
     std::size_t size(const std::string& axis) const {
         const auto at = std::find(names.begin(), names.end(), axis);
         return at == names.end() ? 0 : numbers.shape[static_cast<std::size_t>(at - names.begin())];
@@ -237,6 +240,7 @@ struct Axes {
     }
     Hdf5Numbers numbers;
     std::vector<std::string> names;
+    bool areNamed = false; ///< by the file
 };
 
 void requireSize(const Hdf5File& file, const std::string& path, const Axes& array, const std::string& axis,
@@ -247,18 +251,32 @@ void requireSize(const Hdf5File& file, const std::string& path, const Axes& arra
     }
 }
 
+/// True if only frame, node, xy, track fits the numbers of nodes and tracks, not track, xy, node, frame.
+bool isOtherWayRound(const Axes& places, std::size_t nodes, std::size_t tracks) {
+    const auto fits = [&](std::size_t track, std::size_t xy, std::size_t node) {
+        return xy == 2 && node == nodes && (tracks == 0 || track == tracks);
+    };
+    const std::vector<std::size_t>& shape = places.numbers.shape;
+    return !fits(shape[0], shape[1], shape[2]) && fits(shape[3], shape[2], shape[1]);
+}
+
 /// What the exporter of SLEAP writes is laid out for MATLAB: track, xy, node, frame. sleap-io names the axes.
 SleapFile readAnalysis(const Hdf5File& file) {
     const std::vector<std::string> nodes = file.texts("node_names");
     const std::vector<std::string> tracks =
         file.has("track_names") ? file.texts("track_names") : std::vector<std::string>();
-    const Axes places(file, "tracks", {"track", "xy", "node", "frame"});
+    Axes places(file, "tracks", {"track", "xy", "node", "frame"});
+    const bool isTurned = !places.areNamed && isOtherWayRound(places, nodes.size(), tracks.size());
+    if (isTurned)
+        places.reverse();
     requireSize(file, "tracks", places, "xy", 2);
     requireSize(file, "tracks", places, "node", nodes.size());
     const std::size_t trackCount = places.size("track"), frameCount = places.size("frame");
     std::optional<Axes> scores;
     if (file.has("point_scores")) {
         scores.emplace(file, "point_scores", std::vector<std::string>{"track", "node", "frame"});
+        if (isTurned && !scores->areNamed)
+            scores->reverse();
         for (const char* axis : {"track", "node", "frame"})
             requireSize(file, "point_scores", *scores, axis, places.size(axis));
     }

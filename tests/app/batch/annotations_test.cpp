@@ -148,8 +148,8 @@ TEST_F(AnnotationsVerb, UnknownBodyPartsAreTheReasonWhateverElseTheTableHolds) {
                                    "\nlabeled-data/other/img1.png" + values + "\n");
     const Ended refused = import("deeplabcut", file, {"--rater", "x"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err.find("--video"), std::string::npos) << "another session's labels are no way out";
-    EXPECT_NE(refused.err.find("left out: 6 marks of body parts that are no joints (IndexMCP, IndexTip, MCP2, MCP3, "
+    EXPECT_EQ(refused.err.find("--video"), std::string::npos) << "labels of another session are not offered";
+    EXPECT_NE(refused.err.find("left out: 6 marks of body parts that are not joints (IndexMCP, IndexTip, MCP2, MCP3, "
                                "MCP4 and 1 more): a name that fits is left_index_mcp; --map FILE"),
               std::string::npos)
         << refused.err;

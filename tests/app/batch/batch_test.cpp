@@ -36,7 +36,7 @@ protected:
     std::string m_out = m_folder / "out.json";
 };
 
-TEST_F(Batch, ExplainsItself) {
+TEST_F(Batch, HelpListsEveryVerbAndEachVerbHasHelp) {
     EXPECT_EQ(runBatch({"--version"}).status, 0);
     const Ended help = runBatch({"--help"});
     EXPECT_EQ(help.status, 0);

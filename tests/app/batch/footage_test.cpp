@@ -84,7 +84,7 @@ TEST_F(FootageVerbs, NewNamesTheScaleAndTakesIt) {
         EXPECT_EQ(make({"--rotate", odd}).status, 2) << odd;
 }
 
-TEST_F(FootageVerbs, CamerasWithoutFootageAreNoViews) {
+TEST_F(FootageVerbs, CamerasWithoutFootageGetNoView) {
     shoot(0, {64, 48});
     shoot(1, {64, 48});
     const Ended made = make({});

@@ -54,6 +54,40 @@ TEST_F(New, MakesADatasetOfNumberedImages) {
     EXPECT_EQ(frames.read(1, 8).at<cv::Vec3b>(5, 5)[0], 81);
 }
 
+TEST_F(New, TakesTheSizeOfTheFootageWhereTheCalibrationHoldsNone) {
+    test::writeText(
+        m_folder / "Jarvis_cam0.yaml",
+        "%YAML:1.0\n---\nintrinsicMatrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [40, 0, "
+        "0, 0, 40, 0, 16, 11, 1]\ndistortionCoefficients: !!opencv-matrix\n   rows: 1\n   cols: 5\n   dt: d\n   "
+        "data: [0, 0, 0, 0, 0]\nR: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [1, 0, 0, 0, 1, "
+        "0, 0, 0, 1]\nT: !!opencv-matrix\n   rows: 3\n   cols: 1\n   dt: d\n   data: [0, 0, 500]\n");
+    const std::string calibration = m_folder / "Jarvis_cam0.yaml";
+    const Ended made = runBatch(
+        {"new", "--cameras", calibration, "--images", "Jarvis_cam0=" + (m_folder / "shots0").string(), "--out", m_set});
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_EQ(core::readDataset(m_set).cameras[0].size, (core::ImageSize{32, 24}));
+    EXPECT_EQ(made.out.find("is assumed"), std::string::npos) << made.out;
+    const Ended converted =
+        runBatch({"calibration", calibration, "--to", "handlens", "--out", m_folder / "assumed.json"});
+    ASSERT_EQ(converted.status, 0) << converted.err;
+    EXPECT_NE(converted.out.find("note: the file holds no image size: 33 x 23 is assumed"), std::string::npos)
+        << converted.out;
+    const Ended checked = runBatch({"check", calibration});
+    EXPECT_EQ(checked.status, 0) << checked.err;
+    EXPECT_NE(checked.out.find("33 x 23 is assumed"), std::string::npos) << checked.out;
+}
+
+TEST_F(New, MakesSequencesWithoutFootageForAnnotationsMadeElsewhere) {
+    const Ended made = runBatch({"new", "--cameras", m_cameras, "--frames", "40", "--sequence", "s", "--out", m_set});
+    ASSERT_EQ(made.status, 0) << made.err;
+    const core::Dataset dataset = core::readDataset(m_set);
+    EXPECT_EQ(dataset.sequences[0].frameCount, 40);
+    EXPECT_EQ(dataset.sequences[0].views[1].kind, core::ViewKind::None);
+    EXPECT_EQ(runBatch({"check", m_set}).status, 0);
+    EXPECT_EQ(runBatch({"new", "--cameras", m_cameras, "--out", m_folder / "none"}).status, 2)
+        << "nothing says how long";
+}
+
 TEST_F(New, AddsSequencesToADataset) {
     const std::string shots = "cam0=" + (m_folder / "shots0").string();
     ASSERT_EQ(runBatch({"new", "--cameras", m_cameras, "--images", shots, "--sequence", "a", "--out", m_set}).status,

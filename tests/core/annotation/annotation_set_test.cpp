@@ -31,7 +31,7 @@ TEST(AnnotationSet, ListsAnnotatedFramesInOrder) {
     EXPECT_TRUE(core::annotatedFrames({}).empty());
 }
 
-TEST(AnnotationSet, RangesHoldExactlyWhatTheySay) {
+TEST(AnnotationSet, RangesHoldTheMarksOfTheirFrameRaterAndJointOnly) {
     const core::AnnotationSet set = sample();
     EXPECT_EQ(count(core::marksOfFrame(set, 7)), 18);
     EXPECT_EQ(count(core::marksOfFrame(set, 3)), 0);
@@ -48,7 +48,7 @@ TEST(AnnotationSet, RangesHoldExactlyWhatTheySay) {
     }
 }
 
-TEST(AnnotationSet, NamesReadBack) {
+TEST(AnnotationSet, NamesOfPlacementsAndStatesReadBack) {
     for (const auto placement : {core::Placement::Manual, core::Placement::Auto, core::Placement::Proposed})
         EXPECT_EQ(core::placementFromName(core::placementName(placement)), placement);
     for (const auto state : {core::MarkState::Visible, core::MarkState::Occluded, core::MarkState::Unplaceable})

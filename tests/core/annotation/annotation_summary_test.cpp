@@ -78,7 +78,7 @@ TEST_F(AnnotationSummaryTest, ProposalsCountForNothing) {
     EXPECT_EQ(after.joints.size(), before.joints.size());
 }
 
-TEST_F(AnnotationSummaryTest, NothingIsNothing) {
+TEST_F(AnnotationSummaryTest, SequencesWithoutMarksHaveNoSummaryAndNoPoints) {
     EXPECT_TRUE(core::summariseAnnotations("none", 40, {}, cameras, {}).empty());
     EXPECT_EQ(core::meanJointPoints(set, cameras, 8).size(), 2u);
     EXPECT_LT((core::meanJointPoints(set, cameras, 8).at(kIndex) - Eigen::Vector3d(18, 5, 0)).norm(), 1);

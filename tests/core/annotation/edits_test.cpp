@@ -76,7 +76,7 @@ TEST_F(Edits, WhatChangesNothingIsEmpty) {
     EXPECT_THROW(core::placeEdit(m_set, key(0, kIndex, 0), {NAN, 2}), core::Error);
 }
 
-TEST_F(Edits, NotesComeAndGo) {
+TEST_F(Edits, NotesAreSetChangedAndDeleted) {
     perform(core::noteEdit(m_set, 3, "blurred"));
     EXPECT_EQ(m_set.notes.at(3), "blurred");
     perform(core::noteEdit(m_set, 3, ""));

@@ -23,7 +23,7 @@ Mark proposal(double x) {
 }
 
 /// Anna has clicked the index in cam0 and cam1 of frames 5 and 6 and noted something; the file says otherwise of frame
-/// 5, and has her wrist and somebody else's index, too.
+/// 5, and has her wrist and another rater's index, too.
 class ImportEdit : public testing::Test {
 protected:
     ImportEdit() {
@@ -103,7 +103,7 @@ TEST_F(ImportEdit, ALaterFileOfTheSamePersonMayHoldMoreViews) {
     EXPECT_EQ(after(ImportMode::Keep).marks.size(), 5u);
 }
 
-TEST_F(ImportEdit, ProposalsDisplaceNothingThatSomebodySettledAndMakeWay) {
+TEST_F(ImportEdit, ProposalsNeverReplaceSettledMarksAndAreReplacedByThem) {
     m_set.marks[key(5, kWrist, 0)] = proposal(1);
     m_file = {};
     for (const int camera : {0, 1, 2})

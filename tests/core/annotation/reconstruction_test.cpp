@@ -111,7 +111,7 @@ TEST_F(Reconstruction, ViewsWithoutAPictureNeedNoMark) {
     EXPECT_EQ(look().status, core::JointStatus::Partial) << "every camera counts where all have footage";
     for (const core::Camera& camera : m_cameras)
         options.withoutPicture.insert(camera.name);
-    EXPECT_EQ(look(options).countedViews, 0) << "nobody can see the joint in a frame without a picture";
+    EXPECT_EQ(look(options).countedViews, 0) << "a frame without a picture shows no joint";
     EXPECT_FALSE(look(options).views.front().hasPicture);
     core::PictureGaps gaps{{"cam7"}, {{"cam6", {{3, 2}}}, {"cam5", {{9, 1}}}}};
     EXPECT_EQ(gaps.at(3), (std::set<std::string>{"cam6", "cam7"}));
@@ -216,7 +216,7 @@ TEST_F(Reconstruction, FrameHoldsEveryJointOfThatRaterAndCoverageCountsThem) {
     EXPECT_EQ(core::ratersOf(m_set, 4), std::vector<std::string>{});
 }
 
-TEST_F(Reconstruction, AMarkOutsideThePictureIsNoEvidence) {
+TEST_F(Reconstruction, AMarkOutsideThePictureIsNotEvidence) {
     click({0, 2, 4});
     mark(4).px = {-40, 100};
     const JointReconstruction joint = look();

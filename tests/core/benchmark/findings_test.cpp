@@ -89,7 +89,7 @@ TEST(Findings, EachTurnsWithItsOwnNumbers) {
     }
 }
 
-TEST(Findings, ATieIsNoVictory) {
+TEST(Findings, EqualErrorsDoNotConfirmAClaim) {
     BenchmarkResults results = papersResults();
     for (PairResult& row : results.rows)
         row = {row.pair, row.method, 10, 2, 20, 1, 80, {}};

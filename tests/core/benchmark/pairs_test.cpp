@@ -51,7 +51,7 @@ TEST(Pairs, DrawFromTheFramesGiven) {
     EXPECT_EQ(drawPairs({annotated}, {1.0, {10}, 1}).size(), 5u); // frame 3 comes before the difference
 }
 
-TEST(Pairs, RefuseNonsense) {
+TEST(Pairs, RefuseImpossibleOptions) {
     const std::vector<PairFrames> sequences = {wholeSequence("s", 20)};
     EXPECT_THROW(drawPairs(sequences, {0.0, {1}, 0}), Error);
     EXPECT_THROW(drawPairs(sequences, {1.5, {1}, 0}), Error);

@@ -176,7 +176,7 @@ TEST(OrientedContour, LeavesOutTheImageBorder) {
     EXPECT_TRUE(core::orientedContour(cv::Mat(80, 100, CV_8U, cv::Scalar(255))).empty());
 }
 
-TEST(OrientedContour, AThinSpurHarmsOnlyItself) {
+TEST(OrientedContour, AThinSpurChangesOnlyItsOwnNormals) {
     cv::Mat mask = background(200, 150);
     drawDisc(mask, 70, 75, 40);
     cv::line(mask, {100, 75}, {170, 60}, cv::Scalar(255));

@@ -46,14 +46,14 @@ TEST(Polygonise, ARingKeepsItsHole) {
     EXPECT_NEAR(core::signedVolume(mesh), 2 * std::numbers::pi * std::numbers::pi * 8 * 9, 30);
 }
 
-TEST(Polygonise, SamplesExactlyOnTheSurfaceDoNoHarm) {
+TEST(Polygonise, SamplesExactlyOnTheSurfaceKeepTheMeshClosed) {
     const auto cube = [](const Vector3d& point) { return point.cwiseAbs().maxCoeff() - 5; };
     const core::TriangleMesh mesh = core::polygonise(cube, kBox, 1.0, Vector3d::Zero());
     EXPECT_TRUE(test::isClosedAndOriented(mesh));
     EXPECT_NEAR(core::signedVolume(mesh), 1000, 40);
 }
 
-TEST(Polygonise, NothingAroundAPointOutside) {
+TEST(Polygonise, GivesNoTrianglesAroundAPointOutside) {
     EXPECT_TRUE(core::polygonise(sphere, kBox, 0.7, Vector3d(13, 13, 13)).triangles.empty());
 }
 

@@ -61,7 +61,7 @@ TEST(Remeshing, ATetrahedronCannotCollapse) {
     EXPECT_EQ(mesh.vertices.size(), 4U);
 }
 
-TEST(Remeshing, CollapsesKeepARingARing) {
+TEST(Remeshing, CollapsesKeepTheHoleOfARing) {
     const auto torus = [](const Vector3d& p) { return Eigen::Vector2d(p.head<2>().norm() - 8, p.z()).norm() - 3; };
     core::TriangleMesh mesh = core::polygonise(torus, kBox, 0.8, Vector3d(8, 0, 0));
     while (core::collapseShortEdges(mesh, [](const Vector3d&) { return 30.0; }) > 0) {

@@ -12,7 +12,7 @@ double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-TEST(CircularDistance, KnowsTheHardCases) {
+TEST(CircularDistance, WrapsAtHalfATurnAndUnsignedAtAQuarter) {
     EXPECT_NEAR(signedCircularDistance(radians(170), radians(-170)), radians(20), 1e-12);
     EXPECT_NEAR(unsignedCircularDistance(radians(170), radians(-170)), radians(20), 1e-12);
     EXPECT_NEAR(signedCircularDistance(0, radians(180)), radians(180), 1e-12);

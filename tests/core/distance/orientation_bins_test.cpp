@@ -57,7 +57,7 @@ TEST(OrientationBins, OppositeDirectionsShareAnUnsignedBinOnly) {
     }
 }
 
-TEST(OrientationBins, RefuseNonsense) {
+TEST(OrientationBins, RefuseImpossibleCounts) {
     EXPECT_THROW(OrientationBins(0, true), Error);
     EXPECT_THROW(OrientationBins(257, true), Error);
     EXPECT_THROW(OrientationBins(8, true, 1.0), Error);

@@ -90,7 +90,7 @@ TEST_F(BestFit, EveryOptionChangesTheFit) {
     }
 }
 
-TEST_F(BestFit, ContoursThatAreAlikeOffAreNoReasonForOtherStarts) {
+TEST_F(BestFit, ContoursThatAreEquallyOffTriggerNoRestarts) {
     for (cv::Mat& mask : m_scene.masks)
         cv::dilate(mask, mask, cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5}));
     m_targets = core::makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1);

@@ -153,7 +153,7 @@ TEST(MatchRule, ThresMatchesOnPositionAndThenRejects) {
                                                             angleOf(rim), rule.bins.isSigned());
                 if (std::abs(apart - tau) > 1e-4) {
                     EXPECT_EQ(matches.size(), apart < tau ? 1u : 0u)
-                        << "a farther point of better direction is no match";
+                        << "a farther point of better direction is not a match";
                     (apart < tau ? kept : rejected) += 1;
                 }
             });

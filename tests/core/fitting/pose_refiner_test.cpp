@@ -229,7 +229,7 @@ TEST_F(Refiner, SilhouetteDifferenceGrowsWithTheDisplacement) {
     EXPECT_GT(before, 6) << "px: 24 mm are about 20 px, of which the outlines see the part across them";
 }
 
-TEST_F(Refiner, TellsWhereTheTimeGoes) {
+TEST_F(Refiner, ReportsTheSecondsOfEachStep) {
     HandPoses poses = m_scene.start;
     PoseRefiner refining = refiner();
     refining.iterate(poses, {});

@@ -167,7 +167,7 @@ TEST_F(RayEquations, DoNotDependOnHowTheyAreSplit) {
     }
 }
 
-TEST_F(RayEquations, NormalsThatLookAlongTheRayDoNoHarm) {
+TEST_F(RayEquations, NormalsAlongTheRayKeepTheEquationsFinite) {
     auto list = randomCorrespondences(80, false);
     const NormalEquations expected = equationsOf(list);
     for (RayCorrespondence& c : list)
@@ -177,7 +177,7 @@ TEST_F(RayEquations, NormalsThatLookAlongTheRayDoNoHarm) {
     EXPECT_TRUE(equations.gradient.isApprox(expected.gradient, 1e-8));
 }
 
-TEST_F(RayEquations, NothingAddsNothing) {
+TEST_F(RayEquations, NoMatchesGiveZeroEquations) {
     const NormalEquations equations = equationsOf({});
     EXPECT_EQ(equations.hessian, MatrixXd::Zero(kPoseSize, kPoseSize));
     EXPECT_EQ(equations.gradient, VectorXd::Zero(kPoseSize));

@@ -171,7 +171,8 @@ TEST_F(Triangulation, InformationIsTheInverseCovariance) {
     const auto result = core::triangulate(cameras, observations, options);
     ASSERT_TRUE(result.point);
     const Eigen::Matrix3d product =
-        core::triangulationInformation(cameras, observations, result.point->pointInWorld, 2) * result.point->covariance;
+        core::triangulationInformation(cameras, observations, result.point->pointInWorld, options) *
+        result.point->covariance;
     EXPECT_LT((product - Eigen::Matrix3d::Identity()).norm(), 1e-8);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/rig/rig_health.h"
+#include "core/rig/rig_findings.h"
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(RigHealth, NamesTheCameraThatMovedAndHowFar) {
     EXPECT_NE(findings[0].find("px off in every frame: its calibration moved"), std::string::npos) << findings[0];
 }
 
-TEST(RigHealth, WrongClicksAreNoCameraThatMoved) {
+TEST(RigHealth, WrongClicksAreNotTakenForAMovedCamera) {
     RigScene scene("Wrong");
     auto joints = scene.clicks(RigScene::frames(6, 10));
     for (std::size_t j = 0; j < joints.size(); j += 12)
@@ -93,6 +93,89 @@ TEST(RigHealth, WhatCannotBeKnownIsSaid) {
     EXPECT_EQ(core::rigFindings(health).back(),
               "cannot be known of cam6 (3 clicks): too few clicks that others confirm");
     EXPECT_FALSE(core::judgeRig(scene.nominal, {}).isKnown);
+}
+
+/// Clicks of a camera that stands as in `seen` from `frame` on, and as in `nominal` before.
+std::vector<core::RigJoint> clicksOfMove(RigScene& scene, std::size_t camera, int frame, int last, int step = 8) {
+    const core::Camera moved = scene.seen[camera];
+    scene.seen[camera] = scene.nominal[camera];
+    auto joints = scene.clicks(RigScene::frames(frame / step, step));
+    scene.seen[camera] = moved;
+    const auto after = scene.clicks(RigScene::frames((last - frame) / step, step, frame));
+    joints.insert(joints.end(), after.begin(), after.end());
+    return joints;
+}
+
+TEST(RigHealth, ACameraThatMovesInASequenceIsToldFromOneThatIsOffAlways) {
+    RigScene scene("Moves");
+    scene.turn(5, {0.1, -0.1, 0});
+    const core::RigHealth health = core::judgeRig(scene.nominal, clicksOfMove(scene, 5, 48, 96));
+    EXPECT_TRUE(health.cameras[5].hasMoved);
+    EXPECT_FALSE(health.cameras[5].isOff);
+    EXPECT_FALSE(health.cameras[5].isDrifting);
+    const auto faults = core::findRigFaults(health);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].kind, core::RigFindingKind::CameraMoved);
+    EXPECT_EQ(faults[0].camera, 5);
+    EXPECT_EQ(faults[0].frame, 48);
+    EXPECT_EQ(faults[0].sequence, 0);
+    const Eigen::Vector2d shift =
+        *core::project(scene.seen[5], {0, 0, 0}) - *core::project(scene.nominal[5], {0, 0, 0});
+    EXPECT_NEAR(faults[0].value, shift.norm(), 0.5);
+    EXPECT_NE(core::rigFindings(health)[0].find("cam5 moved before frame 48: its picture lies"), std::string::npos);
+}
+
+TEST(RigHealth, ASlowDriftIsToldFromAMove) {
+    RigScene scene("Drifts");
+    std::vector<core::RigJoint> joints;
+    for (int frame = 0; frame < 100; frame += 8) {
+        scene.seen[2] = scene.nominal[2];
+        scene.turn(2, {0.0015 * frame, 0.001 * frame, 0});
+        const auto more = scene.clicks({frame});
+        joints.insert(joints.end(), more.begin(), more.end());
+    }
+    const core::RigHealth health = core::judgeRig(scene.nominal, joints);
+    for (std::size_t c = 0; c < 8; ++c) {
+        EXPECT_EQ(health.cameras[c].isDrifting, c == 2) << c;
+        EXPECT_FALSE(health.cameras[c].hasMoved) << c;
+    }
+    const Eigen::Vector2d shift =
+        *core::project(scene.seen[2], {0, 0, 0}) - *core::project(scene.nominal[2], {0, 0, 0});
+    ASSERT_TRUE(health.cameras[2].driftPx);
+    EXPECT_LT((*health.cameras[2].driftPx - shift / 0.96).norm(), 0.8);
+    const auto faults = core::findRigFaults(health);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].kind, core::RigFindingKind::CameraDrifts);
+}
+
+TEST(RigHealth, ACameraThatWasMovedBetweenSequencesIsOffInThoseOnly) {
+    RigScene scene("Between");
+    auto joints = scene.clicks(RigScene::frames(6, 10));
+    scene.turn(5, {0.1, -0.1, 0});
+    auto later = scene.clicks(RigScene::frames(6, 10));
+    for (core::RigJoint& joint : later)
+        joint.sequence = 1;
+    joints.insert(joints.end(), later.begin(), later.end());
+    const auto faults = core::findRigFaults(core::judgeRig(scene.nominal, joints));
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].kind, core::RigFindingKind::CameraOffInSequence);
+    EXPECT_EQ(faults[0].camera, 5);
+    EXPECT_EQ(faults[0].sequences, std::vector<int>{1});
+    EXPECT_NE(core::rigFindings(core::judgeRig(scene.nominal, joints), {"a", "b"})[0].find(
+                  "px off in sequence b only: it stood otherwise there"),
+              std::string::npos);
+}
+
+TEST(RigHealth, ALooseRigSeemsNotToMove) {
+    for (int seed = 0; seed < 6; ++seed) {
+        RigScene scene("Loose" + std::to_string(seed));
+        scene.loosen(2);
+        for (const core::CameraHealth& camera :
+             core::judgeRig(scene.nominal, scene.clicks(RigScene::frames(12, 8))).cameras) {
+            EXPECT_FALSE(camera.hasMoved) << camera.camera << " " << seed;
+            EXPECT_FALSE(camera.isDrifting) << camera.camera << " " << seed;
+        }
+    }
 }
 
 } // namespace

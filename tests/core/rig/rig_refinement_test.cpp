@@ -79,7 +79,7 @@ TEST(RigRefinement, AnExactRigStays) {
     EXPECT_LT(errorsOf(scene, refinement->cameras, others).raw, errorsOf(scene, scene.nominal, others).raw + 0.05);
 }
 
-TEST(RigRefinement, WrongClicksDoNoHarm) {
+TEST(RigRefinement, WrongClicksDoNotMoveTheCameras) {
     RigScene scene("Wrong");
     scene.loosen();
     auto joints = scene.clicks(RigScene::frames(10, 9));

@@ -12,7 +12,7 @@
 
 namespace test {
 
-/// Simulated clicks of a moving hand: 14 joints per frame in a volume of 160 mm.
+/// Simulated clicks of a moving hand: joints (14) per frame in a volume of 160 mm.
 class RigScene {
 public:
     explicit RigScene(const std::string& name, int cameraCount = 8)
@@ -49,7 +49,7 @@ public:
                                        double lateFrames = 0) {
         core::AnnotationSet set;
         for (const int frame : frames) {
-            for (int j = 0; j < 14; ++j) {
+            for (int j = 0; j < jointCount; ++j) {
                 const core::JointId id{core::Side::Left, "joint" + std::to_string(j)};
                 clickEverywhere(set, seen, frame, "ann", id, pointAt(j, frame), sigmaPx, &random);
                 if (lateCamera >= 0)
@@ -68,6 +68,7 @@ public:
         return list;
     }
 
+    int jointCount = 14;
     std::vector<core::Camera> nominal; ///< as the file says
     std::vector<core::Camera> seen;    ///< as they were
     std::mt19937_64 random;

@@ -129,7 +129,7 @@ TEST_F(AnnotatorTest, CancelledDragChangesNothing) {
     EXPECT_EQ(document.undoStack()->count(), 1);
 }
 
-TEST_F(AnnotatorTest, OccludedToggles) {
+TEST_F(AnnotatorTest, OccludedIsSetAndTakenBackByTheSameKey) {
     click(0);
     annotator.toggleOccluded();
     EXPECT_EQ(mark(0)->state, core::MarkState::Occluded);
@@ -175,7 +175,7 @@ TEST_F(AnnotatorTest, ANudgedProposalStartsWhereItIsShown) {
     EXPECT_LT((mark(2)->px - truth(2) - Eigen::Vector2d(1, 0)).norm(), 1e-6);
 }
 
-TEST_F(AnnotatorTest, StepsAroundTheCameras) {
+TEST_F(AnnotatorTest, SteppingThroughCamerasGoesAroundTheEnd) {
     selection.setCamera("cam3");
     annotator.stepCamera(1);
     EXPECT_EQ(selection.camera(), "cam0");
@@ -277,7 +277,7 @@ TEST_F(AnnotatorTest, ADragThatFinishesAJointStaysThere) {
     EXPECT_EQ(selection.joint(), kIndex);
 }
 
-TEST_F(AnnotatorTest, AWithdrawnClickIsNoFinish) {
+TEST_F(AnnotatorTest, AWithdrawnClickDoesNotFinishItsJoint) {
     for (int camera = 0; camera < 4; ++camera)
         click(camera);
     annotator.withdrawPlace();

@@ -31,7 +31,7 @@ protected:
     core::AnnotationSet set;
 };
 
-TEST_F(HandPlaces, APoseTellsBothHandsAndWhereTheArmsBegin) {
+TEST_F(HandPlaces, APosePlacesBothHandsAndTheBeginningOfTheArms) {
     const core::HandPoses poses = test::tinyMotion(5).back();
     const auto hands = handsInPose(dataset.hands, {poses[0], core::Pose()});
     ASSERT_EQ(hands.size(), 1u) << "a hand without a pose is left out";
@@ -40,7 +40,7 @@ TEST_F(HandPlaces, APoseTellsBothHandsAndWhereTheArmsBegin) {
     EXPECT_LT((hands[0].pointsInWorld[0] - core::jointPositions(dataset.hands[0].skeleton, poses[0])[0]).norm(), 1e-9);
 }
 
-TEST_F(HandPlaces, MarksOfAnybodyTellFromTheNearestFrame) {
+TEST_F(HandPlaces, TheNearestFramesMarksOfAllRatersPlaceTheHands) {
     mark(3, Side::Left, "ann", {0, 2});
     mark(20, Side::Left, "ann", {0, 2});
     mark(25, Side::Right, "bob", {1, 4});
@@ -69,7 +69,7 @@ TEST_F(HandPlaces, TheBoxHoldsTheHandAndLiesInTheImage) {
     EXPECT_FALSE(handsInView(dataset.cameras[0], {away})) << "a hand that is not in the picture";
 }
 
-TEST_F(HandPlaces, OneViewsMarksTellInThatViewOnly) {
+TEST_F(HandPlaces, OneViewsMarksPlaceTheHandsInThatViewOnly) {
     mark(9, Side::Left, "ann", {3});
     const Eigen::Vector2d px = *core::project(dataset.cameras[3], joint(Side::Left, 9));
     const auto box = marksInView(dataset.cameras[3], set, 0);
@@ -78,7 +78,7 @@ TEST_F(HandPlaces, OneViewsMarksTellInThatViewOnly) {
     EXPECT_FALSE(marksInView(dataset.cameras[4], set, 0));
 }
 
-TEST_F(HandPlaces, MasksTellPerCamera) {
+TEST_F(HandPlaces, MasksPlaceTheHandsPerCamera) {
     test::TemporaryFolder folder;
     dataset.folder = std::filesystem::path(folder / "");
     cv::Mat mask = cv::Mat::zeros(480, 270, CV_8U);

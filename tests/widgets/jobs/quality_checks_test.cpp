@@ -63,7 +63,7 @@ TEST_F(QualityChecksTest, FollowEditsAndUndo) {
     EXPECT_TRUE(checks.findings().empty());
 }
 
-TEST_F(QualityChecksTest, SpeakOfTheCurrentRaterAlone) {
+TEST_F(QualityChecksTest, CoverTheCurrentRaterOnly) {
     auto joints = test::fiveFingerJoints(*dataset, 0.3);
     std::swap(joints[{Side::Left, "index_mcp"}], joints[{Side::Left, "ring_mcp"}]);
     mark(20, "bob", joints);

@@ -68,7 +68,7 @@ TEST_F(RaterStudyTest, ComparesRatersAndWeighsTheirClicks) {
     EXPECT_LT((both.result.point->pointInWorld - truth).norm(), 0.6);
 }
 
-TEST_F(RaterStudyTest, ASecondRoundHidesTheFirstAndGoesOnAfterARestart) {
+TEST_F(RaterStudyTest, ARepeatRoundHidesTheFirstAndGoesOnAfterARestart) {
     const auto finished = document.annotations().marks.size();
     begin(0.1, 4);
     ASSERT_TRUE(study.isRepeating());
@@ -105,7 +105,7 @@ TEST_F(RaterStudyTest, NothingFinishedIsNothingToRepeat) {
     EXPECT_EQ(document.rater(), "new");
 }
 
-TEST_F(RaterStudyTest, ASecondRoundIsBlindAndStaysInItsSequence) {
+TEST_F(RaterStudyTest, ARepeatRoundIsBlindAndStaysInItsSequence) {
     begin(0.1, 4);
     study.compare();
     EXPECT_FALSE(study.consensus().result.point) << "it would show how far the second marks are from the first";

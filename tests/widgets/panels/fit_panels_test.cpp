@@ -74,6 +74,17 @@ TEST_F(FitPanelsTest, AFitFillsTableAndColumns) {
     EXPECT_EQ(inspect.grid()->count(), 0);
 }
 
+TEST_F(FitPanelsTest, TheFirstFrameIsFittedFromALaterOne) {
+    for (QCheckBox* box : fitting.findChildren<QCheckBox*>())
+        box->setChecked(box->text() == QStringLiteral("ch"));
+    session.selection.setFrame(0);
+    fitting.fitCurrentFrame();
+    settle();
+    ASSERT_TRUE(session.fits.outcome());
+    EXPECT_EQ(session.fits.outcome()->request.test, 0);
+    EXPECT_EQ(session.fits.outcome()->request.start, 5);
+}
+
 TEST_F(FitPanelsTest, ColumnsLookAtTheHandsTogether) {
     fitting.fit({8, 12, {"ch", "best"}, widgets::FitTarget::Recorded});
     settle();

@@ -104,7 +104,7 @@ TEST_F(RatersPanelTest, ShowsHowFarTwoRatersAgree) {
                             [](const QLabel* label) { return label->text().contains(QStringLiteral("1.00 px")); }));
 }
 
-TEST_F(RatersPanelTest, TellsHowTheSecondRoundGoes) {
+TEST_F(RatersPanelTest, TellsHowFarTheRepeatRoundIs) {
     session.raters.beginRepeating(1, 3);
     ASSERT_TRUE(test::waitUntil([&] { return session.raters.isRepeating(); }));
     const auto labels = panel.findChildren<QLabel*>();

@@ -65,7 +65,7 @@ TEST_F(HandFramingTest, ZoomAndPanStayWhenTheFrameChanges) {
     EXPECT_EQ(view(3).viewportToImage({0, 0}), corner);
 }
 
-TEST_F(HandFramingTest, WholeImagesAndBack) {
+TEST_F(HandFramingTest, ViewsShowWholeImagesAndTheHandsAgain) {
     const double framed = view(1).scale();
     spaces.options()->showWholeImages();
     EXPECT_NEAR(view(1).scale(), wholeScale(view(1)), 1e-9);

@@ -22,7 +22,7 @@ protected:
                                  {12, {{Side::Left, bad()}, {Side::Right, done(1)}}}};
 };
 
-TEST_F(NavigationTest, BadFrames) {
+TEST_F(NavigationTest, NextBadFrameSkipsGoodOnes) {
     EXPECT_EQ(nextBadFrame(coverage, 0, Direction::Forward), 9);
     EXPECT_EQ(nextBadFrame(coverage, 9, Direction::Forward), 12);
     EXPECT_EQ(nextBadFrame(coverage, 12, Direction::Forward), std::nullopt);
@@ -30,7 +30,7 @@ TEST_F(NavigationTest, BadFrames) {
     EXPECT_EQ(nextBadFrame(coverage, 9, Direction::Back), std::nullopt);
 }
 
-TEST_F(NavigationTest, AnnotatedFrames) {
+TEST_F(NavigationTest, NextAnnotatedFrameSkipsFramesWithoutMarks) {
     EXPECT_EQ(nextAnnotatedFrame(coverage, 3, Direction::Forward), 4);
     EXPECT_EQ(nextAnnotatedFrame(coverage, 4, Direction::Back), 3);
     EXPECT_EQ(nextAnnotatedFrame(coverage, 3, Direction::Back), std::nullopt);

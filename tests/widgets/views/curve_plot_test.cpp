@@ -109,7 +109,7 @@ TEST_F(CurvePlotTest, WhiteLinesStayVisibleOnPaper) {
     EXPECT_GT(countNear(plot.grabPicture(1), QColor(42, 42, 42)), 100);
 }
 
-TEST_F(CurvePlotTest, OddValuesDoNoHarm) {
+TEST_F(CurvePlotTest, CurvesWithNanInfinityAndNegativeValuesAreDrawn) {
     Curve odd = line(Qt::red, 0, 5);
     odd.points = {{0, 1}, {1, std::nan("")}, {2, HUGE_VAL}, {3, -1}, {4, 2}};
     CurvePlotSettings settings;

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QLabel>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -59,6 +60,28 @@ TEST(ViewTitleBar, LongTextsAreElidedNotOverlaid) {
     bar.resize(60, bar.sizeHint().height());
     bar.setTitle({"a camera with a very long name", "and a detail", "123.4 px", false});
     EXPECT_FALSE(bar.grab().isNull());
+}
+
+TEST(ViewTitleBar, ALongRequestLeavesRoomForTheCamerasName) {
+    ViewTitleBar bar;
+    bar.resize(170, bar.sizeHint().height());
+    ViewTitle title{"cam7", {}, {}, false};
+    title.next = QStringLiteral("next");
+    bar.setTitle(title);
+    const QRect name(0, 0, bar.fontMetrics().horizontalAdvance(QStringLiteral("cam7")), bar.height());
+    const QImage shortRequest = bar.grab(name).toImage();
+    title.next = QStringLiteral("als N\u00e4chstes hier klicken, bitte, in dieser Ansicht");
+    bar.setTitle(title);
+    EXPECT_EQ(bar.grab(name).toImage(), shortRequest);
+}
+
+TEST(MessageBar, KeepsTheDetailOfAnErrorInItsToolTip) {
+    QWidget window;
+    MessageBar bar(&window);
+    bar.setMessage(QStringLiteral("nicht gefunden") + QChar(QChar::ParagraphSeparator) +
+                   QStringLiteral("no such file"));
+    EXPECT_EQ(bar.message(), QStringLiteral("nicht gefunden"));
+    EXPECT_EQ(bar.findChild<QLabel*>()->toolTip(), QStringLiteral("no such file"));
 }
 
 TEST(MessageBar, AppearsWithTextAndCanBeDismissed) {

@@ -54,14 +54,16 @@ void ViewTitleBar::paintEvent(QPaintEvent*) {
         painter.fillRect(QRect(space.left(), (height() - kChip) / 2, kChip, kChip), m_title.colour);
         space.setLeft(space.left() + kChip + kPadding);
     }
-    const QString right = m_title.error.isEmpty() && isNext ? m_title.next : m_title.error;
-    const int errorWidth = std::min(metrics.horizontalAdvance(right), space.width());
-    painter.setPen(text);
-    painter.drawText(space, Qt::AlignRight | Qt::AlignVCenter, right);
-    space.setRight(space.right() - errorWidth - kPadding);
-
     QFont bold = font();
     bold.setBold(true);
+    // The camera's name comes first: what stands on the right gets the rest, but at least half of the line.
+    const int nameWidth = std::min(QFontMetrics(bold).horizontalAdvance(m_title.name) + kPadding, space.width() / 2);
+    const QString right = metrics.elidedText(m_title.error.isEmpty() && isNext ? m_title.next : m_title.error,
+                                             Qt::ElideRight, space.width() - nameWidth);
+    painter.setPen(text);
+    painter.drawText(space, Qt::AlignRight | Qt::AlignVCenter, right);
+    space.setRight(space.right() - metrics.horizontalAdvance(right) - kPadding);
+
     painter.setFont(bold);
     painter.setPen(m_current && !m_title.warning && !isNext ? colours.color(QPalette::Highlight) : text);
     const QString name = QFontMetrics(bold).elidedText(m_title.name, Qt::ElideRight, space.width());

@@ -99,7 +99,7 @@ TEST_F(Handpose3d, FilesComeInPairs) {
                       "--size WxH");
 }
 
-TEST_F(Handpose3d, OtherNamesAndBrokenFiles) {
+TEST_F(Handpose3d, FindsOtherNamesAndRefusesBrokenFiles) {
     write("camera0_intrinsics.dat", "camera0_rot_trans.dat", 0);
     EXPECT_EQ(core::readCalibration(m_folder.path(), m_options).at(0).name, "camera0");
     test::writeText(m_folder / "camera0_rot_trans.dat", "R:\n1 0 0\n0 1 0\n");

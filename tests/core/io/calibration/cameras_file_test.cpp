@@ -44,7 +44,7 @@ TEST_F(CamerasFile, ReadsBackExactlyWhatWasWritten) {
     }
 }
 
-TEST_F(CamerasFile, RefusesWhatIsNoCamera) {
+TEST_F(CamerasFile, RefusesInvalidCameras) {
     const std::string good = test::readText(m_file);
     expectRefused(replaced(good, "\"cam1\"", "\"cam0\""), "cameras[1].name", "used twice");
     expectRefused(replaced(good, "\"cam1\"", "\"a/b\""), "cameras[1].name", "file name");

@@ -320,8 +320,17 @@ TEST_F(RigFormats, QualisysCountsIn64thsOfPixelsAndTurnsYAndZ) {
     // It stands at x = 400 and looks along -x with z up, y to its right.
     const double x = 20.0 / 390, y = -30.0 / 390, r2 = x * x + y * y, bend = 1 - 0.05 * r2 + 0.1 * r2 * r2;
     expectSees(cameras[0], {10, 20, 30}, 1000 * x * bend + 960 - 10, 1020 * y * bend + 540 - 20);
-    expectRefused(write("half.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" video_resolution=\"540p\"")),
-                  "200.video_resolution: 540p", Unsupported);
+    const core::Camera half =
+        read(write("half.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" video_resolution=\"540p\"")),
+             "qualisys")[0];
+    EXPECT_EQ(half.size, (core::ImageSize{955, 534}));
+    expectSees(half, {10, 20, 30}, (1000 * x * bend + 960 - 10 + 0.5) / 2 - 0.5,
+               (1020 * y * bend + 540 - 20 + 0.5) / 2 - 0.5);
+    EXPECT_EQ(read(write("quotes.qca.txt", replaced(kQca, "\"Miqus Video\"", "'Miqus Video'")), "qualisys").size(), 1u);
+    expectRefused(write("odd.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" video_resolution=\"4k\"")),
+                  "200.video_resolution: 4k", Unsupported);
+    expectRefused(write("off.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" calibrated=\"false\"")),
+                  "none of its video cameras is calibrated");
     expectRefused(write("bad.qca.txt", replaced(kQca, "r23=\"1\"", "r23=\"x\"")), "200.transform.r23");
     expectRefused(write("cut.qca.txt", std::string(kQca).substr(0, std::string(kQca).find("radialDistortion2"))),
                   "ends within a tag");

@@ -73,7 +73,7 @@ TEST(Orientation, IsReadFromJpegTiffPngAndWebp) {
     }
 }
 
-TEST(Orientation, OfDamagedFilesIsNoTurn) {
+TEST(Orientation, OfDamagedFilesLeavesThePictureUnturned) {
     const std::string jpeg = jpegWithTag(cv::Mat(8, 8, CV_8UC3, cv::Scalar::all(9)), 6);
     for (std::size_t length = 0; length < 60; ++length)
         core::orientationOf(std::string_view(jpeg).substr(0, length)); // must not read beyond the end

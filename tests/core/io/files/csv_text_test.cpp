@@ -39,7 +39,7 @@ TEST(CsvText, NumbersComeBackExactly) {
     EXPECT_EQ(core::exactText(0.1), "0.1");
 }
 
-TEST(CsvText, MissingIsNotZeroAndTextIsNoNumber) {
+TEST(CsvText, MissingIsNotZeroAndTextIsNotANumber) {
     for (const char* missing : {"", " ", "NaN", "nan", "NA", "null"})
         EXPECT_FALSE(core::cellNumber(missing, "f", "")) << missing;
     EXPECT_EQ(core::cellNumber(" 0 ", "f", ""), 0.0);

@@ -256,7 +256,7 @@ TEST_F(Video, SaysHowAPlayerTurnsIt) {
     EXPECT_EQ(turns[1], 180);
 }
 
-TEST_F(Video, MustBeOne) {
+TEST_F(Video, RefusesFilesThatAreNotVideos) {
     test::writeText(m_folder / "a.txt", "some text\n");
     test::writeText(m_folder / "a.mp4", "some text\n");
     test::writeText(m_folder / "b.mp4", test::readText(encode("c.mp4", "-c:v mpeg4")).substr(0, 1000));

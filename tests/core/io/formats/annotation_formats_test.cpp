@@ -33,7 +33,7 @@ TEST_F(AnnotationFormats, AuthorsZeroZeroIsNotAPlace) {
     EXPECT_EQ(mark(got, 41, {Side::Right, "thumb_mcp"}, "cam1")->px, Vector2d(600, 701));
     EXPECT_EQ(mark(got, 41, {Side::Right, "thumb_ip"}, "cam1")->px, Vector2d(0, 640)); // one zero is a place
     EXPECT_EQ(mark(got, 41, {Side::Right, "ring_mcp"}, "cam1")->state, MarkState::Unplaceable);
-    EXPECT_EQ(got.marks.size(), 14u); // nobody looked at the left hand
+    EXPECT_EQ(got.marks.size(), 14u); // the left hand was not annotated
 }
 
 TEST_F(AnnotationFormats, AuthorsFilesHaveTabsWholePixelsAndNoFinalLineEnd) {
@@ -76,7 +76,7 @@ TEST_F(AnnotationFormats, AuthorsFilesThatAreWrongAreRefused) {
 
 // ---- COCO
 
-TEST_F(AnnotationFormats, CocoVisibilityAndForeignFileNames) {
+TEST_F(AnnotationFormats, CocoReadsVisibilityAndForeignFileNames) {
     const auto got = importSample("coco", "coco.json").set;
     EXPECT_EQ(got.marks.size(), 2u);
     EXPECT_EQ(*mark(got, 41, {Side::Right, "wrist"}, "cam3"),
@@ -153,7 +153,7 @@ TEST_F(AnnotationFormats, Anipose3dUndoesItsTurnedWorldWithTheInverseNotTheTrans
         const auto placed = mark(got, 0, {Side::Left, "index_mcp"}, camera.name);
         ASSERT_TRUE(placed);
         EXPECT_LT((placed->px - *core::project(camera, world)).norm(), 1e-9);
-        EXPECT_EQ(placed->placement, Placement::Proposed); // a 3D point is no click
+        EXPECT_EQ(placed->placement, Placement::Proposed); // a 3D point is not a click
         EXPECT_TRUE(mark(got, 5, {Side::Right, "wrist"}, camera.name));
     }
     EXPECT_EQ(core::annotatedFrames(got), (std::vector<int>{0, 5}));
@@ -316,7 +316,7 @@ TEST_F(AnnotationFormats, FormatsOfOneRaterTakeTheOneWithMostMarks) {
     EXPECT_EQ(import("csv-marks", exported("csv-marks")).set.marks.size(), 1u);
 }
 
-TEST_F(AnnotationFormats, ProposalsMakeNobodyARaterAndNoFrameLabelled) {
+TEST_F(AnnotationFormats, ProposalsMakeNeitherARaterNorALabelledFrame) {
     m_set.marks[{3, "ann", {Side::Left, "wrist"}, "cam0"}] = Mark{{7, 7}};
     for (const core::Camera& camera : m_dataset.cameras) {
         m_set.marks[{3, "import", {Side::Left, "wrist"}, camera.name}] =

@@ -45,10 +45,10 @@ protected:
     std::mt19937_64 m_random = test::randomFor("annotation report");
 };
 
-TEST_F(AnnotationReportTest, SaysThatNobodyHasBegun) {
+TEST_F(AnnotationReportTest, SequencesWithoutMarksSaySo) {
     EXPECT_TRUE(core::readAnnotations(m_dataset, m_dataset.sequences[0]).marks.empty());
     const std::string html = report();
-    EXPECT_TRUE(contains(html, "nobody yet"));
+    EXPECT_TRUE(contains(html, "no marks yet"));
     EXPECT_FALSE(contains(html, "<svg"));
     EXPECT_FALSE(contains(html, "Worst joints"));
 }
@@ -72,7 +72,7 @@ TEST_F(AnnotationReportTest, ShowsRatersJointsAndFigures) {
     EXPECT_EQ(figures, 3u);
 }
 
-TEST_F(AnnotationReportTest, OneSharedClickIsNoAgreementOfPoints) {
+TEST_F(AnnotationReportTest, OneSharedClickGivesNoAgreementOfPoints) {
     auto store = core::AnnotationStore::open(core::annotationFile(m_dataset, m_dataset.sequences[0]));
     core::AnnotationSet set;
     const std::string camera = m_dataset.cameras[0].name;

@@ -180,6 +180,21 @@ TEST_F(Hdf5Annotations, SleapAnalysisIsReadInEitherOrderOfItsAxes) {
         file.numbers("tracks", {3, 2, 2, 2}, std::vector<double>(24));
     }
     EXPECT_EQ(import("sleap", m_file).set.marks.size(), 0u) << "no track says the hand";
+    { // frame, node, xy, track, without names: only this fits three nodes
+        Hdf5Writer file(m_file);
+        file.fixedTexts("node_names", {"left_wrist", "left_index_mcp", "left_index_tip"});
+        std::vector<double> values;
+        for (int frame = 0; frame < 5; ++frame)
+            for (int node = 0; node < 3; ++node)
+                for (int xy = 0; xy < 2; ++xy)
+                    values.push_back(10 * node + frame + 0.5 * xy);
+        file.numbers("tracks", {5, 3, 2, 1}, values);
+        file.numbers("point_scores", {5, 3, 1}, std::vector<double>(15, 0.75));
+    }
+    const auto turned = import("sleap", m_file).set;
+    EXPECT_EQ(turned.marks.size(), 15u);
+    EXPECT_EQ(*mark(turned, 4, {Side::Left, "index_tip"}, "cam0"),
+              (Mark{{24, 24.5}, Placement::Proposed, MarkState::Visible, 0.75}));
     {
         Hdf5Writer file(m_file);
         file.fixedTexts("node_names", {"wrist", "index_mcp"});

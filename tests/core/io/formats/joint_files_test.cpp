@@ -61,7 +61,7 @@ TEST(JointMap, RefusesDoubles) {
     EXPECT_THROW(core::readJointMap("no such map"), core::Error);
 }
 
-TEST(JointList, BuiltInListsAndFiles) {
+TEST(JointList, ReadsBuiltInListsAndFiles) {
     const auto twentyOne = core::readJointList("21");
     EXPECT_EQ(std::set<std::string>(twentyOne.begin(), twentyOne.end()).size(), 21u);
     EXPECT_EQ(core::readJointList("14").size(), 14u);

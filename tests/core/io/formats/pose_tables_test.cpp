@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 
 using PoseTables = test::AnnotationFormats;
 
-TEST_F(PoseTables, DeepLabCutMissingCellsAndForeignBodyParts) {
+TEST_F(PoseTables, DeepLabCutMissingCellsAreNoMarksAndForeignBodyPartsAreLeftOut) {
     m_import.videos = {"take1"};
     const auto got = importSample("deeplabcut", "deeplabcut");
     EXPECT_EQ(got.set.marks.size(), 2u);

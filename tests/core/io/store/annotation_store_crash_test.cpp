@@ -164,7 +164,7 @@ Edit place(int frame) {
             {}};
 }
 
-TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
+TEST(AnnotationStoreCrash, AFullDiskIsReportedAndLosesNoEdit) {
     const test::TemporaryFolder folder;
     const fs::path file = folder / "01.sqlite";
     const int status = inChild([&] {
@@ -198,9 +198,9 @@ TEST(AnnotationStoreCrash, AFullDiskIsSaidAndLosesNothing) {
     EXPECT_GE(AnnotationStore::open(file).annotations().marks.size(), 51u);
 }
 
-/// As somebody who may not write there; root may write everywhere.
+/// As a user who may not write there; root may write everywhere.
 template <typename Work>
-int asNobody(Work&& work) {
+int asUserWithoutRights(Work&& work) {
     return inChild([&] {
         if (::geteuid() == 0 && (::setegid(65534) != 0 || ::seteuid(65534) != 0))
             return 77;
@@ -225,7 +225,7 @@ TEST(AnnotationStoreCrash, AReadOnlyFolderIsReadAndSaidToBeReadOnly) {
     const auto readOnly = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::group_read |
                           fs::perms::group_exec | fs::perms::others_read | fs::perms::others_exec;
     const auto look = [&](std::size_t expectedMarks) {
-        return asNobody([&] {
+        return asUserWithoutRights([&] {
             auto store = AnnotationStore::open(file);
             if (!store.isReadOnly() || core::readOnlyText(store.readOnlyReason()) != "the folder is read-only") {
                 return 1;
@@ -248,7 +248,7 @@ TEST(AnnotationStoreCrash, AReadOnlyFolderIsReadAndSaidToBeReadOnly) {
     AnnotationStore::open(file).commit(place(2), "ann"); // closed: no log any more
     allow(readOnly);
     EXPECT_EQ(look(2), 0);
-    const int status = asNobody([&] {
+    const int status = asUserWithoutRights([&] {
         try {
             AnnotationStore::open(place01 / "new.sqlite");
             return 1;

@@ -247,7 +247,7 @@ TEST_F(AnnotationStoreTest, RefusesDamagedFilesNamesTheBackupAndLeavesThemUntouc
                                                    {"half", whole.substr(0, whole.size() / 2)},
                                                    {"a page short", whole.substr(0, whole.size() - 4096)},
                                                    {"a hole", holes},
-                                                   {"text", "these are no annotations, this is text"},
+                                                   {"text", "this is text, not annotations"},
                                                    {"another program's", foreign},
                                                    {"a value", value}};
     for (const auto& [name, bytes] : cases) {

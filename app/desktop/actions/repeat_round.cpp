@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/desktop/actions/second_round.h"
+#include "app/desktop/actions/repeat_round.h"
 
 #include <QDateTime>
 #include <QLocale>
@@ -76,7 +76,7 @@ void showBanner(MainWindow& window) {
 
 } // namespace
 
-void bindSecondRound(MainWindow& window) {
+void bindRepeatRound(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::RaterStudy& study = window.session().raters;
     widgets::RatersPanel* panel = window.workspaces().ratersPanel();

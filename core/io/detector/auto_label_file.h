@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/annotation/edit.h"
+#include "core/io/detector/first_pass.h"
+
+namespace core {
+
+/// Writes labels as ground truth (format "handlens-ground-truth"): rater "auto", marks placed "auto", and beside each
+/// hand's "joints" its "doubt".
+void writeAutoLabels(const std::filesystem::path& file, const Dataset& dataset, const Sequence& sequence,
+                     const AutoLabels& labels);
+
+/// The labels as proposed marks of `rater`, in one step: only views without a mark whose picture shows the joint.
+/// Their likelihood is 1 - doubt.
+Edit autoLabelEdit(const AnnotationSet& set, const Dataset& dataset, const AutoLabels& labels,
+                   const std::string& rater);
+
+} // namespace core
