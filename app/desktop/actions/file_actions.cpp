@@ -16,6 +16,7 @@
 #include "app/desktop/windows/export_window.h"
 #include "core/error.h"
 #include "core/io/formats/annotation_formats.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 
 namespace app {
@@ -118,7 +119,7 @@ void bindWorkspaces(MainWindow& window) {
                     try {
                         writeWorkspace(path.toStdString(), currentWorkspace(window));
                     } catch (const core::Error& error) {
-                        window.showMessage(QString::fromUtf8(error.what()));
+                        window.showMessage(widgets::errorInWords(error));
                     }
                 });
         });

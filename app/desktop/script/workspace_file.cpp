@@ -14,6 +14,7 @@
 #include "app/desktop/script/script_steps.h"
 #include "core/error.h"
 #include "core/io/files/json_file.h"
+#include "widgets/text/error_text.h"
 #include "widgets/views/picture_export.h"
 
 namespace app {
@@ -186,7 +187,7 @@ void openWorkspace(MainWindow& window, const std::string& file) {
     try {
         restoreFrom(window, file);
     } catch (const core::Error& error) {
-        window.showMessage(QString::fromUtf8(error.what()));
+        window.showMessage(widgets::errorInWords(error));
     }
 }
 
