@@ -28,14 +28,20 @@ ParsedCommandLine parseCommandLine(int argc, char** argv) {
     parser.add_option("--frame", line.frame, "Frame to show, from 0")->check(CLI::NonNegativeNumber);
     parser.add_option("--language", line.language, "Language of the window: en, de, ... (default: the system's)");
     parser.add_option("--rater", line.rater, "Name under which marks are made");
-    auto* offscreen = parser.add_flag("--offscreen", line.offscreen, "Run without a display (needs --script)");
+    auto* offscreen =
+        parser.add_flag("--offscreen", line.offscreen, "Run without a display (needs --script or --workspace)");
     auto* script = parser.add_option("--script", line.script, "File with one step (a JSON object) a line");
-    auto* out = parser.add_option("--out", line.out, "Folder for what the script writes");
-    offscreen->needs(script);
-    script->needs(offscreen)->needs(out);
+    auto* workspace = parser.add_option(
+        "--workspace", line.workspace, "Workspace file to show; with --offscreen, its views and plots become pictures");
+    auto* out = parser.add_option("--out", line.out, "Folder for what the script or the workspace writes");
+    script->needs(offscreen)->needs(out)->excludes(workspace);
     parser.set_version_flag("--version", std::string("handlens ") + HANDLENS_VERSION);
     try {
         parser.parse(argc, argv);
+        if (*offscreen && !*script && !*workspace)
+            throw CLI::RequiresError("--offscreen", "--script or --workspace");
+        if (*offscreen && !*out)
+            throw CLI::RequiresError("--offscreen", "--out");
     } catch (const CLI::Success& request) {
         parser.exit(request);
         return {std::nullopt, 0};

@@ -15,6 +15,7 @@ struct CommandLine {
     std::string rater;
     bool offscreen = false;
     std::string script;
+    std::string workspace;
     std::string out;
 };
 

@@ -13,6 +13,7 @@
 #include "app/desktop/palettes.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
+#include "app/desktop/script/workspace_file.h"
 #include "app/desktop/window_assembly.h"
 #include "core/error.h"
 #include "widgets/text/error_text.h"
@@ -47,6 +48,8 @@ int runScript(app::MainWindow& window, const app::CommandLine& line) {
             return 2;
         }
     }
+    if (!line.workspace.empty())
+        return app::renderWorkspace(window, line.workspace, line.out);
     return app::playScript(window, QString::fromStdString(line.script), QString::fromStdString(line.out), std::cout,
                            std::cerr);
 }
@@ -86,6 +89,8 @@ int run(int argc, char** argv, const app::CommandLine& line) {
         window.show();
         if (!line.dataset.empty())
             window.openDataset(QString::fromStdString(line.dataset), QString::fromStdString(line.sequence), line.frame);
+        if (!line.workspace.empty())
+            QTimer::singleShot(0, &window, [&] { app::openWorkspace(window, line.workspace); });
     }
     return QApplication::exec();
 }

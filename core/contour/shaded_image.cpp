@@ -145,7 +145,9 @@ private:
             const ShadedSurface& s = m_surfaces[surface];
             const Eigen::Vector3d& point = (*s.surface.verticesInWorld)[v];
             look.px = project(m_camera, point).value_or(Eigen::Vector2d::Zero()).cast<float>();
-            look.rgb = m_shader(point, (*s.normalsInWorld)[v], m_albedo[surface]);
+            const Eigen::Array3f albedo =
+                s.vertexColours ? linearFromEncoded((*s.vertexColours)[v]) : m_albedo[surface];
+            look.rgb = m_shader(point, (*s.normalsInWorld)[v], albedo);
             look.ready = true;
         }
         return &look;

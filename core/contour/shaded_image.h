@@ -15,6 +15,7 @@ struct ShadedSurface {
     PosedSurface surface;
     const std::vector<Eigen::Vector3d>* normalsInWorld = nullptr; ///< unit, one per vertex, outward; needed
     Eigen::Vector3f colour{0.85f, 0.64f, 0.53f};                  ///< RGB, sRGB encoded, 0..1
+    const std::vector<Eigen::Vector3f>* vertexColours = nullptr;  ///< one per vertex, instead of the colour
 };
 
 /// Lights of a shaded image, as strengths of 0..1. They travel with the camera, as a photographer's would, so that

@@ -17,7 +17,7 @@ constexpr std::array<std::size_t, 7> kTellingLandmarks{0, 4, 5, 8, 12, 17, 20};
 constexpr std::size_t kLeastTelling = 5;
 /// A detection belongs to a hand if its landmarks lie this near the hand's on average, share of its square.
 constexpr double kBelongs = 0.08;
-constexpr std::size_t kLeastKnown = 12; ///< landmarks without which a hand is no hand
+constexpr std::size_t kLeastKnown = 12; ///< a hand with fewer known landmarks is left out
 constexpr double kMostLogOdds = 3;
 
 double logOdds(double probability) {

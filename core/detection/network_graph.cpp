@@ -140,7 +140,8 @@ private:
                 "weights are " + shapeText(tensor.shape) + ", they should be " + shapeText(shape));
     }
     void requireImage(const NetworkTensor& tensor) const {
-        require(tensor.shape.size() == 4 && tensor.shape[0] == 1, "the input is no image: " + shapeText(tensor.shape));
+        require(tensor.shape.size() == 4 && tensor.shape[0] == 1,
+                "the input is not an image: " + shapeText(tensor.shape));
     }
 
     Shape shapeOf(const NetworkOperator& step) const;

@@ -188,4 +188,48 @@ void explainMatches(const CameraTarget& target, const MatchRule& rule, const Rim
     match(target, rule, rim, Explained{candidates});
 }
 
+ContourProbe probeContour(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px,
+                          float angleRad) {
+    RimPoint rim;
+    rim.px = px;
+    rim.normalPx = {std::cos(angleRad), std::sin(angleRad)};
+    std::vector<MatchCandidate> candidates;
+    explainMatches(target, rule, rim, candidates);
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    ContourProbe best{-1, rule.bins.binOf(static_cast<double>(angleRad)), kNone, kNone, MatchVerdict::EmptyBin};
+    for (const MatchCandidate& candidate : candidates) {
+        if (candidate.index < 0)
+            continue;
+        const double distance = static_cast<double>((contourPx(target, candidate.index) - px).norm());
+        if (best.contourPoint >= 0 && distance >= best.distancePx)
+            continue;
+        best.contourPoint = candidate.index;
+        best.distancePx = best.cost = distance;
+        best.verdict = candidate.verdict;
+    }
+    if (rule.distance == DistanceKind::DchDt3 && best.contourPoint >= 0) {
+        const auto q = static_cast<std::size_t>(best.contourPoint);
+        const int bin = rule.bins.binOf(static_cast<double>(target.contour.angleRad[q]));
+        best.cost += static_cast<double>(rule.lambdaPxPerRad) * rule.bins.distanceRad(best.bin, bin);
+    }
+    return best;
+}
+
+CameraTarget targetForRule(const CameraTarget& target, const MatchRule& rule) {
+    OrientedContour searched = target.contour;
+    for (std::size_t i = 0; rule.wholePixels && i < searched.size(); ++i) {
+        searched.x[i] = std::round(searched.x[i]);
+        searched.y[i] = std::round(searched.y[i]);
+    }
+    CameraTarget result{target.camera,
+                        target.mask,
+                        target.maskBounds,
+                        target.contour,
+                        {},
+                        target.centre,
+                        ContourIndex(searched, rule.bins),
+                        std::nullopt};
+    return result;
+}
+
 } // namespace core

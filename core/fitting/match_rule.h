@@ -54,4 +54,18 @@ struct MatchCandidate {
 void explainMatches(const CameraTarget& target, const MatchRule& rule, const RimPoint& rim,
                     std::vector<MatchCandidate>& candidates);
 
+/// What a rule finds for a point of the image with a direction, as if the model's rim passed there.
+struct ContourProbe {
+    int contourPoint = -1; ///< q, an index into the contour; -1 where none qualifies
+    int bin = 0;           ///< of the direction
+    double distancePx = 0; ///< |p - q|; NaN without q
+    double cost = 0;       ///< d(p, q) in px: |p - q|, for DCH-DT3 plus lambda circ; NaN without q
+    MatchVerdict verdict = MatchVerdict::Kept;
+};
+/// The target must have been prepared for the rule's bins. With two candidates (Quant2), the nearer one.
+ContourProbe probeContour(const CameraTarget& target, const MatchRule& rule, const Eigen::Vector2f& px, float angleRad);
+
+/// The same contour prepared for another method's rule, without a tensor.
+CameraTarget targetForRule(const CameraTarget& target, const MatchRule& rule);
+
 } // namespace core

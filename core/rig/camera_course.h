@@ -24,7 +24,7 @@ struct SequenceHealth {
     int clicks = 0;
     Eigen::Vector2d meanPx = Eigen::Vector2d::Zero(); ///< robust mean residual, its variation over the image taken off
     double meanSigmaPx = 0;                           ///< standard deviation of each coordinate
-    /// Change of the mean over the frames, px per 100 frames, with its standard deviation; nothing if all clicks are of
+    /// Change of the mean over the frames, px per 100 frames, with its standard deviation; empty if all clicks are of
     /// few frames.
     std::optional<Eigen::Vector2d> driftPx;
     double driftSigmaPx = 0;

@@ -12,6 +12,7 @@
 #include <QRegularExpression>
 #include <QTranslator>
 
+#include "app/desktop/resources.h"
 #include "core/annotation/edits.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "tests/app/window_fixture.h"
@@ -109,8 +110,8 @@ protected:
                                                 {12, session().document.rater(), kIndex, camera(index).name}, px));
     }
     /// Tries to open a dataset that is not one; returns what the window says.
-    QString messageOfOpening(const QString& folder) {
-        window->openDataset(folder);
+    QString messageOfOpening(const char* name) {
+        window->openDataset(path(name));
         EXPECT_TRUE(app::waitUntilIdle(*window));
         return window->message();
     }
@@ -154,13 +155,13 @@ TEST_F(GermanWindow, SaysInGermanWhyADatasetDoesNotOpen) {
         EXPECT_FALSE(message.contains(QString::fromUtf8(english))) << message.toStdString();
         expectNoEnglish(file);
     };
-    expectGerman(messageOfOpening(path("gone")), "gone", "no such");
+    expectGerman(messageOfOpening("gone"), "gone", "no such");
     test::writeTinyDataset(folder / "broken");
     std::ofstream(folder / "broken" / "cameras.json") << "{ \"format\": ";
-    expectGerman(messageOfOpening(path("broken")), "cameras.json", "parse");
+    expectGerman(messageOfOpening("broken"), "cameras.json", "parse");
     test::writeTinyDataset(folder / "old");
     std::filesystem::remove(folder / "old" / "hands" / "left.json");
-    expectGerman(messageOfOpening(path("old")), "left.json", "no such");
+    expectGerman(messageOfOpening("old"), "left.json", "no such");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/desktop/resources.h"
+#include "core/error.h"
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/text/advice.h"
 #include "widgets/text/edit_text.h"

@@ -32,7 +32,8 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     const auto report = [&](int iteration, int most) { progress(most > 0 ? double(iteration) / most : 0); };
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
     try {
-        outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads);
+        outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads,
+                                       core::MatchRecording::On);
         outcome.errorMm = errorAgainst(pair, dataset, outcome.result.poses);
         for (const core::FitIteration& step : outcome.result.history)
             outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/presenters/inspect_curves.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
@@ -40,6 +41,8 @@ InspectPage::InspectPage(const FitRunner& fits, const DatasetSession& datasets, 
     , m_iterationText(new QLabel(this))
     , m_rows(new QSpinBox(this))
     , m_grid(new CameraGrid(this))
+    , m_overlays(new InspectOverlays(*m_grid, pool, this))
+    , m_layerBar(new InspectLayerBar(*m_overlays, this))
     , m_errors(new CurvePlot(this))
     , m_costs(new CurvePlot(this)) {
     build();
@@ -60,7 +63,11 @@ InspectPage::InspectPage(const FitRunner& fits, const DatasetSession& datasets, 
     connect(m_grid, &CameraGrid::viewAdded, this, [this](int index, CameraView* view) {
         view->setPlacingEnabled(false);
         connect(view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
+        connect(view, &CameraView::pointerMoved, this, [this, index](QPointF px) { showProbe(index, px); });
+        connect(view, &CameraView::pointerLeft, m_layerBar, &InspectLayerBar::clearProbe);
     });
+    connect(m_overlays, &InspectOverlays::shownChanged, this, &InspectPage::showLayers);
+    connect(m_overlays, &InspectOverlays::drawn, this, &InspectPage::showTitles);
     takeOutcome();
 }
 
@@ -132,6 +139,7 @@ QWidget* InspectPage::makeViews() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addLayout(makeIterationRow());
+    column->addWidget(m_layerBar);
     column->addWidget(splitter, 1);
     return page;
 }
@@ -257,12 +265,14 @@ void InspectPage::showTitles() {
         for (std::size_t column = 0; column < methodCount(); ++column) {
             const MethodOutcome& method = outcome->methods[column];
             const double errorMm = inspectedErrorMm(*outcome, method, iteration());
-            const QString error =
-                std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
+            const int index = static_cast<int>(row * methodCount() + column);
+            QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
+            if (const double iou = m_overlays->iou(index); !std::isnan(iou))
+                error = tr("%1, IoU %2").arg(error, QLocale().toString(iou, 'f', 3));
             ViewTitle title{QString::fromStdString(method.method), QString::fromStdString(camera.name),
                             method.failure.isEmpty() ? error : tr("failed"), false};
             title.colour = methodColour(method.method);
-            m_grid->view(static_cast<int>(row * methodCount() + column))->setTitle(title);
+            m_grid->view(index)->setTitle(title);
         }
     }
 }
@@ -274,6 +284,7 @@ void InspectPage::showPoses() {
         plot->setCursor(outcome ? iteration() : std::nan(""));
     if (!outcome || !m_datasets.dataset()) {
         m_job.stop();
+        m_overlays->show({});
         emit posesShown();
         return;
     }
@@ -286,10 +297,28 @@ void InspectPage::showPoses() {
             return {}; // stopped
         return [this, posed] {
             m_posed = posed;
+            m_overlays->show({m_dataset, m_fits.outcome(), m_posed, m_rowCameras, this->iteration()});
             showLayers();
             emit posesShown();
         };
     });
+}
+
+ShownMatches InspectPage::matches(const QString& method, int camera) const {
+    if (const auto& outcome = m_fits.outcome())
+        for (const MethodOutcome& candidate : outcome->methods)
+            if (QString::fromStdString(candidate.method) == method)
+                return shownMatches(candidate, camera, iteration());
+    return {};
+}
+
+void InspectPage::showProbe(int view, QPointF px) {
+    const auto& outcome = m_fits.outcome();
+    const std::size_t row = methodCount() ? static_cast<std::size_t>(view) / methodCount() : 0;
+    if (!outcome || row >= m_rowCameras.size())
+        return;
+    const MethodOutcome& method = outcome->methods[static_cast<std::size_t>(view) % methodCount()];
+    m_layerBar->showProbe(method.method, shownMatches(method, m_rowCameras[row], iteration()), px);
 }
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
@@ -300,8 +329,14 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 }
 
 void InspectPage::showLayers() {
-    for (int index = 0; m_posed && index < m_grid->count(); ++index)
-        m_grid->view(index)->setMeshLayers(inspectedColumn(*m_posed, static_cast<std::size_t>(index) % methodCount(),
+    if (!m_posed)
+        return;
+    InspectedPoses poses = *m_posed;
+    if (m_overlays->isShown(InspectLayer::Error))
+        for (MeshLayer& method : poses.methods)
+            method = colouredByError(method, poses.recorded);
+    for (int index = 0; index < m_grid->count(); ++index)
+        m_grid->view(index)->setMeshLayers(inspectedColumn(poses, static_cast<std::size_t>(index) % methodCount(),
                                                            m_look, m_startShown, m_recordedShown));
 }
 
@@ -315,25 +350,10 @@ std::vector<MeshLayer> InspectPage::posedLayers() const {
 }
 
 void InspectPage::showCurves() {
-    std::vector<Curve> errors, costs;
-    if (const auto& outcome = m_fits.outcome()) {
-        for (const MethodOutcome& method : outcome->methods) {
-            Curve error{QString::fromStdString(method.method), methodColour(method.method), false, false, {}};
-            Curve cost = error;
-            if (!std::isnan(outcome->initialErrorMm))
-                error.points.emplace_back(0, outcome->initialErrorMm);
-            for (std::size_t i = 0; i < method.iterationErrorMm.size(); ++i) {
-                if (!std::isnan(method.iterationErrorMm[i]))
-                    error.points.emplace_back(double(i + 1), method.iterationErrorMm[i]);
-                cost.points.emplace_back(double(i), method.result.history[i].costMm2);
-            }
-            if (!error.points.empty())
-                errors.push_back(std::move(error));
-            costs.push_back(std::move(cost));
-        }
-    }
-    m_errors->setCurves(errors);
-    m_costs->setCurves(costs);
+    const auto& outcome = m_fits.outcome();
+    const InspectCurves curves = outcome ? inspectCurves(*outcome) : InspectCurves();
+    m_errors->setCurves(curves.errors);
+    m_costs->setCurves(curves.costs);
 }
 
 void InspectPage::syncRow(int index) {

@@ -15,10 +15,12 @@
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"
+#include "widgets/presenters/inspect_overlays.h"
 #include "widgets/presenters/inspected_poses.h"
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/curve_plot.h"
+#include "widgets/workspaces/inspect_layer_bar.h"
 
 namespace widgets {
 
@@ -44,6 +46,16 @@ public:
     /// Start, recorded pose and every method at the iteration that is shown, for the scene; none without a fit.
     std::vector<MeshLayer> posedLayers() const;
 
+    /// Which layers are drawn over the views.
+    InspectOverlays* overlays() const { return m_overlays; }
+    CurvePlot* errorPlot() const { return m_errors; }
+    CurvePlot* costPlot() const { return m_costs; }
+    /// Cameras that are shown, from the current one on.
+    int rows() const { return m_rows->value(); }
+    void setRows(int rows) { m_rows->setValue(rows); }
+    /// Of a method of the fit, in a camera, at the iteration that is shown.
+    ShownMatches matches(const QString& method, int camera) const;
+
 signals:
     /// Other poses are shown: another pair, another iteration, or none.
     void posesShown();
@@ -65,6 +77,7 @@ private:
     void showPicture(int camera, const ImagePyramid& picture);
     void showCurves();
     void showTitles();
+    void showProbe(int view, QPointF px);
     void syncRow(int index);
     std::vector<int> rowCameras() const;
     std::size_t methodCount() const;
@@ -85,6 +98,8 @@ private:
     QLabel* m_iterationText;
     QSpinBox* m_rows;
     CameraGrid* m_grid;
+    InspectOverlays* m_overlays;
+    InspectLayerBar* m_layerBar;
     CurvePlot* m_errors;
     CurvePlot* m_costs;
     std::vector<int> m_rowCameras; ///< per row

@@ -19,6 +19,7 @@ constexpr const char* kHelp = QT_TRANSLATE_NOOP("app::ActionTable", "&Help");
 constexpr const char* kMaximise = QT_TRANSLATE_NOOP("app::ActionTable", "One &view");
 constexpr const char* kMarks = QT_TRANSLATE_NOOP("app::ActionTable", "Mar&ks");
 constexpr const char* kMesh = QT_TRANSLATE_NOOP("app::ActionTable", "&Mesh");
+constexpr const char* kLayers = QT_TRANSLATE_NOOP("app::ActionTable", "&Layers of the methods");
 constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
 constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
 constexpr const char* kNudge = QT_TRANSLATE_NOOP("app::ActionTable", "&Nudge");
@@ -158,7 +159,15 @@ const std::vector<ActionRow> kRows = {
     {"compare.nextIteration", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Next iteration"), ".", "", ""},
     {"compare.lastIteration", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Result of the fit"), "/", "", ""},
     {"compare.nextMethod", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Next &method in the 3D scene"), ";", "", ""},
+    {"compare.layerContour", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Contour"), "Alt+1", "", QT_TRANSLATE_NOOP("app::ActionTable", "The observed outline over the inspected views; its colour is its direction"), kCheck},
+    {"compare.layerRim", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Rim"), "Alt+2", "", QT_TRANSLATE_NOOP("app::ActionTable", "Rim points of the posed hands with their normals"), kCheck},
+    {"compare.layerMatches", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Matches"), "Alt+3", "", QT_TRANSLATE_NOOP("app::ActionTable", "From rim points to their contour points, by distance; refused ones dashed"), kCheck},
+    {"compare.layerDifference", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Difference of silhouettes"), "Alt+4", "", QT_TRANSLATE_NOOP("app::ActionTable", "Red is seen but not covered, blue is covered but not seen"), kCheck},
+    {"compare.layerField", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Field"), "Alt+5", "", QT_TRANSLATE_NOOP("app::ActionTable", "What a rim point of one direction costs at every pixel"), kCheck},
+    {"compare.layerError", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Error"), "Alt+6", "", QT_TRANSLATE_NOOP("app::ActionTable", "The mesh by its distance to the recorded pose"), kCheck},
     {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"file.saveWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again"), kPlain, true},
+    {"file.openWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
     {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
     {"file.openResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
 
@@ -174,9 +183,10 @@ const std::vector<ActionRow> kRows = {
 // clang-format on
 
 const std::vector<MenuRow> kMenus = {
-    {kFile, nullptr},     {kEdit, nullptr}, {kView, nullptr},     {kMaximise, kView}, {kMarks, kView},
-    {kMesh, kView},       {kScene, kView},  {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate},
-    {kJoints, kAnnotate}, {kGo, nullptr},   {kFit, nullptr},      {kRaters, nullptr}, {kHelp, nullptr}};
+    {kFile, nullptr},     {kEdit, nullptr},   {kView, nullptr},    {kMaximise, kView},
+    {kMarks, kView},      {kLayers, kFit},    {kMesh, kView},      {kScene, kView},
+    {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate},
+    {kGo, nullptr},       {kFit, nullptr},    {kRaters, nullptr},  {kHelp, nullptr}};
 
 } // namespace
 

@@ -11,9 +11,12 @@
 
 #include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/workspace_file.h"
 #include "app/desktop/windows/annotation_format_text.h"
 #include "app/desktop/windows/export_window.h"
+#include "core/error.h"
 #include "core/io/formats/annotation_formats.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 
 namespace app {
@@ -101,9 +104,35 @@ void importAnnotations(MainWindow& window) {
                });
 }
 
+void bindWorkspaces(MainWindow& window) {
+    const FileKind kind{MainWindow::tr("Comparisons (*.json)"), QStringLiteral("json")};
+    window.actions().bind(
+        id("file.saveWorkspace"),
+        [&window, kind] {
+            if (!window.session().fits.outcome()) {
+                window.statusLine().sayBriefly(MainWindow::tr("Fit a pair first."));
+                return;
+            }
+            askForFile(
+                window, MainWindow::tr("Save this comparison"), {kind}, sequenceName(window),
+                [&window](const QString& path, std::size_t) {
+                    try {
+                        writeWorkspace(path.toStdString(), currentWorkspace(window));
+                    } catch (const core::Error& error) {
+                        window.showMessage(widgets::errorInWords(error));
+                    }
+                });
+        });
+    window.actions().bind(id("file.openWorkspace"), [&window, kind] {
+        askForFile(window, MainWindow::tr("Open a comparison"), {kind}, {},
+                   [&window](const QString& path, std::size_t) { openWorkspace(window, path.toStdString()); });
+    });
+}
+
 } // namespace
 
 void bindFileActions(MainWindow& window) {
+    bindWorkspaces(window);
     Actions& actions = window.actions();
     actions.bind(
         id("file.export"), [&window] { exportAnnotations(window); });

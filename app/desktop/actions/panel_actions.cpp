@@ -53,6 +53,26 @@ void bindIterations(MainWindow& window) {
     actions.bind(id("compare.lastIteration"), [page, show] { show(page->lastIteration()); });
 }
 
+void bindLayers(MainWindow& window) {
+    widgets::InspectOverlays* overlays = window.workspaces().inspectPage()->overlays();
+    for (const widgets::InspectLayer layer : widgets::kInspectLayers) {
+        QString name = widgets::inspectLayerId(layer);
+        name[0] = name[0].toUpper();
+        const QString action = QStringLiteral("compare.layer") + name;
+        window.actions().bindToggle(
+            action,
+            [&window, overlays, layer](bool on) {
+                if (on)
+                    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+                overlays->setShown(layer, on);
+            });
+        QObject::connect(overlays, &widgets::InspectOverlays::shownChanged, &window,
+                         [&window, overlays, layer, action] {
+                             window.actions().action(action)->setChecked(overlays->isShown(layer));
+                         });
+    }
+}
+
 void askForMasks(MainWindow& window) {
     const auto& dataset = window.session().opened.dataset();
     if (!dataset)
@@ -169,6 +189,7 @@ void bindPanelActions(MainWindow& window) {
     bindNames(window);
     bindPanels(window);
     bindIterations(window);
+    bindLayers(window);
     bindComparing(window);
     QObject::connect(
         window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,

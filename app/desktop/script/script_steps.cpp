@@ -12,8 +12,10 @@
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/idle_wait.h"
+#include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
 #include "app/desktop/script/step_fields.h"
+#include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
 #include "core/numeric/median.h"
 #include "widgets/text/error_text.h"
@@ -61,7 +63,11 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("export"), &ScriptSteps::exportAnnotations},
                                                          {QStringLiteral("shot"), &ScriptSteps::shot},
                                                          {QStringLiteral("resize"), &ScriptSteps::resize},
-                                                         {QStringLiteral("timing"), &ScriptSteps::timing}};
+                                                         {QStringLiteral("timing"), &ScriptSteps::timing},
+                                                         {QStringLiteral("iteration"), &ScriptSteps::iteration},
+                                                         {QStringLiteral("layer"), &ScriptSteps::layer},
+                                                         {QStringLiteral("probe"), &ScriptSteps::probe},
+                                                         {QStringLiteral("workspace"), &ScriptSteps::workspace}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -218,7 +224,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printJoint(step);
     if (what == QLatin1String("results"))
         return printResults();
-    throw refused("what", QStringLiteral("expected \"joint\" or \"results\""));
+    if (what == QLatin1String("matches"))
+        return printMatches(m_window, step);
+    throw refused("what", QStringLiteral("expected \"joint\", \"results\" or \"matches\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -249,6 +257,24 @@ QJsonObject ScriptSteps::printResults() {
     return {{QStringLiteral("start"), outcome->request.start},
             {QStringLiteral("test"), outcome->request.test},
             {QStringLiteral("results"), rows}};
+}
+
+QJsonObject ScriptSteps::iteration(const QJsonObject& step) {
+    return showIteration(m_window, step);
+}
+
+QJsonObject ScriptSteps::layer(const QJsonObject& step) {
+    return showLayer(m_window, step);
+}
+
+QJsonObject ScriptSteps::probe(const QJsonObject& step) {
+    return probeAt(m_window, step);
+}
+
+QJsonObject ScriptSteps::workspace(const QJsonObject& step) {
+    const QString path = outPath(step);
+    writeWorkspace(path.toStdString(), currentWorkspace(m_window));
+    return {{QStringLiteral("path"), path}};
 }
 
 QJsonObject ScriptSteps::exportAnnotations(const QJsonObject& step) {

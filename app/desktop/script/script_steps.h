@@ -38,6 +38,10 @@ private:
     QJsonObject shot(const QJsonObject& step);
     QJsonObject resize(const QJsonObject& step);
     QJsonObject timing(const QJsonObject& step);
+    QJsonObject iteration(const QJsonObject& step);
+    QJsonObject layer(const QJsonObject& step);
+    QJsonObject probe(const QJsonObject& step);
+    QJsonObject workspace(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();

@@ -98,7 +98,7 @@ bool PictureReader::fetchAhead(int direction, const std::stop_token& stop) {
         return false;
     try {
         decode(*picture, stop);
-    } catch (const Error&) { // it is said when somebody wants the picture
+    } catch (const Error&) { // it is thrown again when the picture is asked for
     }
     return !stop.stop_requested();
 }

@@ -33,7 +33,7 @@ public:
 
     /// The i-th element of a cell array or of an array of structures, from 0.
     MatValue element(std::size_t i) const;
-    /// A member of a structure; missing if it has none of that name. Throws if this is no structure.
+    /// A member of a structure; missing if it has none of that name. Throws if this is not a structure.
     MatValue member(const std::string& name) const;
 
     /// Real numbers of any type.

@@ -38,7 +38,8 @@ TEST(SimulatedPicture, ShowsTheHandsWhereTheirSilhouetteIs) {
     const cv::Mat truth = renderHandsMask(world.cameras[0], world.hands, motion[1]);
     const double both = cv::countNonZero(mask & truth), any = cv::countNonZero(mask | truth);
     EXPECT_GT(both / any, 0.8);
-    EXPECT_EQ(cv::countNonZero(differenceMask(withSensorNoise(room, still, 8), empty)), 0) << "noise alone is no hand";
+    EXPECT_EQ(cv::countNonZero(differenceMask(withSensorNoise(room, still, 8), empty)), 0)
+        << "noise alone is not taken for a hand";
 }
 
 TEST(SimulatedPicture, IsBlurredByMotion) {

@@ -114,6 +114,12 @@ const std::vector<ViewMark>& CameraView::marks() const {
 void CameraView::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_items->setSkeleton(lines);
 }
+void CameraView::setShapes(const OverlayShapes& shapes) {
+    m_items->setShapes(shapes);
+}
+const OverlayShapes& CameraView::shapes() const {
+    return m_items->shapes();
+}
 void CameraView::setEpipolarGuides(const std::vector<EpipolarGuide>& guides) {
     m_items->setGuides(guides);
 }
@@ -142,9 +148,10 @@ void CameraView::setLabelsShown(bool shown) {
     m_items->setLabelsShown(shown);
 }
 
-void CameraView::setFieldImage(const QImage& field, double opacity) {
+void CameraView::setFieldImage(const QImage& field, double opacity, bool overMeshes) {
     m_field = field;
     m_fieldOpacity = opacity;
+    m_fieldOverMeshes = overMeshes;
     viewport()->update();
 }
 

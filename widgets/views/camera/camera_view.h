@@ -52,6 +52,9 @@ public:
     void setOtherMarks(const std::vector<ViewMark>& marks);
     const std::vector<ViewMark>& otherMarks() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
+    /// What an inspected method did: contour, rim, matches.
+    void setShapes(const OverlayShapes& shapes);
+    const OverlayShapes& shapes() const;
     void setEpipolarGuides(const std::vector<EpipolarGuide>& guides);
     /// Which hand is which; hidden with the other overlays.
     void setHandLabels(const std::vector<HandLabel>& labels);
@@ -64,7 +67,8 @@ public:
     void setGuideFocus(const std::optional<QPointF>& px);
     /// A picture over the whole image, such as a distance field (premultiplied ARGB, size of the image or a fraction of
     /// it); null for none.
-    void setFieldImage(const QImage& field, double opacity = 0.6);
+    /// `overMeshes`: above the mesh layers instead of below them.
+    void setFieldImage(const QImage& field, double opacity = 0.6, bool overMeshes = false);
 
     void setTitle(const ViewTitle& title);
     const ViewTitle& title() const;
@@ -167,6 +171,7 @@ private:
     void requestMeshPicture();
     MeshLayerPainter::Request meshRequest(double pictureScale) const;
     void paintImage(QPainter& painter, double pixelsPerImagePixel) const;
+    void paintField(QPainter& painter) const;
     void paintMeshes(QPainter& painter, const MeshPicture& picture) const;
     void paintAll(QPainter& painter, double pictureScale) const;
     const QImage& level(int index) const;
@@ -180,6 +185,7 @@ private:
     mutable std::vector<QImage> m_adjustedLevels; ///< of m_pyramid with m_adjustment, made when first drawn
     QImage m_field;
     double m_fieldOpacity = 0.6;
+    bool m_fieldOverMeshes = false;
     std::vector<MeshLayer> m_meshLayers;
     bool m_fitted = true;
     QRectF m_home; ///< image px; empty: the whole image

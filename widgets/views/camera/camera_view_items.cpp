@@ -7,6 +7,7 @@
 #include "widgets/views/camera/line_items.h"
 #include "widgets/views/camera/mark_item.h"
 #include "widgets/views/camera/other_marks_item.h"
+#include "widgets/views/camera/overlay_shapes_item.h"
 
 namespace widgets {
 
@@ -24,6 +25,7 @@ public:
 
 CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     : m_root(new RootItem)
+    , m_shapes(new OverlayShapesItem(m_root))
     , m_skeleton(new SkeletonItem(m_root))
     , m_guides(new GuidesItem(m_root))
     , m_ellipse(new EllipseItem(m_root))
@@ -31,8 +33,8 @@ CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     , m_reprojections(new ReprojectionItem(m_root))
     , m_arrows(new ArrowsItem(m_root)) {
     double level = -10;
-    for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{m_skeleton, m_guides, m_ellipse, m_otherMarks,
-                                                                     m_reprojections, m_arrows})
+    for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{m_shapes, m_skeleton, m_guides, m_ellipse,
+                                                                     m_otherMarks, m_reprojections, m_arrows})
         item->setZValue(level++);
     scene.addItem(m_root);
 }
@@ -60,6 +62,12 @@ void CameraViewItems::setOtherMarks(const std::vector<ViewMark>& marks) {
 }
 const std::vector<ViewMark>& CameraViewItems::otherMarks() const {
     return m_otherMarks->marks();
+}
+void CameraViewItems::setShapes(const OverlayShapes& shapes) {
+    m_shapes->setShapes(shapes);
+}
+const OverlayShapes& CameraViewItems::shapes() const {
+    return m_shapes->shapes();
 }
 void CameraViewItems::setSkeleton(const std::vector<SkeletonLine>& lines) {
     m_skeleton->setLines(lines);

@@ -19,18 +19,21 @@ class GuidesItem;
 class HandLabelItem;
 class MarkItem;
 class OtherMarksItem;
+class OverlayShapesItem;
 class ReprojectionItem;
 class SkeletonItem;
 
-/// The vector items that lie over a view's image. Bottom to top: skeleton, guides, ellipse, other people's marks,
-/// reprojection lines, residual arrows, hand labels, marks. The scene's coordinates are image pixels + 0.5, so that
-/// pixel (0, 0) covers (0, 0) .. (1, 1).
+/// The vector items that lie over a view's image. Bottom to top: an inspected method's shapes, skeleton, guides,
+/// ellipse, other people's marks, reprojection lines, residual arrows, hand labels, marks. The scene's coordinates are
+/// image pixels + 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
 class CameraViewItems {
 public:
     explicit CameraViewItems(QGraphicsScene& scene);
 
     void setMarks(const std::vector<ViewMark>& marks);
     void setOtherMarks(const std::vector<ViewMark>& marks);
+    void setShapes(const OverlayShapes& shapes);
+    const OverlayShapes& shapes() const;
     void setSkeleton(const std::vector<SkeletonLine>& lines);
     void setGuides(const std::vector<EpipolarGuide>& guides);
     void setGuideFocus(const std::optional<QPointF>& px);
@@ -48,6 +51,7 @@ public:
 
 private:
     QGraphicsItem* m_root; ///< the items belong to the scene
+    OverlayShapesItem* m_shapes;
     SkeletonItem* m_skeleton;
     GuidesItem* m_guides;
     EllipseItem* m_ellipse;

@@ -93,6 +93,14 @@ void CameraView::paintMeshes(QPainter& painter, const MeshPicture& meshes) const
     painter.restore();
 }
 
+void CameraView::paintField(QPainter& painter) const {
+    if (m_field.isNull())
+        return;
+    painter.setOpacity(m_fieldOpacity);
+    painter.drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
+    painter.setOpacity(1);
+}
+
 void CameraView::drawBackground(QPainter* painter, const QRectF& rect) {
     painter->fillRect(rect, kBackdrop);
     if (imageSize().isEmpty())
@@ -100,12 +108,11 @@ void CameraView::drawBackground(QPainter* painter, const QRectF& rect) {
     paintImage(*painter, scale() * devicePixelRatioF());
     if (m_overlaysHidden)
         return;
-    if (!m_field.isNull()) {
-        painter->setOpacity(m_fieldOpacity);
-        painter->drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
-        painter->setOpacity(1);
-    }
+    if (!m_fieldOverMeshes)
+        paintField(*painter);
     paintMeshes(*painter, m_meshPainter->picture());
+    if (m_fieldOverMeshes)
+        paintField(*painter);
 }
 
 /// Everything, on any paint device whose logical size is the viewport's.
@@ -118,13 +125,12 @@ void CameraView::paintAll(QPainter& painter, double pictureScale) const {
     painter.setTransform(viewportTransform(), true);
     paintImage(painter, scale() * pictureScale);
     if (!m_overlaysHidden) {
-        if (!m_field.isNull()) {
-            painter.setOpacity(m_fieldOpacity);
-            painter.drawImage(QRectF(QPointF(0, 0), imageSize()), m_field);
-            painter.setOpacity(1);
-        }
+        if (!m_fieldOverMeshes)
+            paintField(painter);
         const MeshLayerPainter::Request r = meshRequest(pictureScale);
         paintMeshes(painter, drawMeshLayers(r.camera, r.layers, r.topLeftPx, r.size, r.scale));
+        if (m_fieldOverMeshes)
+            paintField(painter);
     }
     painter.restore();
     m_scene->render(&painter, area, viewportTransform().inverted().mapRect(area));

@@ -21,7 +21,10 @@ QImage drawLayer(const core::Camera& crop, const MeshLayer& layer) {
     const Eigen::Vector3f colour(static_cast<float>(layer.colour.redF()), static_cast<float>(layer.colour.greenF()),
                                  static_cast<float>(layer.colour.blueF()));
     for (const ViewSurfacePtr& s : layer.surfaces)
-        surfaces.push_back({{&s->verticesInWorld, &s->triangles}, &s->normalsInWorld, colour});
+        surfaces.push_back({{&s->verticesInWorld, &s->triangles},
+                            &s->normalsInWorld,
+                            colour,
+                            s->coloursRgb.empty() ? nullptr : &s->coloursRgb});
     core::OverlayOptions options;
     options.style = layer.style == MeshStyle::Wireframe ? core::OverlayStyle::Wireframe : core::OverlayStyle::Shaded;
     options.opacity = static_cast<float>(layer.opacity);

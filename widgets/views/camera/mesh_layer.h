@@ -24,6 +24,7 @@ struct ViewSurface {
     std::vector<Eigen::Vector3d> verticesInWorld;
     std::vector<Eigen::Vector3d> normalsInWorld; ///< unit, one per vertex, outward
     std::vector<std::array<int, 3>> triangles;
+    std::vector<Eigen::Vector3f> coloursRgb; ///< one per vertex, 0..1, instead of the layer's; or none
 };
 using ViewSurfacePtr = std::shared_ptr<const ViewSurface>;
 

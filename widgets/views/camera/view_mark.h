@@ -75,6 +75,22 @@ struct SkeletonLine {
     QColor colour;
 };
 
+/// What an inspected method did, drawn over the image: thin lines, and dots of one colour.
+struct OverlayShapes {
+    struct Line {
+        QPointF fromPx;
+        QPointF toPx;
+        QColor colour;
+        bool dashed = false;
+    };
+    struct Dots {
+        std::vector<QPointF> px;
+        QColor colour;
+    };
+    std::vector<Line> lines;
+    std::vector<Dots> dots;
+};
+
 } // namespace widgets
 
 Q_DECLARE_METATYPE(core::JointId)

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/script/inspect_steps.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QJsonArray>
+
+#include "app/desktop/main_window.h"
+#include "app/desktop/script/step_fields.h"
+#include "core/error.h"
+#include "core/fitting/method_name.h"
+#include "widgets/text/local_text.h"
+
+namespace app {
+
+namespace {
+
+core::Error impossible(const char* field, const QString& why) {
+    return {core::ErrorCode::Usage, {}, field, why.toStdString()};
+}
+
+double degrees(float rad) {
+    return static_cast<double>(rad) * 180 / std::numbers::pi;
+}
+
+QJsonValue numberOrNull(double value) {
+    return std::isfinite(value) ? QJsonValue(value) : QJsonValue();
+}
+
+QJsonValue pointOrNull(const Eigen::Vector2f& px) {
+    if (!px.allFinite())
+        return {};
+    return QJsonArray{static_cast<double>(px.x()), static_cast<double>(px.y())};
+}
+
+widgets::InspectPage& fittedPage(MainWindow& window) {
+    if (!window.session().fits.outcome())
+        throw impossible("do", QStringLiteral("nothing was fitted yet"));
+    return *window.workspaces().inspectPage();
+}
+
+/// The matches that a step's "method" and "camera" mean.
+widgets::ShownMatches matchesOf(MainWindow& window, const QJsonObject& step) {
+    const widgets::InspectPage& page = fittedPage(window);
+    const QString method = textField(step, "method"), camera = textField(step, "camera");
+    const auto& outcome = *window.session().fits.outcome();
+    const bool isFitted = std::any_of(outcome.methods.begin(), outcome.methods.end(), [&](const auto& candidate) {
+        return QString::fromStdString(candidate.method) == method;
+    });
+    if (!isFitted)
+        throw impossible("method", QStringLiteral("\"%1\" was not fitted").arg(method));
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (std::size_t c = 0; c < cameras.size(); ++c)
+        if (QString::fromStdString(cameras[c].name) == camera)
+            return page.matches(method, static_cast<int>(c));
+    throw impossible("camera", QStringLiteral("unknown camera \"%1\"").arg(camera));
+}
+
+} // namespace
+
+QJsonObject showIteration(MainWindow& window, const QJsonObject& step) {
+    widgets::InspectPage& page = fittedPage(window);
+    const int to = intField(step, "to");
+    if (to < 0 || to > page.lastIteration())
+        throw impossible("to", QStringLiteral("%1 is not within 0..%2").arg(to).arg(page.lastIteration()));
+    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+    page.setIteration(to);
+    return {};
+}
+
+QJsonObject showLayer(MainWindow& window, const QJsonObject& step) {
+    const QString id = textField(step, "id");
+    const auto layer = widgets::inspectLayerOf(id);
+    if (!layer)
+        throw impossible("id", QStringLiteral("unknown layer \"%1\"").arg(id));
+    const QJsonValue on = step.value(QLatin1String("on"));
+    if (!on.isBool())
+        throw impossible("on", QStringLiteral("expected true or false"));
+    fittedPage(window).overlays()->setShown(*layer, on.toBool());
+    return {};
+}
+
+QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
+    const widgets::ShownMatches shown = matchesOf(window, step);
+    QJsonArray matches;
+    for (std::size_t i = 0; shown.matches && i < shown.matches->size(); ++i) {
+        const core::MatchRecord& match = (*shown.matches)[i];
+        const core::MatchGeometry geometry = core::matchGeometry(match, shown.target->contour);
+        QJsonObject row;
+        row[QStringLiteral("p")] = pointOrNull(match.rimPx);
+        row[QStringLiteral("q")] = pointOrNull(geometry.contourPx);
+        row[QStringLiteral("phiDeg")] = degrees(match.rimAngleRad);
+        row[QStringLiteral("contourPhiDeg")] = numberOrNull(degrees(geometry.contourAngleRad));
+        row[QStringLiteral("residualPx")] = numberOrNull(static_cast<double>(geometry.residualPx));
+        row[QStringLiteral("weight")] = static_cast<double>(match.weight);
+        row[QStringLiteral("kept")] = match.verdict == core::MatchVerdict::Kept;
+        row[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(match.verdict));
+        matches.append(row);
+    }
+    return {{QStringLiteral("method"), textField(step, "method")},
+            {QStringLiteral("camera"), textField(step, "camera")},
+            {QStringLiteral("iteration"), window.workspaces().inspectPage()->iteration()},
+            {QStringLiteral("matches"), matches}};
+}
+
+QJsonObject probeAt(MainWindow& window, const QJsonObject& step) {
+    const widgets::ShownMatches shown = matchesOf(window, step);
+    const QPointF px = pointField(step, "px");
+    const std::optional<float> angle = widgets::rimAngleAt(shown, px);
+    if (!shown.target || !angle)
+        throw impossible("camera", QStringLiteral("the method has no rim points there"));
+    const core::MatchRule rule = core::matchRule(core::parseMethod(textField(step, "method").toStdString()));
+    const Eigen::Vector2f p(static_cast<float>(px.x()), static_cast<float>(px.y()));
+    const core::ContourProbe probe = core::probeContour(core::targetForRule(*shown.target, rule), rule, p, *angle);
+    QJsonObject answer;
+    const bool isFound = probe.contourPoint >= 0;
+    answer[QStringLiteral("nearest")] =
+        isFound ? pointOrNull(core::contourPx(*shown.target, probe.contourPoint)) : QJsonValue();
+    answer[QStringLiteral("distancePx")] = numberOrNull(probe.distancePx);
+    answer[QStringLiteral("phiDeg")] = degrees(*angle);
+    answer[QStringLiteral("contourPhiDeg")] =
+        isFound ? QJsonValue(degrees(shown.target->contour.angleRad[static_cast<std::size_t>(probe.contourPoint)]))
+                : QJsonValue();
+    answer[QStringLiteral("bin")] = probe.bin;
+    answer[QStringLiteral("cost")] = numberOrNull(probe.cost);
+    answer[QStringLiteral("kept")] = isFound && probe.verdict == core::MatchVerdict::Kept;
+    answer[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(probe.verdict));
+    return answer;
+}
+
+} // namespace app

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "app/desktop/script/workspace_file.h"
+#include "core/distance/circular_distance.h"
+#include "core/distance/orientation_bins.h"
+#include "core/error.h"
+#include "tests/app/window_fixture.h"
+
+namespace {
+
+using nlohmann::json;
+
+/// Scripts about a fitted pair: what is printed is checked against the silhouettes that the fit was to meet.
+class InspectScript : public test::WindowTest {
+protected:
+    std::vector<json> run(const std::string& steps) {
+        EXPECT_EQ(play(steps), 0) << errors.str();
+        std::vector<json> lines;
+        std::istringstream stream(answers.str());
+        for (std::string line; std::getline(stream, line);)
+            lines.push_back(json::parse(line));
+        return lines;
+    }
+    void fit(const std::string& methods) { run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods + "]}\n"); }
+    json matches(const std::string& method, int iteration) {
+        return run("{\"do\":\"iteration\",\"to\":" + std::to_string(iteration) +
+                   "}\n{\"do\":\"print\",\"what\":\"matches\",\"camera\":\"cam0\",\"method\":\"" + method +
+                   "\"}\n")[1]["matches"];
+    }
+    const cv::Mat& mask() const { return session().fits.outcome()->masks.front(); }
+
+    /// Distance from a point to the nearest pixel of the silhouette that has a neighbour outside it.
+    double distanceToOutline(double x, double y) const {
+        double nearest = std::numeric_limits<double>::infinity();
+        const cv::Mat& seen = mask();
+        for (int v = 1; v + 1 < seen.rows; ++v)
+            for (int u = 1; u + 1 < seen.cols; ++u)
+                if (seen.at<unsigned char>(v, u) &&
+                    (!seen.at<unsigned char>(v - 1, u) || !seen.at<unsigned char>(v + 1, u) ||
+                     !seen.at<unsigned char>(v, u - 1) || !seen.at<unsigned char>(v, u + 1)))
+                    nearest = std::min(nearest, std::hypot(u - x, v - y));
+        return nearest;
+    }
+};
+
+TEST_F(InspectScript, MatchesOfChAreTheNearestPixelsOfTheOutline) {
+    fit("\"ch\"");
+    for (const int iteration : {0, 3}) {
+        const json found = matches("ch", iteration);
+        ASSERT_GT(found.size(), 50u);
+        for (std::size_t i = 0; i < found.size(); i += 40) {
+            const json& match = found[i];
+            EXPECT_TRUE(match["kept"].get<bool>());
+            EXPECT_NEAR(match["residualPx"].get<double>(), distanceToOutline(match["p"][0], match["p"][1]), 0.75);
+        }
+    }
+}
+
+TEST_F(InspectScript, DchThresKeepsWhatPassesItsAngleAndQuantWhatLiesInTheBin) {
+    fit("\"dch-thres\",\"dch-quant\"");
+    int refused = 0;
+    for (const json& match : matches("dch-thres", 0)) {
+        const double apart =
+            core::signedCircularDistance(match["phiDeg"].get<double>() * std::numbers::pi / 180,
+                                         match["contourPhiDeg"].get<double>() * std::numbers::pi / 180);
+        EXPECT_EQ(match["kept"].get<bool>(), apart < 22.5 * std::numbers::pi / 180);
+        EXPECT_EQ(match["reason"], match["kept"].get<bool>() ? "" : "orientation");
+        refused += match["kept"].get<bool>() ? 0 : 1;
+    }
+    EXPECT_GT(refused, 0);
+    const core::OrientationBins bins(8, true);
+    int kept = 0;
+    for (const json& match : matches("dch-quant", 0)) {
+        if (!match["kept"].get<bool>())
+            continue;
+        ++kept;
+        EXPECT_EQ(bins.binOf(match["phiDeg"].get<double>() * std::numbers::pi / 180),
+                  bins.binOf(match["contourPhiDeg"].get<double>() * std::numbers::pi / 180));
+    }
+    EXPECT_GT(kept, 50);
+}
+
+TEST_F(InspectScript, TheProbeFindsTheNearestOutlineAndItsCost) {
+    fit("\"ch\",\"dch-dt3\"");
+    const json at = matches("ch", 2)[7]["p"];
+    const std::string px =
+        "[" + std::to_string(at[0].get<double>() + 5) + "," + std::to_string(at[1].get<double>()) + "]";
+    const std::string probe = "{\"do\":\"probe\",\"camera\":\"cam0\",\"px\":" + px + ",\"method\":";
+    const auto lines = run(probe + "\"ch\"}\n" + probe + "\"dch-dt3\"}\n");
+    EXPECT_NEAR(lines[0]["distancePx"].get<double>(), distanceToOutline(at[0].get<double>() + 5, at[1]), 0.75);
+    EXPECT_EQ(lines[0]["cost"], lines[0]["distancePx"]);
+    const core::OrientationBins bins(16, true);
+    const int bin = bins.binOf(lines[1]["phiDeg"].get<double>() * std::numbers::pi / 180);
+    EXPECT_EQ(lines[1]["bin"], bin);
+    const double turned =
+        bins.distanceRad(bin, bins.binOf(lines[1]["contourPhiDeg"].get<double>() * std::numbers::pi / 180));
+    EXPECT_NEAR(lines[1]["cost"].get<double>(), lines[1]["distancePx"].get<double>() + 25 * turned, 1e-3);
+}
+
+TEST_F(InspectScript, LayersAreDrawnOverTheViewsAndTakenAway) {
+    fit("\"ch\",\"dch-thres\"");
+    run("{\"do\":\"iteration\",\"to\":0}\n");
+    widgets::CameraGrid* grid = window->workspaces().inspectPage()->grid();
+    for (const char* id : {"contour", "rim", "matches", "difference", "field", "error"}) {
+        const QImage before = grid->view(0)->grabPicture();
+        run(std::string("{\"do\":\"layer\",\"id\":\"") + id + "\",\"on\":true}\n");
+        const QImage with = grid->view(0)->grabPicture();
+        EXPECT_NE(with, before) << id;
+        run(std::string("{\"do\":\"layer\",\"id\":\"") + id + "\",\"on\":false}\n");
+        EXPECT_EQ(grid->view(0)->grabPicture(), before) << id;
+    }
+    EXPECT_EQ(play("{\"do\":\"layer\",\"id\":\"moon\",\"on\":true}\n"), 1);
+    EXPECT_NE(errors.str().find("moon"), std::string::npos);
+}
+
+TEST_F(InspectScript, TheDifferenceSaysHowWellTheSilhouettesAgree) {
+    fit("\"best\"");
+    run("{\"do\":\"layer\",\"id\":\"difference\",\"on\":true}\n{\"do\":\"iteration\",\"to\":0}\n");
+    const double atStart = window->workspaces().inspectPage()->overlays()->iou(0);
+    run("{\"do\":\"action\",\"id\":\"compare.lastIteration\"}\n");
+    const double atEnd = window->workspaces().inspectPage()->overlays()->iou(0);
+    EXPECT_GT(atStart, 0.3);
+    EXPECT_GT(atEnd, 0.97);
+    EXPECT_GT(atEnd, atStart);
+}
+
+TEST_F(InspectScript, AWorkspaceFileBringsTheSameViewsBack) {
+    fit("\"ch\",\"dch-thres\"");
+    run("{\"do\":\"iteration\",\"to\":3}\n{\"do\":\"layer\",\"id\":\"matches\",\"on\":true}\n"
+        "{\"do\":\"layer\",\"id\":\"difference\",\"on\":true}\n{\"do\":\"workspace\",\"path\":\"w.json\"}\n");
+    const std::string file = run("{\"do\":\"workspace\",\"path\":\"w.json\"}\n")[0]["path"].get<std::string>();
+    const app::Workspace saved = app::readWorkspace(file);
+    EXPECT_EQ(saved.methods, (std::vector<std::string>{"ch", "dch-thres"}));
+    EXPECT_EQ(saved.iteration, 3);
+    EXPECT_EQ(saved.layers, (std::vector<std::string>{"matches", "difference"}));
+    const QDir first(QString::fromStdString(file + ".1")), second(QString::fromStdString(file + ".2"));
+    QDir().mkpath(first.path());
+    QDir().mkpath(second.path());
+    app::restoreWorkspace(*window, saved);
+    const QStringList names = app::saveWorkspacePictures(*window, first);
+    EXPECT_TRUE(names.contains(QStringLiteral("ch_cam0.png"))) << names.join(' ').toStdString();
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":false}\n{\"do\":\"iteration\",\"to\":0}\n");
+    fit("\"best\"");
+    app::restoreWorkspace(*window, saved);
+    EXPECT_EQ(app::saveWorkspacePictures(*window, second), names);
+    for (const QString& name : names)
+        EXPECT_EQ(QImage(first.filePath(name)), QImage(second.filePath(name))) << name.toStdString();
+    app::Workspace lost = saved;
+    lost.camera = "cam77";
+    EXPECT_THROW(app::restoreWorkspace(*window, lost), core::Error);
+}
+
+} // namespace

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/presenters/inspect_overlays.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr double kFieldOpacity = 0.6, kDifferenceOpacity = 1;
+
+std::vector<InspectOverlay> makeOverlays(const InspectOverlays::Scene& scene, const std::set<InspectLayer>& shown,
+                                         double fieldAngleRad, const std::stop_token& stop) {
+    std::vector<InspectOverlay> overlays;
+    for (const int camera : scene.rowCameras) {
+        for (std::size_t m = 0; m < scene.outcome->methods.size(); ++m) {
+            if (stop.stop_requested())
+                return {};
+            const MeshLayer posed =
+                scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m] : MeshLayer();
+            overlays.push_back(inspectOverlay(scene.outcome->methods[m],
+                                              scene.dataset->cameras[static_cast<std::size_t>(camera)], camera,
+                                              scene.iteration, shown, posed, fieldAngleRad));
+        }
+    }
+    return overlays;
+}
+
+} // namespace
+
+InspectOverlays::InspectOverlays(CameraGrid& grid, JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_grid(grid)
+    , m_job(pool) {}
+
+void InspectOverlays::setShown(InspectLayer layer, bool shown) {
+    if (shown == isShown(layer))
+        return;
+    if (shown)
+        m_shown.insert(layer);
+    else
+        m_shown.erase(layer);
+    emit shownChanged();
+    rebuild();
+}
+
+void InspectOverlays::setFieldAngleRad(double angleRad) {
+    if (angleRad == m_fieldAngleRad)
+        return;
+    m_fieldAngleRad = angleRad;
+    emit shownChanged();
+    if (isShown(InspectLayer::Field))
+        rebuild();
+}
+
+void InspectOverlays::show(Scene scene) {
+    m_scene = std::move(scene);
+    rebuild();
+}
+
+double InspectOverlays::iou(int view) const {
+    const auto v = static_cast<std::size_t>(view);
+    return v < m_ious.size() ? m_ious[v] : std::numeric_limits<double>::quiet_NaN();
+}
+
+void InspectOverlays::rebuild() {
+    if (!m_scene.outcome || !m_scene.dataset || m_shown.empty()) {
+        m_job.stop();
+        hand({});
+        return;
+    }
+    m_job.start([this, scene = m_scene, shown = m_shown,
+                 angle = m_fieldAngleRad](const JobContext& context) -> Job::Delivery {
+        auto overlays = std::make_shared<std::vector<InspectOverlay>>(makeOverlays(scene, shown, angle, context.stop));
+        return [this, overlays] { hand(std::move(*overlays)); };
+    });
+}
+
+void InspectOverlays::hand(std::vector<InspectOverlay> overlays) {
+    overlays.resize(static_cast<std::size_t>(m_grid.count()));
+    m_ious.clear();
+    for (int index = 0; index < m_grid.count(); ++index) {
+        const InspectOverlay& overlay = overlays[static_cast<std::size_t>(index)];
+        m_grid.view(index)->setShapes(overlay.shapes);
+        const bool isDifference = isShown(InspectLayer::Difference);
+        m_grid.view(index)->setFieldImage(overlay.field, isDifference ? kDifferenceOpacity : kFieldOpacity,
+                                          isDifference);
+        m_ious.push_back(overlay.iou);
+    }
+    emit drawn();
+}
+
+} // namespace widgets

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QSlider>
+#include <QWidget>
+
+#include "widgets/presenters/inspect_overlays.h"
+
+namespace widgets {
+
+/// Which layers lie over the inspected views, their scale, and what the methods would match at the pointer.
+class InspectLayerBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit InspectLayerBar(InspectOverlays& overlays, QWidget* parent = nullptr);
+
+    /// `shown`: the method's matches in the view under the pointer.
+    void showProbe(const std::string& method, const ShownMatches& shown, QPointF px);
+    void clearProbe();
+
+private:
+    void addBox(InspectLayer layer, const QString& text, const QString& tip);
+    void showState();
+    void showLegend();
+
+    InspectOverlays& m_overlays;
+    std::map<InspectLayer, QCheckBox*> m_boxes;
+    QLabel* m_scale;
+    QLabel* m_legend;
+    QSlider* m_direction;
+    QLabel* m_directionText;
+    QLabel* m_probe;
+};
+
+} // namespace widgets
