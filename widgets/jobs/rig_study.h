@@ -29,7 +29,7 @@ struct RigState {
     QStringList unread;                 ///< sequences whose annotations cannot be read, and why
 };
 
-/// A refined calibration that nobody has taken yet.
+/// A refined calibration that waits to be used or discarded.
 struct RigProposal {
     core::RigRefinement refinement;
     core::RigResiduals residuals; ///< of the same clicks about the refined cameras
