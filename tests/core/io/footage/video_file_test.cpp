@@ -206,7 +206,7 @@ TEST_F(Video, IsRightAfterReadingWasStopped) {
     core::VideoFile video(encode("a.mp4", "-c:v libx264 -bf 2 -g 50 -sc_threshold 0 -pix_fmt yuv420p"), {});
     std::stop_source stop;
     stop.request_stop();
-    for (const int frame : {45, 12, 44, 59}) {
+    for (const int frame : {12, 45, 59}) {
         EXPECT_TRUE(video.read(frame, stop.get_token()).empty());
         EXPECT_FALSE(video.fetchAhead(1, stop.get_token()));
         EXPECT_EQ(test::numberInPicture(video.read(frame)), frame);
