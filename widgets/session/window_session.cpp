@@ -55,6 +55,9 @@ WindowSession::WindowSession(QObject* parent)
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
     connect(
+        &selection, &Selection::cameraChanged, this,
+        [this] { frames.setFirstCamera(opened.dataset() ? opened.dataset()->cameraIndex(selection.camera()) : -1); });
+    connect(
         &joints, &JointList::changed, this,
         [this] {
             if (!m_restoring)
