@@ -89,7 +89,7 @@ TEST(ClickSigmas, WrongClicksDoNotCount) {
 TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
     for (const double level : {0.0, 0.27, 1.0}) {
         test::TruthComparison given, refined;
-        constexpr int kRigs = 24;
+        constexpr int kRigs = 24, kRefined = 8;
         for (int rig = 0; rig < kRigs; ++rig) {
             RigScene scene("Nees" + std::to_string(level) + "/" + std::to_string(rig));
             scene.loosen(level);
@@ -97,9 +97,11 @@ TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
             test::add(given,
                       compareWithTruth(scene, scene.nominal, others, core::estimateClickSigmas(scene.nominal, chosen)),
                       1.0 / kRigs);
+            if (rig >= kRefined)
+                continue;
             const auto cameras = core::refineRig(scene.nominal, chosen)->cameras;
             test::add(refined, compareWithTruth(scene, cameras, others, core::estimateClickSigmas(cameras, chosen)),
-                      1.0 / kRigs);
+                      1.0 / kRefined);
         }
         EXPECT_NEAR(given.neesRaw, 3, 0.5) << level;
         EXPECT_NEAR(refined.neesAligned, 3, 0.5) << level;
@@ -110,7 +112,7 @@ TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
 
 TEST(ClickSigmas, WhileTheyAreAssumedGoodCamerasAreKeptAndTheCovarianceGrows) {
     RigScene scene("Assumed");
-    scene.loosen(1.5);
+    scene.loosen();
     const auto joints = scene.clicks({4, 20, 36});
     const test::TruthComparison plain = compareWithTruth(scene, scene.nominal, joints, {});
     EXPECT_LT(plain.dropped, 0.005);
