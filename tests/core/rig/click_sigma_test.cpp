@@ -73,6 +73,17 @@ TEST(ClickSigmas, AMovedCameraIsTakenOutOfWhatTheOthersAreWorth) {
             EXPECT_LT(sigmas.systematicPx[c], 0.6) << c;
 }
 
+TEST(ClickSigmas, ACameraWithoutClicksIsTakenToBeLikeTheOthers) {
+    RigScene scene("Unseen");
+    scene.loosen();
+    auto joints = scene.clicks(RigScene::frames(10, 8));
+    for (core::RigJoint& joint : joints)
+        std::erase_if(joint.clicks, [](const core::Observation& click) { return click.camera == 4; });
+    const core::ClickSigmas sigmas = core::estimateClickSigmas(scene.nominal, joints);
+    EXPECT_NEAR(sigmas.systematicPx[4] / sigmas.systematicPx[3], 1, 0.1);
+    EXPECT_NEAR(sigmas.of("ann").clickPxByCamera[4], sigmas.of("ann").clickPx, 1e-9);
+}
+
 TEST(ClickSigmas, WrongClicksDoNotCount) {
     RigScene scene("Wrong");
     auto joints = scene.clicks(RigScene::frames(10, 8));
