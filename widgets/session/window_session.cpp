@@ -53,6 +53,10 @@ WindowSession::WindowSession(QObject* parent)
     , raters(document, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
+    connect(&checks, &QualityChecks::clickSigmasChanged, this, [this] {
+        reconstructions.setClickSigmas(checks.clickSigmas());
+        coverage.setClickSigmas(checks.clickSigmas());
+    });
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
     connect(
         &selection, &Selection::cameraChanged, this,
