@@ -14,6 +14,7 @@
 #include "core/io/dataset/dataset.h"
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/json_file.h"
+#include "core/rig/refinement_advice.h"
 #include "core/rig/rig_findings.h"
 #include "core/rig/rig_refinement.h"
 
@@ -176,21 +177,22 @@ void printRefinement(const core::RigRefinement& refinement) {
 
 /// Whether refining is worth it, and what it still needs.
 void printAdvice(const core::RigHealth& health, const std::vector<core::RigJoint>& joints, bool isPossible) {
-    const int seen = core::countWellSeenJoints(joints), least = core::RigRefinementOptions{}.leastJoints;
-    if (!isPossible) {
-        std::printf("a refinement needs %d joints seen by three cameras or more (there are %d)\n", least, seen);
-        return;
-    }
-    if (!health.anyOff()) {
+    const core::RefinementNeeds needs = core::adviseRefinement(health, joints);
+    switch (isPossible ? needs.advice : core::RefinementAdvice::NeedsMoreJoints) {
+    case core::RefinementAdvice::NeedsMoreJoints:
+        std::printf("a refinement needs %d joints seen by three cameras or more (there are %d)\n", needs.leastJoints,
+                    needs.wellSeenJoints);
+        break;
+    case core::RefinementAdvice::NotNeeded:
         std::printf("the calibration fits the clicks\n");
-        return;
-    }
-    constexpr int kWorthFrames = 3, kWorthJoints = 60; // from there the clicks' own noise hardly moves a camera
-    if (health.frames < kWorthFrames || seen < kWorthJoints)
-        std::printf("refining is worth it from %d frames and %d joints on (there are %d and %d)\n", kWorthFrames,
-                    kWorthJoints, health.frames, seen);
-    else
+        break;
+    case core::RefinementAdvice::NeedsMoreFrames:
+        std::printf("refining is worth it from %d frames and %d joints on (there are %d and %d)\n",
+                    needs.worthwhileFrames, needs.worthwhileJoints, health.frames, needs.wellSeenJoints);
+        break;
+    case core::RefinementAdvice::Worthwhile:
         std::printf("worth refining: --refine --out CAMERAS\n");
+    }
 }
 
 void rig(const RigArguments& arguments) {

@@ -18,6 +18,8 @@
 
 #include "app/desktop/resources.h"
 #include "core/io/files/login_name.h"
+#include "widgets/panels/quality/refinement_page.h"
+#include "widgets/panels/quality/subject_page.h"
 
 namespace app {
 
@@ -47,6 +49,13 @@ QString droppedFolder(const QMimeData* data) {
             return file.absolutePath();
     }
     return {};
+}
+
+/// The window of its own in which that page is shown; null if it is not.
+template <class Page>
+QWidget* windowOf(const QWidget& window) {
+    const auto* page = window.findChild<Page*>();
+    return page ? page->window() : nullptr;
 }
 
 } // namespace
@@ -206,6 +215,10 @@ QWidget* MainWindow::part(const QString& name) {
         return m_framesBar;
     if (name == QLatin1String("status"))
         return m_statusLine;
+    if (name == QLatin1String("refinement"))
+        return windowOf<widgets::RefinementPage>(*this);
+    if (name == QLatin1String("subject"))
+        return windowOf<widgets::SubjectPage>(*this);
     return m_workspaces->part(name);
 }
 

@@ -12,7 +12,7 @@
 #include "core/io/formats/annotation_formats.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/name_bar.h"
-#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/quality/quality_panel.h"
 #include "widgets/presenters/other_marks.h"
 
 namespace {

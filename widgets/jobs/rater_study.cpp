@@ -61,6 +61,10 @@ RaterStudy::RaterStudy(AnnotationDocument& document, Selection& selection, JobPo
 
 void RaterStudy::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
+    m_job.stop();
+    m_comparisons.clear(); // of other cameras
+    m_sigmaPx.clear();
+    emit compared();
 }
 
 /// What was found belongs to the sequence before; a round goes on only where it was begun.

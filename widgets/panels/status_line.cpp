@@ -33,6 +33,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     , m_selection(selection)
     , m_summary(new QLabel(this))
     , m_advice(new QLabel(this))
+    , m_notice(new QToolButton(this))
     , m_work(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_stop(new QToolButton(this))
@@ -42,6 +43,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     row->setSpacing(2 * kSpacing);
     row->addWidget(m_summary);
     row->addWidget(m_advice, 1);
+    row->addWidget(m_notice);
     row->addWidget(m_work);
     row->addWidget(m_progress);
     row->addWidget(m_stop);
@@ -50,6 +52,12 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     m_advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_progress->setMaximumWidth(140);
     m_progress->setTextVisible(false);
+    m_notice->setObjectName(QStringLiteral("notice"));
+    m_notice->setAutoRaise(true);
+    m_notice->setFocusPolicy(Qt::NoFocus);
+    m_notice->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_notice->setIcon(QIcon::fromTheme(QStringLiteral("dialog-warning")));
+    m_notice->hide();
     m_stop->setText(tr("Stop"));
     m_stop->setFocusPolicy(Qt::NoFocus);
     m_summary->setFont([this] {
@@ -67,6 +75,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     });
     connect(&m_clock, &QTimer::timeout, this, &StatusLine::refreshSaved);
     connect(m_stop, &QToolButton::clicked, this, &StatusLine::stopRequested);
+    connect(m_notice, &QToolButton::clicked, this, &StatusLine::noticeClicked);
     connect(&m_reconstructions, &Reconstructions::changed, this, &StatusLine::refresh);
     connect(&m_document, &AnnotationDocument::opened, this, &StatusLine::refreshSaved);
     connect(&m_document, &AnnotationDocument::saved, this, &StatusLine::refreshSaved);
@@ -86,6 +95,14 @@ void StatusLine::sayBriefly(const QString& text) {
 void StatusLine::setIdleText(const QString& text) {
     m_idleText = text;
     refresh();
+}
+
+void StatusLine::setNotice(const QString& text) {
+    constexpr int kWidest = 320; // logical pixels
+    m_notice->setText(m_notice->fontMetrics().elidedText(text, Qt::ElideRight, kWidest));
+    m_notice->setToolTip(text);
+    m_notice->setAccessibleName(text);
+    m_notice->setVisible(!text.isEmpty());
 }
 
 void StatusLine::setWords(const QString& summary, const QString& advice) {

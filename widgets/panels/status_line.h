@@ -31,12 +31,17 @@ public:
     /// joint and advice again.
     void setWords(const QString& summary, const QString& advice);
 
+    /// What lasts and is not about the selected joint, such as a camera that moved: said in one place, with a button's
+    /// click. Empty: nothing.
+    void setNotice(const QString& text);
+
     /// Long work: with a name and, from its progress, how long it still takes. `fraction` below 0 shows no amount.
     void showWork(const QString& name, double fraction);
     void hideWork();
 
 signals:
     void stopRequested();
+    void noticeClicked();
     /// sayBriefly() was asked to say this.
     void said(const QString& text);
 
@@ -49,6 +54,7 @@ private:
     const Selection& m_selection;
     QLabel* m_summary;
     QLabel* m_advice;
+    QToolButton* m_notice;
     QLabel* m_work;
     QProgressBar* m_progress;
     QToolButton* m_stop;

@@ -106,4 +106,13 @@ void DatasetSession::take(const std::shared_ptr<Loaded>& loaded, int frame) {
     emit sequenceOpened(frame);
 }
 
+void DatasetSession::takeCalibration(std::shared_ptr<const core::Dataset> changed, int frame) {
+    m_job.stop();
+    const core::Sequence& sequence = changed->sequence(m_sequence->name);
+    m_dataset = std::move(changed);
+    m_sequence = &sequence;
+    emit datasetOpened();
+    emit sequenceOpened(frame);
+}
+
 } // namespace widgets

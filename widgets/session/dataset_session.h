@@ -28,6 +28,10 @@ public:
     void openDemo(const QString& folder);
     /// Opens another sequence of the open dataset at `frame`; does nothing if it is open.
     void openSequence(const QString& sequence, int frame = 0);
+    /// The same dataset with another calibration, as it stands in its file now: all views and joints follow, the
+    /// annotations and their undo stack stay as they are. An opening that is under way is given up. datasetOpened() and
+    /// sequenceOpened() follow.
+    void takeCalibration(std::shared_ptr<const core::Dataset> changed, int frame);
     bool isOpening() const { return m_job.isRunning(); }
 
     /// Null before a dataset is open.

@@ -50,7 +50,10 @@ WindowSession::WindowSession(QObject* parent)
     , benchmarks(pool)
     , checks(document, pool)
     , model(document, selection, reconstructions, pool)
-    , raters(document, selection, pool) {
+    , raters(document, selection, pool)
+    , rig(document, pool)
+    , subject(pool)
+    , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
     connect(&checks, &QualityChecks::clickSigmasChanged, this, [this] {
@@ -83,10 +86,12 @@ void WindowSession::takeDataset() {
     checks.setDataset(opened.dataset());
     model.setDataset(opened.dataset());
     raters.setDataset(opened.dataset());
+    subject.setDataset(opened.dataset());
 }
 
 void WindowSession::takeSequence(int frame) {
     const core::Sequence& sequence = *opened.sequence();
+    rig.setSequence(opened.dataset(), sequence.name);
     frames.setSequence(opened.dataset(), &sequence, opened.motion());
     fits.setSequence(opened.dataset(), &sequence, opened.motion());
     const core::PictureGaps gaps = core::pictureGaps(*opened.dataset(), sequence);

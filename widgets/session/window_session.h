@@ -16,7 +16,10 @@
 #include "widgets/jobs/job.h"
 #include "widgets/jobs/quality_checks.h"
 #include "widgets/jobs/rater_study.h"
+#include "widgets/jobs/rig_study.h"
+#include "widgets/jobs/subject_study.h"
 #include "widgets/session/annotation_files.h"
+#include "widgets/session/calibration_choice.h"
 #include "widgets/session/coverage.h"
 #include "widgets/session/dataset_session.h"
 
@@ -48,9 +51,12 @@ public:
     QualityChecks checks;
     HandModelFit model;
     RaterStudy raters;
+    RigStudy rig;
+    SubjectStudy subject;
+    CalibrationChoice calibrations;
 
     /// True when no background work is running and all pictures of the frame have come.
-    bool isIdle() const { return pool.isIdle() && frames.isComplete(); }
+    bool isIdle() const { return pool.isIdle() && frames.isComplete() && !rig.isRefining(); }
 
 signals:
     /// A sequence is open and everything above knows it.

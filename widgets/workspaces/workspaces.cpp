@@ -50,12 +50,15 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     , m_scene(new SceneView(this))
     , m_fitting(new FittingPanel(session.selection, session.fits, this))
     , m_marks(new MarkPresenter(session.joints, session.reconstructions, session.selection, *m_grid, m_scene, this))
+    , m_residuals(new ResidualArrows(session.rig, *m_grid, this))
     , m_layers(new LayerPresenter(session.selection, session.fits, *m_grid, m_scene, session.pool, this))
     , m_options(new ViewOptions(*m_grid, session.selection, session.reconstructions, this))
     , m_framing(
           new HandFraming({session.document, session.reconstructions, session.selection, session.opened, session.model},
                           *m_grid, session.pool, this))
-    , m_quality(new QualityPanel(session, this))
+    , m_quality(new QualityPanel({session.document, session.selection, session.reconstructions, session.joints,
+                                  session.coverage, session.checks, session.raters, session.rig},
+                                 this))
     , m_raters(new RatersPanel(session.raters, session.selection, session.reconstructions, session.opened, this))
     , m_viewPanel(new ViewPanel(session.selection, session.opened, session.shownCameras, *m_layers, *m_options, this))
     , m_inspect(
@@ -237,6 +240,7 @@ void Workspaces::takeSequence() {
     m_scene->setCameras(dataset->cameras);
     showOrder();
     m_marks->setDataset(dataset, m_session.opened.sequence());
+    m_residuals->refresh();
     m_layers->setSequence(dataset, m_session.opened.motion());
     for (int camera = 0; camera < m_grid->count(); ++camera)
         showPicture(camera, m_session.frames.picture(camera));

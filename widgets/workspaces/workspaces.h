@@ -9,13 +9,14 @@
 
 #include "widgets/panels/fitting_panel.h"
 #include "widgets/panels/joints_panel.h"
-#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/quality/quality_panel.h"
 #include "widgets/panels/raters_panel.h"
 #include "widgets/panels/scene_panel.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/presenters/hand_framing.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/presenters/mark_presenter.h"
+#include "widgets/presenters/residual_arrows.h"
 #include "widgets/presenters/view_options.h"
 #include "widgets/session/mask_attacher.h"
 #include "widgets/session/window_session.h"
@@ -47,6 +48,7 @@ public:
     JointsPanel* jointsPanel() const { return m_joints; }
     FittingPanel* fittingPanel() const { return m_fitting; }
     MarkPresenter* marks() const { return m_marks; }
+    ResidualArrows* residuals() const { return m_residuals; }
     LayerPresenter* layers() const { return m_layers; }
     HandFraming* framing() const { return m_framing; }
     ViewOptions* options() const { return m_options; }
@@ -111,6 +113,7 @@ private:
     SceneView* m_scene;
     FittingPanel* m_fitting;
     MarkPresenter* m_marks;
+    ResidualArrows* m_residuals;
     LayerPresenter* m_layers;
     ViewOptions* m_options;
     HandFraming* m_framing;

@@ -15,7 +15,8 @@ namespace app {
 namespace {
 
 /// Menus of actions about what is open, and the exceptions.
-constexpr std::array kDatasetGroups = {"annotation.", "go.", "fit.", "compare.", "view.", "workspace."};
+constexpr std::array kDatasetGroups = {"annotation.", "go.",        "fit.", "compare.",
+                                       "view.",       "workspace.", "rig.", "subject."};
 constexpr std::array kDatasetActions = {"file.import", "file.export", "file.report", "file.savePicture", "edit.note"};
 constexpr std::array kWindowActions = {"view.light", "view.fullScreen", "view.toolbar"};
 

@@ -296,7 +296,8 @@ QJsonObject ScriptSteps::shot(const QJsonObject& step) {
     if (!part->isVisible())
         throw refused("of", QStringLiteral("\"%1\" is not shown now").arg(name));
     settle();
-    if (!waitFor(m_window, [this] { return m_window.session().checks.isUpToDate(); }))
+    if (!waitFor(m_window,
+                 [this] { return m_window.session().checks.isUpToDate() && m_window.session().rig.isUpToDate(); }))
         throw refused("do", QStringLiteral("no answer in time"));
     m_window.workspaces().scene()->finishDrawing();
     drawNow(m_window);

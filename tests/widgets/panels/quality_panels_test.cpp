@@ -2,7 +2,7 @@
 #include <QTableView>
 
 #include "tests/widgets/panels/panel_fixture.h"
-#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/quality/quality_panel.h"
 #include "widgets/panels/raters_panel.h"
 
 namespace {
@@ -14,7 +14,8 @@ protected:
         panel.show();
     }
     QTableView& table() { return *child<QTableView>(panel); }
-    widgets::QualityPanel panel{session};
+    widgets::QualityPanel panel{{session.document, session.selection, session.reconstructions, session.joints,
+                                 session.coverage, session.checks, session.raters, session.rig}};
 };
 
 TEST_F(QualityPanelTest, ListsTheClickThatDisagreesAndJumpsThere) {

@@ -129,6 +129,12 @@ void CameraView::setHandLabels(const std::vector<HandLabel>& labels) {
 const std::vector<HandLabel>& CameraView::handLabels() const {
     return m_items->handLabels();
 }
+void CameraView::setResidualArrows(const std::vector<ResidualArrow>& arrows) {
+    m_items->setArrows(arrows);
+}
+const std::vector<ResidualArrow>& CameraView::residualArrows() const {
+    return m_items->arrows();
+}
 void CameraView::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
     m_items->setEllipse(ellipse);
 }

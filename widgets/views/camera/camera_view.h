@@ -59,6 +59,9 @@ public:
     /// Which hand is which; hidden with the other overlays.
     void setHandLabels(const std::vector<HandLabel>& labels);
     const std::vector<HandLabel>& handLabels() const;
+    /// How far clicks are off, place by place; hidden with the other overlays.
+    void setResidualArrows(const std::vector<ResidualArrow>& arrows);
+    const std::vector<ResidualArrow>& residualArrows() const;
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
     /// Where the guides fade from: usually the selected joint's reprojection or the pointer.
     void setGuideFocus(const std::optional<QPointF>& px);

@@ -30,10 +30,11 @@ CameraViewItems::CameraViewItems(QGraphicsScene& scene)
     , m_guides(new GuidesItem(m_root))
     , m_ellipse(new EllipseItem(m_root))
     , m_otherMarks(new OtherMarksItem(m_root))
-    , m_reprojections(new ReprojectionItem(m_root)) {
+    , m_reprojections(new ReprojectionItem(m_root))
+    , m_arrows(new ArrowsItem(m_root)) {
     double level = -10;
     for (QGraphicsItem* item : std::initializer_list<QGraphicsItem*>{m_shapes, m_skeleton, m_guides, m_ellipse,
-                                                                     m_otherMarks, m_reprojections})
+                                                                     m_otherMarks, m_reprojections, m_arrows})
         item->setZValue(level++);
     scene.addItem(m_root);
 }
@@ -91,6 +92,12 @@ void CameraViewItems::setGuides(const std::vector<EpipolarGuide>& guides) {
 }
 void CameraViewItems::setGuideFocus(const std::optional<QPointF>& px) {
     m_guides->setFocus(px);
+}
+void CameraViewItems::setArrows(const std::vector<ResidualArrow>& arrows) {
+    m_arrows->setArrows(arrows);
+}
+const std::vector<ResidualArrow>& CameraViewItems::arrows() const {
+    return m_arrows->arrows();
 }
 void CameraViewItems::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
     m_ellipse->setEllipse(ellipse);

@@ -13,6 +13,7 @@ class QGraphicsScene;
 
 namespace widgets {
 
+class ArrowsItem;
 class EllipseItem;
 class GuidesItem;
 class HandLabelItem;
@@ -23,8 +24,8 @@ class ReprojectionItem;
 class SkeletonItem;
 
 /// The vector items that lie over a view's image. Bottom to top: an inspected method's shapes, skeleton, guides,
-/// ellipse, other people's marks, reprojection lines, hand labels, marks. The scene's coordinates are image pixels +
-/// 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
+/// ellipse, other people's marks, reprojection lines, residual arrows, hand labels, marks. The scene's coordinates are
+/// image pixels + 0.5, so that pixel (0, 0) covers (0, 0) .. (1, 1).
 class CameraViewItems {
 public:
     explicit CameraViewItems(QGraphicsScene& scene);
@@ -37,6 +38,8 @@ public:
     void setGuides(const std::vector<EpipolarGuide>& guides);
     void setGuideFocus(const std::optional<QPointF>& px);
     void setHandLabels(const std::vector<HandLabel>& labels);
+    void setArrows(const std::vector<ResidualArrow>& arrows);
+    const std::vector<ResidualArrow>& arrows() const;
     void setEllipse(const std::optional<UncertaintyEllipse>& ellipse);
     void setReprojectionScale(double factor);
     void setLabelsShown(bool shown);
@@ -54,6 +57,7 @@ private:
     EllipseItem* m_ellipse;
     OtherMarksItem* m_otherMarks;
     ReprojectionItem* m_reprojections;
+    ArrowsItem* m_arrows;
     std::vector<HandLabelItem*> m_labelItems;
     std::vector<HandLabel> m_handLabels;
     std::vector<MarkItem*> m_markItems;

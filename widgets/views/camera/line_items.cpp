@@ -91,6 +91,38 @@ void GuidesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     }
 }
 
+void ArrowsItem::setArrows(const std::vector<ResidualArrow>& arrows) {
+    m_arrows = arrows;
+    QRectF bounds;
+    for (const ResidualArrow& arrow : arrows) {
+        include(bounds, arrow.fromPx);
+        include(bounds, arrow.toPx);
+    }
+    setBounds(bounds);
+}
+
+void ArrowsItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
+    painter->setRenderHint(QPainter::Antialiasing);
+    const double scale = std::hypot(painter->worldTransform().m11(), painter->worldTransform().m12());
+    constexpr double kHeadScreenPx = 6, kHeadAngleRad = 0.45;
+    for (const ResidualArrow& arrow : m_arrows) {
+        const QPointF from = arrow.fromPx + kHalf, to = arrow.toPx + kHalf, along = to - from;
+        const double length = std::hypot(along.x(), along.y());
+        const double head = std::min(kHeadScreenPx / scale, length / 2), angle = std::atan2(along.y(), along.x());
+        const auto barb = [&](double turn) {
+            return to - head * QPointF(std::cos(angle + turn), std::sin(angle + turn));
+        };
+        for (const auto& [colour, width] : {std::pair(QColor(0, 0, 0, 160), 3.5), std::pair(arrow.colour, 1.5)}) {
+            painter->setPen(cosmetic(colour, width));
+            painter->drawLine(from, to);
+            painter->drawLine(to, barb(kHeadAngleRad));
+            painter->drawLine(to, barb(-kHeadAngleRad));
+            painter->setPen(cosmetic(colour, width + 2));
+            painter->drawPoint(from);
+        }
+    }
+}
+
 void EllipseItem::setEllipse(const std::optional<UncertaintyEllipse>& ellipse) {
     m_ellipse = ellipse;
     QRectF bounds;

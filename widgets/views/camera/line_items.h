@@ -49,6 +49,18 @@ private:
     std::optional<QPointF> m_focusPx;
 };
 
+/// Arrows of residuals, 1.5 px wide with heads of 6 screen pixels; a dot where there is hardly a residual.
+class ArrowsItem : public LineItem {
+public:
+    using LineItem::LineItem;
+    void setArrows(const std::vector<ResidualArrow>& arrows);
+    const std::vector<ResidualArrow>& arrows() const { return m_arrows; }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
+
+private:
+    std::vector<ResidualArrow> m_arrows;
+};
+
 /// The projected 95 % region.
 class EllipseItem : public LineItem {
 public:

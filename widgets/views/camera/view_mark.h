@@ -51,6 +51,14 @@ struct UncertaintyEllipse {
     QColor colour;
 };
 
+/// How far clicks near a place are off, as an arrow from there, drawn as long as it is said here.
+struct ResidualArrow {
+    QPointF fromPx;
+    QPointF toPx;
+    QColor colour;
+    bool operator==(const ResidualArrow&) const = default;
+};
+
 /// Which hand this is, written beside it.
 struct HandLabel {
     core::Side side = core::Side::Left;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/panels/quality_panel.h"
+#include "widgets/panels/quality/quality_panel.h"
 
 #include <algorithm>
 
@@ -10,38 +10,46 @@
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/presenters/other_marks.h"
+#include "widgets/text/rig_text.h"
 
 namespace widgets {
 
-QualityPanel::QualityPanel(WindowSession& session, QWidget* parent)
+QualityPanel::QualityPanel(const QualitySources& sources, QWidget* parent)
     : QWidget(parent)
-    , m_session(session)
+    , m_from(sources)
+    , m_rigMessage(new MessageBar(this))
     , m_threshold(new QDoubleSpinBox(this))
     , m_scope(new QComboBox(this))
     , m_summary(new QLabel(this))
     , m_nothing(new QLabel(this))
     , m_table(new QTableView(this))
-    , m_model(new FindingModel(this)) {
+    , m_model(new FindingModel(this))
+    , m_cameras(new RigHealthView(sources.rig, this)) {
     build();
-    connect(&session.reconstructions, &Reconstructions::changed, this, [this] {
-        if (m_scope->currentIndex() == 0) // the whole sequence is looked at in the background
+    connect(&m_from.reconstructions, &Reconstructions::changed, this, [this] {
+        if (m_scope->currentIndex() == ThisFrame) // the whole sequence is looked at in the background
             refresh();
     });
-    connect(&session.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
-    connect(&session.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
+    connect(&m_from.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
+    connect(&m_from.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
     connect(m_threshold, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
-        m_session.coverage.setBadRmsPx(px);
+        m_from.coverage.setBadRmsPx(px);
         emit badRmsPxChanged(px);
         refresh();
     });
-    connect(&session.checks, &QualityChecks::changed, this, [this] {
+    connect(&m_from.checks, &QualityChecks::changed, this, [this] {
         refresh();
         refreshSummary();
     });
+    connect(&m_from.rig, &RigStudy::changed, this, &QualityPanel::refreshRig);
     connect(m_scope, qOverload<int>(&QComboBox::currentIndexChanged), this, &QualityPanel::refresh);
+    connect(m_scope, qOverload<int>(&QComboBox::currentIndexChanged), this, &QualityPanel::refreshRig);
     connect(m_table, &QTableView::clicked, this, &QualityPanel::jump);
+    connect(m_cameras, &RigHealthView::refineRequested, this, &QualityPanel::refineRequested);
+    connect(m_cameras, &RigHealthView::cameraChosen, &m_from.selection, &Selection::setCamera);
     refresh();
     refreshSummary();
+    refreshRig();
 }
 
 void QualityPanel::build() {
@@ -56,13 +64,13 @@ void QualityPanel::build() {
     m_threshold->setSingleStep(0.5);
     m_threshold->setDecimals(1);
     m_threshold->setSuffix(tr(" px"));
-    m_threshold->setValue(m_session.coverage.badRmsPx());
+    m_threshold->setValue(m_from.coverage.badRmsPx());
     m_threshold->setAlignment(Qt::AlignRight);
     m_threshold->setFocusPolicy(Qt::ClickFocus);
     row->addWidget(label);
     row->addWidget(m_threshold);
     row->addStretch(1);
-    m_scope->addItems({tr("This frame"), tr("Whole sequence")});
+    m_scope->addItems({tr("This frame"), tr("Whole sequence"), tr("Cameras")});
     m_scope->setToolTip(tr("Where to look for findings"));
     m_scope->setFocusPolicy(Qt::TabFocus);
     row->addWidget(m_scope);
@@ -74,10 +82,12 @@ void QualityPanel::build() {
     m_table->setModel(m_model);
     styleTable(*m_table);
     m_table->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(m_rigMessage);
     column->addWidget(m_summary);
     column->addLayout(row);
     column->addWidget(m_nothing, 1);
     column->addWidget(m_table, 1);
+    column->addWidget(m_cameras, 1);
 }
 
 void QualityPanel::askForThreshold() {
@@ -86,11 +96,11 @@ void QualityPanel::askForThreshold() {
 }
 
 std::vector<Finding> QualityPanel::frameFindings() const {
-    const int frame = m_session.selection.frame();
-    const double bad = m_session.coverage.badRmsPx();
-    auto findings = findingsOf(m_session.reconstructions.joints(), frame,
+    const int frame = m_from.selection.frame();
+    const double bad = m_from.coverage.badRmsPx();
+    auto findings = findingsOf(m_from.reconstructions.joints(), frame,
                                bad); // of this moment: clicks that disagree are among them
-    for (const core::QualityFinding& found : m_session.checks.findings())
+    for (const core::QualityFinding& found : m_from.checks.findings())
         if (found.frame == frame && found.kind != core::QualityKind::Disagreement)
             findings.push_back(findingOf(found, bad));
     std::stable_sort(findings.begin(), findings.end(),
@@ -100,13 +110,36 @@ std::vector<Finding> QualityPanel::frameFindings() const {
 
 std::vector<Finding> QualityPanel::sequenceFindings() const {
     std::vector<Finding> findings;
-    for (const core::QualityFinding& found : m_session.checks.findings())
-        findings.push_back(findingOf(found, m_session.coverage.badRmsPx()));
+    for (const core::QualityFinding& found : m_from.checks.findings())
+        findings.push_back(findingOf(found, m_from.coverage.badRmsPx()));
     return findings;
 }
 
+void QualityPanel::showCameras() {
+    m_scope->setCurrentIndex(Cameras);
+}
+
+/// What is wrong with the cameras is said once, whatever the panel shows; the row of cameras says it itself.
+void QualityPanel::refreshRig() {
+    const auto& state = m_from.rig.state();
+    const bool isSaidBelow = m_scope->currentIndex() == Cameras;
+    const QString text = state && !isSaidBelow ? rigNoticeText(state->health, state->sequences) : QString();
+    if (text == m_rigText) // what was dismissed does not come back by itself
+        return;
+    m_rigText = text;
+    m_rigMessage->offer(text, {{tr("Cameras"), [this] { showCameras(); }}}, MessageBar::Tone::Warning);
+}
+
 void QualityPanel::refresh() {
-    const bool wholeSequence = m_scope->currentIndex() == 1;
+    const bool camerasShown = m_scope->currentIndex() == Cameras;
+    const bool wholeSequence = m_scope->currentIndex() == WholeSequence;
+    m_cameras->setVisible(camerasShown);
+    m_summary->setVisible(!camerasShown);
+    if (camerasShown) {
+        m_table->hide();
+        m_nothing->hide();
+        return;
+    }
     m_model->setFindings(wholeSequence ? sequenceFindings() : frameFindings());
     m_table->setColumnHidden(FindingModel::Frame, !wholeSequence);
     m_nothing->setText(wholeSequence ? tr("Nothing stands out in this sequence.")
@@ -118,13 +151,12 @@ void QualityPanel::refresh() {
 
 /// What stands for the numbers while the rater has no marks: others may have some, and proposals may wait.
 QString QualityPanel::nothingText() const {
-    const core::AnnotationSet& set = m_session.document.annotations();
-    const auto others =
-        m_session.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_session.document);
+    const core::AnnotationSet& set = m_from.document.annotations();
+    const auto others = m_from.raters.isRepeating() ? std::vector<core::RaterWork>() : workOfOthers(m_from.document);
     QString text =
         others.empty()
             ? tr("No frame of this sequence has marks yet.")
-            : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_session.document.rater())) +
+            : tr("No frame has marks of yours (%1) yet.").arg(QString::fromStdString(m_from.document.rater())) +
                   QLatin1Char(' ') + othersText(others);
     const auto proposals =
         std::count_if(set.marks.begin(), set.marks.end(), [](const auto& item) { return item.second.isProposal(); });
@@ -135,7 +167,7 @@ QString QualityPanel::nothingText() const {
 
 void QualityPanel::refreshSummary() {
     int frames = 0, done = 0, partial = 0, bad = 0;
-    for (const auto& [frame, hands] : m_session.coverage.frames()) {
+    for (const auto& [frame, hands] : m_from.coverage.frames()) {
         const int before = done + partial + bad;
         for (const auto& [hand, state] : hands) {
             done += state.done;
@@ -149,11 +181,11 @@ void QualityPanel::refreshSummary() {
         return;
     }
     QString text =
-        tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_session.document.rater())) +
+        tr("%n frame(s) with marks of %1.", nullptr, frames).arg(QString::fromStdString(m_from.document.rater())) +
         QLatin1Char(' ') +
         tr("Joints: %1 done, %2 partial, %3 bad.")
             .arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
-    if (const auto& noise = m_session.checks.clickNoise())
+    if (const auto& noise = m_from.checks.clickNoise())
         text += QLatin1Char(' ') +
                 tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
     m_summary->setText(text);
@@ -161,11 +193,11 @@ void QualityPanel::refreshSummary() {
 
 void QualityPanel::jump(const QModelIndex& index) {
     const Finding found = m_model->finding(index.row());
-    m_session.selection.setFrame(found.frame);
+    m_from.selection.setFrame(found.frame);
     if (!found.joint.joint.empty())
-        m_session.selection.setJoint(found.joint);
+        m_from.selection.setJoint(found.joint);
     if (!found.camera.empty())
-        m_session.selection.setCamera(found.camera);
+        m_from.selection.setCamera(found.camera);
 }
 
 } // namespace widgets

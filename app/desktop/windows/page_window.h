@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QDialog>
+
+namespace app {
+
+/// A window of its own for one page; it does not block the main window, and goes with its page when it is closed.
+class PageWindow : public QDialog {
+    Q_OBJECT
+
+public:
+    PageWindow(const QString& title, QWidget* page, QWidget* parent);
+    /// Brings it to the front.
+    void present();
+};
+
+/// Shows the window's one page of that kind, made by `make` if there is none yet.
+template <class Page, class Make>
+Page& showPage(QWidget& window, const QString& title, Make make) {
+    auto* page = window.findChild<Page*>();
+    if (!page) {
+        page = make();
+        new PageWindow(title, page, &window);
+    }
+    static_cast<PageWindow*>(page->window())->present();
+    return *page;
+}
+
+} // namespace app
