@@ -7,7 +7,7 @@
 
 namespace core {
 
-/// The tip that lies at the end of a last bone: index_tip for index_dip; empty if the bone is no finger's.
+/// The tip that lies at the end of a last bone: index_tip for index_dip; empty if the bone does not belong to a finger.
 std::string tipAfter(const std::string& lastBone);
 
 /// The hand with a bone at the end of every finger's last bone, where it has none: the joint that an annotated tip

@@ -77,7 +77,7 @@ TEST_F(MeasuredSubject, FindsUnitsTipsAndTheHandThatIsNotThere) {
     EXPECT_NEAR(measured.result.hands[0].scale.value, kScale, 0.005);
     EXPECT_EQ(measured.result.hands[1].frames, 0);
     const auto& bones = measured.dataset.hands[0].skeleton.bones;
-    ASSERT_EQ(bones.size(), 5u) << "tips are no bones of the new hand";
+    ASSERT_EQ(bones.size(), 5u) << "the new hand has the bones of the model alone";
     EXPECT_NEAR(bones[2].lengthMm, kScale * 32, 1);
     EXPECT_EQ(measured.result.hands[0].bones.back().to, "thumb_tip");
     core::writeSubjectFile(m_folder / "subject.json", measured);
@@ -109,7 +109,7 @@ TEST_F(MeasuredSubject, CopiesAnnotationsThatAreBeingWritten) {
     core::writeDerivedDataset(m_dataset, m_dataset, m_folder / "copy");
     const core::Dataset copy = core::readDataset(m_folder / "copy");
     const std::filesystem::path file = core::annotationFile(copy, copy.sequences[0]);
-    EXPECT_FALSE(std::filesystem::exists(file.string() + "-wal")) << "it stands for itself";
+    EXPECT_FALSE(std::filesystem::exists(file.string() + "-wal")) << "the copy needs no log";
     EXPECT_EQ(core::readAnnotations(copy, copy.sequences[0]).marks, store.annotations().marks);
     auto copied = core::AnnotationStore::open(file);
     EXPECT_EQ(copied.history().done.size(), store.history().done.size());
