@@ -33,7 +33,8 @@ void printCalibration(const core::MeasuredSubject& measured) {
         std::printf(
             "note: the calibration is not in mm: its unit is %.4g mm%s; the cameras of the new dataset are in mm\n",
             measured.unitMm,
-            measured.isUnitKnown ? "" : " if this hand is as large as the model, so that scale says nothing");
+            measured.isUnitKnown ? ""
+                                 : " if this hand is as large as the model: the scale cannot be told from the unit");
     bool isOff = false;
     for (const std::string& finding : measured.rigFindings) {
         std::printf("warning: %s\n", finding.c_str());
