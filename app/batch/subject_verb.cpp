@@ -59,13 +59,16 @@ void printFrames(const core::MeasuredSubject& measured) {
         std::printf("outlines fit to %.2f mm\n", result.outlineSigmaMm);
     if (result.lengthsKept && !result.girthKept)
         std::printf("note: fewer than 5 frames: the bones keep the model's proportions\n");
-    std::printf("joints are clicked within %.2f mm (per axis) of where the model has them\n", result.modelSigmaMm);
+    constexpr double kNoticeableMm = 0.1;
+    if (result.modelSigmaMm >= kNoticeableMm)
+        std::printf("joints are clicked %.2f mm (per axis) beside those of the model\n", result.modelSigmaMm);
 }
 
-void printHand(const core::SubjectHand& hand) {
+void printHand(const core::SubjectHand& hand, bool hasGirth) {
     const std::string side(core::sideName(hand.hand.side));
-    std::printf("%s hand: scale %.4f +- %.4f, girth %+.2f +- %.2f mm, ", side.c_str(), hand.scale.value,
-                hand.scale.sigma, hand.girthMm.value, hand.girthMm.sigma);
+    std::printf("%s hand: scale %.4f +- %.4f, ", side.c_str(), hand.scale.value, hand.scale.sigma);
+    if (hasGirth)
+        std::printf("girth %+.2f +- %.2f mm, ", hand.girthMm.value, hand.girthMm.sigma);
     if (hand.frames > 0)
         std::printf("%d frames, joints fit to %.2f mm\n", hand.frames, hand.jointRmsMm);
     else
@@ -82,7 +85,7 @@ void print(const core::MeasuredSubject& measured) {
     printCalibration(measured);
     printFrames(measured);
     for (const core::SubjectHand& hand : measured.result.hands)
-        printHand(hand);
+        printHand(hand, measured.result.outlineFrames > 0);
 }
 
 void writeSubject(const SubjectArguments& arguments) {
