@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -8,13 +9,14 @@
 #include "app/batch/verbs.h"
 #include "core/io/dataset/derived_dataset.h"
 #include "core/io/derived/measured_subject.h"
+#include "core/io/derived/subject_file.h"
 
 namespace app {
 
 namespace {
 
 struct SubjectArguments {
-    std::string dataset, out;
+    std::string dataset, json, out;
     core::SubjectRequest request;
 };
 
@@ -26,35 +28,64 @@ void printBones(const core::SubjectHand& hand) {
     }
 }
 
-void printNotes(const core::MeasuredSubject& measured) {
+void printCalibration(const core::MeasuredSubject& measured) {
     if (measured.unitMm != 1)
         std::printf(
             "note: the calibration is not in mm: its unit is %.4g mm%s; the cameras of the new dataset are in mm\n",
             measured.unitMm,
             measured.isUnitKnown ? ""
                                  : " if this hand is as large as the model: the scale cannot be told from the unit");
+    bool isOff = false;
+    for (const std::string& finding : measured.rigFindings) {
+        std::printf("warning: %s\n", finding.c_str());
+        isOff = isOff || finding.find(" px off ") != std::string::npos;
+    }
+    if (isOff)
+        std::printf(
+            "warning: lengths and girth cannot be better than the calibration: refine it first (rig --refine)\n");
+}
+
+void printFrames(const core::MeasuredSubject& measured) {
+    const core::SubjectResult& result = measured.result;
     if (measured.annotatedFrames > static_cast<int>(measured.frames.size()))
         std::printf("note: %zu of the %d annotated frames are used, evenly drawn\n", measured.frames.size(),
                     measured.annotatedFrames);
+    std::printf("%d annotated frames, outlines of %d\n", result.frames, result.outlineFrames);
+    if (result.girthKept)
+        std::printf("note: fewer than 3 frames: only the scale is measured\n");
+    else if (result.outlineFrames == 0)
+        std::printf("note: no masks of frames in which all hands are annotated: the girth stays the model's\n");
+    else
+        std::printf("outlines fit to %.2f mm\n", result.outlineSigmaMm);
+    if (result.lengthsKept && !result.girthKept)
+        std::printf("note: fewer than 5 frames: the bones keep the model's proportions\n");
+    constexpr double kNoticeableMm = 0.1;
+    if (result.modelSigmaMm >= kNoticeableMm)
+        std::printf("joints are clicked %.2f mm (per axis) beside those of the model\n", result.modelSigmaMm);
+}
+
+void printHand(const core::SubjectHand& hand, bool hasGirth) {
+    const std::string side(core::sideName(hand.hand.side));
+    std::printf("%s hand: scale %.4f +- %.4f, ", side.c_str(), hand.scale.value, hand.scale.sigma);
+    if (hasGirth)
+        std::printf("girth %+.2f +- %.2f mm, ", hand.girthMm.value, hand.girthMm.sigma);
+    if (hand.frames > 0)
+        std::printf("%d frames, joints fit to %.2f mm\n", hand.frames, hand.jointRmsMm);
+    else
+        std::printf("annotated in no frame: it follows the other hand\n");
+    printBones(hand);
+    for (const core::SubjectBone& bone : hand.bones)
+        if (bone.isUnlikeModel())
+            std::printf("note: %s %s - %s is %.1f %% (+- %.1f) %s than the rest of the hand lets expect\n",
+                        side.c_str(), bone.from.c_str(), bone.to.c_str(), std::abs(100 * bone.share),
+                        100 * bone.shareSigma, bone.share > 0 ? "longer" : "shorter");
 }
 
 void print(const core::MeasuredSubject& measured) {
-    const core::SubjectResult& result = measured.result;
-    printNotes(measured);
-    std::printf("%d annotated frames, outlines of %d\n", result.frames, result.outlineFrames);
-    if (result.outlineFrames > 0)
-        std::printf("outlines fit to %.2f mm\n", result.outlineSigmaMm);
-    else
-        std::printf("note: no masks of frames in which all hands are annotated: the girth stays the model's\n");
-    if (result.lengthsKept)
-        std::printf("note: fewer than 5 frames: the bones keep the model's proportions\n");
-    for (std::size_t h = 0; h < result.hands.size(); ++h) {
-        const core::SubjectHand& hand = result.hands[h];
-        std::printf("%s hand: scale %.4f +- %.4f, girth %+.2f +- %.2f mm, %d frames, joints fit to %.2f mm\n",
-                    std::string(core::sideName(measured.dataset.hands[h].side)).c_str(), hand.scale.value,
-                    hand.scale.sigma, hand.girthMm.value, hand.girthMm.sigma, hand.frames, hand.jointRmsMm);
-        printBones(hand);
-    }
+    printCalibration(measured);
+    printFrames(measured);
+    for (const core::SubjectHand& hand : measured.result.hands)
+        printHand(hand, measured.result.outlineFrames > 0);
 }
 
 void writeSubject(const SubjectArguments& arguments) {
@@ -63,6 +94,8 @@ void writeSubject(const SubjectArguments& arguments) {
     if (measured.result.stopped)
         throw Interrupted(arguments.out + ": stopped; nothing was written");
     print(measured);
+    if (!arguments.json.empty())
+        core::writeSubjectFile(arguments.json, measured);
     core::writeDerivedDataset(original, measured.dataset, arguments.out);
     std::printf("%s: the hands of this person\n", arguments.out.c_str());
 }
@@ -81,6 +114,11 @@ void addSubjectVerb(CLI::App& program) {
     verb->add_option("--rater", arguments->request.rater, "Whose marks (those of the one with most joints)");
     verb->add_flag("--without-masks", arguments->request.withoutMasks,
                    "Joints only: scale and lengths, the model's girth");
+    verb->add_option("--most-frames", arguments->request.mostFrames,
+                     "At most so many annotated frames, evenly drawn from all")
+        ->check(CLI::Range(1, 200))
+        ->capture_default_str();
+    verb->add_option("--json", arguments->json, "Write the measurement as JSON");
     verb->add_option("--out", arguments->out, "The dataset folder to create")->required();
     verb->callback([arguments] { writeSubject(*arguments); });
 }

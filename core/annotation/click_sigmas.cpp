@@ -28,4 +28,26 @@ TriangulationOptions ClickSigmas::optionsFor(const std::string& rater, Triangula
     return options;
 }
 
+namespace {
+
+bool areAlike(const TriangulationOptions& a, const TriangulationOptions& b) {
+    if (a.isSigmaAssumed != b.isSigmaAssumed || a.sigmaPxByCamera.size() != b.sigmaPxByCamera.size())
+        return false;
+    constexpr double kHardlyNoticed = 0.1;
+    for (std::size_t c = 0; c < a.sigmaPxByCamera.size(); ++c)
+        if (std::abs(std::log(a.sigmaPxByCamera[c] / b.sigmaPxByCamera[c])) > kHardlyNoticed)
+            return false;
+    return true;
+}
+
+} // namespace
+
+bool areAlike(const ClickSigmas& a, const ClickSigmas& b) {
+    for (const ClickSigmas* sigmas : {&a, &b})
+        for (const auto& [rater, sigma] : sigmas->raters)
+            if (!areAlike(a.optionsFor(rater), b.optionsFor(rater)))
+                return false;
+    return true;
+}
+
 } // namespace core

@@ -107,7 +107,9 @@ void judgeSequence(Course& course, const std::vector<CourseClick>& clicks, const
             ++sum.clicks;
         }
     }
-    const double middle = 0.5 * (frames.begin()->first + frames.rbegin()->first);
+    health.firstFrame = frames.begin()->first;
+    health.lastFrame = frames.rbegin()->first;
+    const double middle = 0.5 * (health.firstFrame + health.lastFrame);
     const auto slope = course.with([&](const CourseClick& click) {
         return click.sequence == health.sequence ? (click.frame - middle) / 100 : 0.0;
     });
@@ -122,7 +124,7 @@ void judgeSequence(Course& course, const std::vector<CourseClick>& clicks, const
                             : std::nullopt;
     const double slopeGain = slope ? gainOf(*slope, change) : 0, stepGain = step ? gainOf(*step, change) : 0;
     const double gate = std::pow(1.5 * options.significance, 2);
-    const double drifted = slope ? health.driftPx->norm() * (frames.rbegin()->first - frames.begin()->first) / 100 : 0;
+    const double drifted = slope ? health.driftPx->norm() * (health.lastFrame - health.firstFrame) / 100 : 0;
     if (stepGain > std::max(gate, slopeGain)) {
         CameraStep found{split->first,
                          split->second,

@@ -22,6 +22,7 @@ struct CameraStep {
 struct SequenceHealth {
     int sequence = 0; ///< as the clicks number it
     int clicks = 0;
+    int firstFrame = 0, lastFrame = 0;                ///< that show it
     Eigen::Vector2d meanPx = Eigen::Vector2d::Zero(); ///< robust mean residual, its variation over the image taken off
     double meanSigmaPx = 0;                           ///< standard deviation of each coordinate
     /// Change of the mean over the frames, px per 100 frames, with its standard deviation; empty if all clicks are of

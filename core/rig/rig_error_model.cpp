@@ -265,6 +265,22 @@ void RigErrorModel::findSystematic() {
     for (int c = 0; c < m_cameraCount; ++c)
         if (!isApart(c))
             m_systematic[static_cast<std::size_t>(c)] = std::sqrt(ratio * meanSquareShift(c, pose));
+    spreadToUnseen();
+}
+
+/// A camera without clicks is taken to be off like the others.
+void RigErrorModel::spreadToUnseen() {
+    double sum = 0;
+    int count = 0;
+    for (int c = 0; c < m_cameraCount; ++c) {
+        if (m_used[static_cast<std::size_t>(c)] > 0 && !isApart(c)) {
+            sum += m_systematic[static_cast<std::size_t>(c)];
+            ++count;
+        }
+    }
+    for (int c = 0; c < m_cameraCount; ++c)
+        if (m_used[static_cast<std::size_t>(c)] == 0 && count > 0)
+            m_systematic[static_cast<std::size_t>(c)] = sum / count;
 }
 
 void RigErrorModel::estimate() {

@@ -59,6 +59,7 @@ private:
     void findRests();
     void findNoise();
     void findSystematic();
+    void spreadToUnseen();
     double weightOf(const ErrorModelClick& click) const;
     Eigen::Index block(int camera) const { return 9 * static_cast<Eigen::Index>(camera); }
     double meanSquareShift(int camera, const Eigen::Matrix<double, 9, 9>& moments) const;

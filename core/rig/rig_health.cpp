@@ -178,6 +178,20 @@ private:
         return px > std::max(m_options.leastOffPx, 0.7 * scatterPx) && px > m_options.significance * sigmaPx;
     }
 
+    /// Before and after a move, and at both ends of a drift.
+    bool isOffThroughout(const SequenceHealth& sequence) const {
+        Eigen::Vector2d first = sequence.meanPx, last = sequence.meanPx;
+        if (sequence.step) {
+            first = sequence.step->beforePx;
+            last = sequence.step->afterPx;
+        } else if (sequence.isDrifting) {
+            const Eigen::Vector2d half = *sequence.driftPx * (sequence.lastFrame - sequence.firstFrame) / 200;
+            first -= half;
+            last += half;
+        }
+        return isFar(first, sequence.meanSigmaPx, 0) && isFar(last, sequence.meanSigmaPx, 0);
+    }
+
     /// Changes over the frames, and whether it is off always or at times.
     void findCourse(CameraHealth& health) const {
         std::vector<CourseClick> clicks;
@@ -192,13 +206,9 @@ private:
         bool isOffAlways = true;
         for (SequenceHealth& sequence : health.sequences) {
             sequence.meanSigmaPx = std::hypot(sequence.meanSigmaPx, m_othersPx);
-            const double sigmaPx = sequence.meanSigmaPx, scatterPx = std::min(health.scatterPx, 1 / 0.7);
-            const auto& step = sequence.step;
-            sequence.isOff = !health.isLate && (step ? isFar(step->beforePx, sigmaPx, scatterPx) &&
-                                                           isFar(step->afterPx, sigmaPx, scatterPx)
-                                                     : isFar(sequence.meanPx, sigmaPx, scatterPx));
+            sequence.isOff = !health.isLate && isOffThroughout(sequence);
             isOffAlways = isOffAlways && sequence.isOff;
-            health.hasMoved = health.hasMoved || step;
+            health.hasMoved = health.hasMoved || sequence.step;
             health.isDrifting = health.isDrifting || sequence.isDrifting;
             if (sequence.driftPx && sequence.driftPx->norm() >= clearest * sequence.driftSigmaPx) {
                 clearest = sequence.driftPx->norm() / sequence.driftSigmaPx;

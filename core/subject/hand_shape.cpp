@@ -21,6 +21,9 @@ ShapeSpace::ShapeSpace(HandModel model)
     : m_model(std::move(model))
     , m_normals(vertexNormals(m_model.mesh)) {
     collectSegments();
+    m_directions.reserve(m_model.mesh.vertices.size());
+    for (std::size_t v = 0; v < m_model.mesh.vertices.size(); ++v)
+        m_directions.push_back(vertexDirections(static_cast<int>(v)));
 }
 
 void ShapeSpace::collectSegments() {
@@ -113,7 +116,7 @@ HandModel ShapeSpace::shaped(const HandShape& shape) const {
     const double scale = std::exp(shape[0]);
     const Eigen::Vector3d& centre = m_model.skeleton.centreAtRest;
     for (std::size_t v = 0; v < hand.mesh.vertices.size(); ++v) {
-        const Eigen::Vector3d changed = hand.mesh.vertices[v] + vertexDirections(static_cast<int>(v)) * shape;
+        const Eigen::Vector3d changed = hand.mesh.vertices[v] + m_directions[v] * shape;
         hand.mesh.vertices[v] = centre + scale * (changed - centre);
     }
     for (int b = 0; b < boneCount(); ++b) {
@@ -132,7 +135,7 @@ double ShapeSpace::lengthMm(int segment, const HandShape& shape) const {
 }
 
 Eigen::Matrix3Xd ShapeSpace::vertexDerivative(int vertex, const HandShape& shape) const {
-    Eigen::Matrix3Xd derivative = vertexDirections(vertex);
+    Eigen::Matrix3Xd derivative = directionsOf(vertex);
     const Eigen::Vector3d fromCentre =
         m_model.mesh.vertices[static_cast<std::size_t>(vertex)] + derivative * shape - m_model.skeleton.centreAtRest;
     derivative.col(0) = fromCentre;

@@ -56,12 +56,14 @@ private:
     double shareOf(int segment, const Eigen::Vector3d& pointAtRest) const;
     Eigen::Matrix3Xd vertexDirections(int vertex) const;
     Eigen::Matrix3Xd originDirections(int bone) const;
+    const Eigen::Matrix3Xd& directionsOf(int vertex) const { return m_directions[static_cast<std::size_t>(vertex)]; }
 
     HandModel m_model;
     std::vector<Eigen::Vector3d> m_normals;
     std::vector<ShapeSegment> m_segments;
     std::vector<std::vector<int>> m_segmentsOfBone; ///< by the bone where they begin
     std::vector<std::vector<bool>> m_hangsOn;       ///< [bone][segment]
+    std::vector<Eigen::Matrix3Xd> m_directions;     ///< vertexDirections of every vertex: the same in every shape
 };
 
 } // namespace core

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/contour/visible_rim.h"
 #include "core/fitting/match_rule.h"
 #include "core/numeric/median.h"
 
@@ -15,14 +14,7 @@ namespace core {
 namespace {
 
 constexpr int kCoverVertices = 700;
-
-/// A hand as rims see it, and which vertex of the mesh each vertex of the full level is.
-struct RimHand {
-    SkinnedSurface full, cover;
-    PosedPoints fullPosed, coverPosed;
-    std::vector<int> meshVertex;
-    std::vector<bool> left; ///< per mesh vertex: left out
-};
+constexpr double kOutlierSigmas = 4; ///< outlines between touching fingers lie outside: beyond, they count nothing
 
 std::vector<int> usedVertices(const TriangleMesh& mesh) {
     std::vector<bool> used(mesh.vertices.size(), false);
@@ -34,36 +26,6 @@ std::vector<int> usedVertices(const TriangleMesh& mesh) {
         if (used[v])
             list.push_back(static_cast<int>(v));
     return list;
-}
-
-RimHand rimHand(const HandModel& model, const HandModel& hand, const Pose& pose) {
-    RimHand rim;
-    rim.full = makeSkinnedSurface(hand, 0);
-    rim.cover = makeSkinnedSurface(hand, kCoverVertices);
-    const BoneMatrices bones = boneMatrices(hand.skeleton, pose);
-    poseSurface(rim.full, bones, rim.fullPosed);
-    poseSurface(rim.cover, bones, rim.coverPosed);
-    rim.meshVertex = usedVertices(hand.mesh);
-    rim.left = beyondWrist(model);
-    return rim;
-}
-
-OutlineMatch outlineMatch(const RimPoint& rim, const RimHand& hand, const CameraTarget& target, int contourPoint,
-                          int frame) {
-    OutlineMatch match;
-    match.frame = frame;
-    match.hand = rim.hand;
-    match.vertexA = hand.meshVertex[static_cast<std::size_t>(rim.vertexA)];
-    match.vertexB = hand.meshVertex[static_cast<std::size_t>(rim.vertexB)];
-    match.t = static_cast<double>(rim.t);
-    const Eigen::Vector3f onEdge = (1 - rim.t) * hand.fullPosed.positions[static_cast<std::size_t>(rim.vertexA)] +
-                                   rim.t * hand.fullPosed.positions[static_cast<std::size_t>(rim.vertexB)];
-    match.offset = (rim.point - onEdge).cast<double>();
-    match.centre = target.centre;
-    const Eigen::Vector3d& ray = target.rayDirection[static_cast<std::size_t>(contourPoint)];
-    const Eigen::Vector3d normal = rim.normal.cast<double>();
-    match.across = (normal - normal.dot(ray) * ray).normalized();
-    return match;
 }
 
 } // namespace
@@ -95,29 +57,65 @@ std::vector<bool> beyondWrist(const HandModel& model) {
     return beyond;
 }
 
-void matchOutlines(const std::vector<ShapeSpace>& spaces, const std::vector<HandModel>& hands, const HandPoses& poses,
-                   const std::vector<Camera>& cameras, const std::vector<CameraTarget>& outlines, int frame,
-                   const OutlineMatching& matching, std::vector<OutlineMatch>& matches) {
-    std::vector<RimHand> rims;
-    for (std::size_t h = 0; h < hands.size(); ++h)
-        rims.push_back(rimHand(spaces[h].model(), hands[h], poses[h]));
+OutlineMatcher::OutlineMatcher(const std::vector<ShapeSpace>& spaces, const std::vector<HandModel>& hands) {
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        RimHand& rim = m_rims.emplace_back();
+        rim.full = makeSkinnedSurface(hands[h], 0);
+        rim.cover = makeSkinnedSurface(hands[h], kCoverVertices);
+        rim.meshVertex = usedVertices(hands[h].mesh);
+        rim.leftOut = beyondWrist(spaces[h].model());
+        m_skeletons.push_back(hands[h].skeleton);
+    }
+}
+
+OutlineMatch OutlineMatcher::outlineMatch(const RimPoint& rim, std::size_t hand, const CameraTarget& target,
+                                          int contourPoint, int frame) const {
+    const RimHand& source = m_rims[hand];
+    OutlineMatch match;
+    match.frame = frame;
+    match.hand = static_cast<int>(hand);
+    match.vertexA = source.meshVertex[static_cast<std::size_t>(rim.vertexA)];
+    match.vertexB = source.meshVertex[static_cast<std::size_t>(rim.vertexB)];
+    match.t = static_cast<double>(rim.t);
+    const Eigen::Vector3f onEdge = (1 - rim.t) * source.fullPosed.positions[static_cast<std::size_t>(rim.vertexA)] +
+                                   rim.t * source.fullPosed.positions[static_cast<std::size_t>(rim.vertexB)];
+    match.offset = (rim.point - onEdge).cast<double>();
+    match.centre = target.centre;
+    const Eigen::Vector3d& ray = target.rayDirection[static_cast<std::size_t>(contourPoint)];
+    const Eigen::Vector3d normal = rim.normal.cast<double>();
+    match.across = (normal - normal.dot(ray) * ray).normalized();
+    return match;
+}
+
+void OutlineMatcher::match(const HandPoses& poses, const std::vector<Camera>& cameras,
+                           const std::vector<CameraTarget>& outlines, int frame, const OutlineMatching& matching,
+                           std::vector<OutlineMatch>& matches) {
     std::vector<RimSource> sources;
-    for (const RimHand& rim : rims)
+    std::vector<std::size_t> handOf;
+    for (std::size_t h = 0; h < m_rims.size(); ++h) {
+        if (poses[h].size() == 0)
+            continue;
+        RimHand& rim = m_rims[h];
+        const BoneMatrices bones = boneMatrices(m_skeletons[h], poses[h]);
+        poseSurface(rim.full, bones, rim.fullPosed);
+        poseSurface(rim.cover, bones, rim.coverPosed);
         sources.push_back({&rim.full, &rim.fullPosed, &rim.cover, &rim.coverPosed});
+        handOf.push_back(h);
+    }
     MatchRule rule;
     rule.tauRad = static_cast<float>(std::numbers::pi / 8);
     rule.gatePx = static_cast<float>(matching.gatePx);
     RimOptions options;
     options.maxPoints = matching.pointsPerCamera;
-    RimScratch scratch;
     std::vector<RimPoint> points;
     std::vector<WeightedMatch> found;
     for (const CameraTarget& target : outlines) {
-        visibleRim(cameras[static_cast<std::size_t>(target.camera)], sources, options, scratch, points);
+        visibleRim(cameras[static_cast<std::size_t>(target.camera)], sources, options, m_scratch, points);
         for (const RimPoint& point : points) {
-            const RimHand& hand = rims[static_cast<std::size_t>(point.hand)];
-            const auto nearest = point.t < 0.5f ? point.vertexA : point.vertexB;
-            if (hand.left[static_cast<std::size_t>(hand.meshVertex[static_cast<std::size_t>(nearest)])])
+            const std::size_t hand = handOf[static_cast<std::size_t>(point.hand)];
+            const RimHand& rim = m_rims[hand];
+            const auto nearest = static_cast<std::size_t>(point.t < 0.5f ? point.vertexA : point.vertexB);
+            if (rim.leftOut[static_cast<std::size_t>(rim.meshVertex[nearest])])
                 continue;
             found.clear();
             findMatches(target, rule, point, found);
@@ -136,8 +134,9 @@ double weighOutline(const std::vector<double>& residualsMm, double share, std::v
     constexpr double kLeastMm = 0.05;
     const double sigma = std::max(kLeastMm, kSigmaPerMedian * medianOf(sizes));
     for (std::size_t i = 0; i < matches.size(); ++i) {
-        const double relative = residualsMm[i] / (2 * sigma);
-        matches[i].weight = share / (sigma * sigma) / (1 + relative * relative);
+        const double relative = residualsMm[i] / (kOutlierSigmas * sigma);
+        const double kept = std::max(0.0, 1 - relative * relative);
+        matches[i].weight = share / (sigma * sigma) * kept * kept;
     }
     return sigma;
 }

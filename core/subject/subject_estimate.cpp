@@ -9,6 +9,7 @@
 #include "core/fitting/joint_fit.h"
 #include "core/numeric/median.h"
 #include "core/subject/outline_matching.h"
+#include "core/subject/subject_measures.h"
 
 namespace core {
 
@@ -71,9 +72,10 @@ int framesOfAny(const std::vector<SubjectPose>& poses) {
     return count;
 }
 
-bool hasAllHands(const SubjectPose& pose) {
-    for (const auto& start : pose.start)
-        if (!start)
+/// Whether every hand that is annotated anywhere is annotated here, so that outlines can be explained.
+bool hasAllHands(const Run& run, std::size_t frame) {
+    for (std::size_t h = 0; h < run.spaces.size(); ++h)
+        if (!run.poses[frame].start[h] && framesOf(run.poses, h) > 0)
             return false;
     return true;
 }
@@ -94,109 +96,66 @@ std::vector<HandModel> shapedHands(const Run& run, const SubjectProblem& problem
     return hands;
 }
 
+double residualMm(const OutlineMatch& m, const PosedShape& hand) {
+    return m.across.dot((1 - m.t) * hand.vertex(m.vertexA) + m.t * hand.vertex(m.vertexB) + m.offset - m.centre);
+}
+
 /// Matches the outlines anew where the hands are now. Returns the robust scale of the residuals, mm.
 double matchAgain(Run& run, double gatePx) {
     const std::vector<OutlineMatch> none;
     const SubjectProblem problem(run.spaces, run.poses, none, run.options.priors);
     const std::vector<HandModel> hands = shapedHands(run, problem);
+    std::vector<HandShape> shapes;
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        shapes.push_back(problem.shape(run.x, h));
+    OutlineMatcher matcher(run.spaces, hands);
     run.outline.clear();
     std::vector<double> residuals;
     for (std::size_t f = 0; f < run.frames.size(); ++f) {
-        if (run.frames[f].outlines.empty() || !hasAllHands(run.poses[f]))
+        if (run.frames[f].outlines.empty() || !hasAllHands(run, f))
             continue;
-        HandPoses poses;
-        for (std::size_t h = 0; h < hands.size(); ++h)
-            poses.push_back(problem.pose(run.x, f, h));
-        const std::size_t first = run.outline.size();
-        matchOutlines(run.spaces, hands, poses, run.cameras, run.frames[f].outlines, static_cast<int>(f),
-                      {run.options.pointsPerCamera, gatePx, run.options.outlineShare}, run.outline);
-        for (std::size_t h = 0; h < hands.size(); ++h)
-            poses[h] = problem.pose(run.x, f, h);
-        std::vector<HandShape> shapes;
-        std::vector<PosedShape> posed;
-        shapes.reserve(hands.size());
+        HandPoses poses(hands.size());
+        std::vector<std::optional<PosedShape>> posed(hands.size());
         for (std::size_t h = 0; h < hands.size(); ++h) {
-            shapes.push_back(problem.shape(run.x, h));
-            posed.emplace_back(run.spaces[h], hands[h], shapes[h], poses[h]);
+            if (!run.poses[f].start[h])
+                continue;
+            poses[h] = problem.pose(run.x, f, h);
+            posed[h].emplace(run.spaces[h], hands[h], shapes[h], poses[h]);
         }
-        for (std::size_t i = first; i < run.outline.size(); ++i) {
-            const OutlineMatch& m = run.outline[i];
-            const PosedShape& hand = posed[static_cast<std::size_t>(m.hand)];
-            residuals.push_back(
-                m.across.dot((1 - m.t) * hand.vertex(m.vertexA) + m.t * hand.vertex(m.vertexB) + m.offset - m.centre));
-        }
+        const std::size_t first = run.outline.size();
+        matcher.match(poses, run.cameras, run.frames[f].outlines, static_cast<int>(f),
+                      {run.options.pointsPerCamera, gatePx, run.options.outlineShare}, run.outline);
+        for (std::size_t i = first; i < run.outline.size(); ++i)
+            residuals.push_back(residualMm(run.outline[i], *posed[static_cast<std::size_t>(run.outline[i].hand)]));
     }
     return weighOutline(residuals, run.options.outlineShare, run.outline);
 }
 
-/// Mean of each bone's weight over the surface.
-VectorXd meanWeights(const HandModel& model) {
-    VectorXd mean = VectorXd::Zero(static_cast<Eigen::Index>(model.skeleton.bones.size()));
-    for (const SkinWeight& w : model.weights.entries)
-        mean[w.bone] += w.weight / static_cast<double>(model.mesh.vertices.size());
-    return mean;
-}
-
-Measured linearised(double value, const VectorXd& slope, const Eigen::MatrixXd& covariance) {
-    return {value, std::sqrt(std::max(0.0, slope.dot(covariance * slope)))};
-}
-
-/// d length / d shape of a segment.
-VectorXd lengthSlope(const ShapeSpace& space, int segment, const HandShape& shape) {
-    VectorXd slope = VectorXd::Zero(space.size());
-    slope[0] = space.lengthMm(segment, shape);
-    slope[space.lengthIndex(segment)] = slope[0] / (1 + shape[space.lengthIndex(segment)]);
-    return slope;
-}
-
-void describeLengths(const ShapeSpace& space, const Eigen::MatrixXd& covariance, SubjectHand& result) {
-    const auto& bones = space.model().skeleton.bones;
-    VectorXd sumSlope = VectorXd::Zero(space.size());
-    double sum = 0, modelSum = 0;
-    for (int a = 0; a < space.segmentCount(); ++a) {
-        const ShapeSegment& segment = space.segments()[static_cast<std::size_t>(a)];
-        const VectorXd slope = lengthSlope(space, a, result.shape);
-        const Measured length = linearised(space.lengthMm(a, result.shape), slope, covariance);
-        const double modelMm = segment.alongAtRest.norm();
-        const std::string end = segment.end < 0 ? "tip" : bones[static_cast<std::size_t>(segment.end)].name;
-        result.bones.push_back(
-            {bones[static_cast<std::size_t>(segment.bone)].name, end, modelMm, length.value, length.sigma});
-        if (segment.end >= 0) {
-            sumSlope += slope;
-            sum += length.value;
-            modelSum += modelMm;
-        }
+double chiSquared(const std::vector<JointResidual>& residuals, double modelSigmaMm) {
+    double sum = 0;
+    for (const JointResidual& joint : residuals) {
+        const Eigen::Matrix3d covariance = joint.covariance + modelSigmaMm * modelSigmaMm * Eigen::Matrix3d::Identity();
+        sum += joint.residual.dot(covariance.llt().solve(joint.residual));
     }
-    if (modelSum > 0)
-        result.scale = linearised(sum / modelSum, sumSlope / modelSum, covariance);
+    return sum;
 }
 
-SubjectHand describe(const Run& run, const SubjectProblem& problem, std::size_t h, const Eigen::MatrixXd& covariance) {
-    const ShapeSpace& space = run.spaces[h];
-    SubjectHand result;
-    result.shape = problem.shape(run.x, h);
-    result.hand = space.shaped(result.shape);
-    result.frames = framesOf(run.poses, h);
-    const Eigen::MatrixXd own =
-        covariance.block(problem.shapeOffset(h), problem.shapeOffset(h), space.size(), space.size());
-    describeLengths(space, own, result);
-    VectorXd slope = VectorXd::Zero(space.size());
-    slope[1] = 1;
-    slope.segment(space.girthIndex(0), space.boneCount()) = meanWeights(space.model());
-    result.girthMm = linearised(slope.dot(result.shape), slope, own);
-    double squared = 0;
-    int count = 0;
-    for (std::size_t f = 0; f < run.poses.size(); ++f) {
-        if (problem.poseOffset(f, h) < 0)
-            continue;
-        const auto joints = jointPositions(result.hand.skeleton, problem.pose(run.x, f, h));
-        for (const JointTarget& target : run.poses[f].targets[h]) {
-            squared += (joints[static_cast<std::size_t>(target.bone)] - target.pointInWorld).squaredNorm();
-            ++count;
-        }
+/// How far joints are clicked from where the model has them, mm per axis: what the clicks' covariances leave
+/// unexplained. The given one where too few joints could tell.
+double estimatedModelSigma(const Run& run) {
+    constexpr double kLeastMm = 0.05, kMostMm = 8;
+    constexpr int kFewestFreedoms = 20;
+    const SubjectProblem problem(run.spaces, run.poses, run.outline, run.options.priors);
+    const std::vector<JointResidual> residuals = problem.jointResiduals(run.x);
+    const double freedoms = 3.0 * static_cast<double>(residuals.size()) - problem.parametersFromData(run.x);
+    if (freedoms < kFewestFreedoms)
+        return run.options.priors.modelSigmaMm;
+    double low = kLeastMm, high = kMostMm;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (chiSquared(residuals, middle) > freedoms ? low : high) = middle;
     }
-    result.jointRmsMm = count ? std::sqrt(squared / count) : 0;
-    return result;
+    return high;
 }
 
 SubjectResult describe(const Run& run) {
@@ -204,23 +163,63 @@ SubjectResult describe(const Run& run) {
     Eigen::MatrixXd hessian;
     VectorXd gradient;
     problem.linearise(run.x, hessian, gradient);
-    const Eigen::MatrixXd covariance = hessian.ldlt().solve(Eigen::MatrixXd::Identity(hessian.rows(), hessian.cols()));
+    const Eigen::MatrixXd covariance = ArrowSystem(hessian, problem.poseBlocks()).restOfInverse();
     SubjectResult result;
+    for (std::size_t h = 0; h < run.spaces.size(); ++h) {
+        const Eigen::Index at = problem.shapeOffset(h) - problem.shapeOffset(0), size = run.spaces[h].size();
+        result.hands.push_back(measuredHand(run.spaces[h], problem.shape(run.x, h),
+                                            covariance.block(at, at, size, size), run.options.outlineBiasMm));
+        result.hands.back().frames = framesOf(run.poses, h);
+    }
+    std::vector<double> squared(run.spaces.size(), 0), count(run.spaces.size(), 0);
+    for (const JointResidual& joint : problem.jointResiduals(run.x)) {
+        squared[joint.hand] += joint.residual.squaredNorm();
+        ++count[joint.hand];
+    }
     for (std::size_t h = 0; h < run.spaces.size(); ++h)
-        result.hands.push_back(describe(run, problem, h, covariance));
+        result.hands[h].jointRmsMm = count[h] > 0 ? std::sqrt(squared[h] / count[h]) : 0;
     result.frames = framesOfAny(run.poses);
+    result.modelSigmaMm = run.options.priors.modelSigmaMm;
     return result;
 }
 
 void requireEnough(const std::vector<SubjectPose>& poses) {
-    const int frames = framesOfAny(poses);
-    if (frames < kFewestSubjectFrames) {
+    if (framesOfAny(poses) < kFewestSubjectFrames) {
         throw Error(ErrorCode::BadInput, "", "annotations",
-                    "at least " + std::to_string(kFewestSubjectFrames) + " frames with " +
-                        std::to_string(kFewestSubjectJoints) +
-                        " or more joints of a hand in 3D are needed to measure it, and there are " +
-                        std::to_string(frames));
+                    "a frame with " + std::to_string(kFewestSubjectJoints) +
+                        " or more joints of a hand in 3D is needed to measure it, and there is none");
     }
+}
+
+/// From the model at that scale: poses and shapes by the joints alone, and how far these are clicked from the model's.
+void solveJoints(Run& run, double scale) {
+    {
+        const SubjectProblem problem(run.spaces, run.poses, run.outline, run.options.priors);
+        run.x = problem.start();
+        for (std::size_t h = 0; h < run.spaces.size(); ++h)
+            run.x[problem.shapeOffset(h)] = std::log(scale);
+    }
+    solve(run, 30);
+    constexpr int kModelSigmaRounds = 2;
+    for (int round = 0; round < kModelSigmaRounds; ++round) {
+        run.options.priors.modelSigmaMm = estimatedModelSigma(run);
+        solve(run, 10);
+    }
+}
+
+/// Joints and outlines together, matched again until nothing moves. Returns the robust scale of the residuals, mm.
+double solveOutlines(Run& run, const std::stop_token& stop) {
+    double sigma = 0;
+    for (int round = 0; round < run.options.maxRounds && !stop.stop_requested(); ++round) {
+        sigma = matchAgain(run, round < 3 ? 40 : 15);
+        if (run.outline.empty())
+            break;
+        const VectorXd before = run.x;
+        solve(run, 4);
+        if (round > 4 && (run.x - before).cwiseAbs().maxCoeff() < 2e-3)
+            break;
+    }
+    return sigma;
 }
 
 } // namespace
@@ -255,30 +254,19 @@ SubjectResult estimateSubject(const std::vector<HandModel>& hands, const std::ve
     run.poses = startingPoses(run.spaces, frames, scale);
     requireEnough(run.poses);
     const bool lengthsKept = framesOfAny(run.poses) < options.framesForLengths;
+    const bool girthKept = framesOfAny(run.poses) < options.framesForGirth;
     if (lengthsKept)
         run.options.priors.lengthShare = run.options.priors.boneGirthMm = options.fixedShare;
-    {
-        const SubjectProblem problem(run.spaces, run.poses, run.outline, run.options.priors);
-        run.x = problem.start();
-        for (std::size_t h = 0; h < run.spaces.size(); ++h)
-            run.x[problem.shapeOffset(h)] = std::log(scale);
-    }
-    solve(run, 30);
-    double sigma = 0;
-    for (int round = 0; round < options.maxRounds && !stop.stop_requested(); ++round) {
-        sigma = matchAgain(run, round < 3 ? 40 : 15);
-        if (run.outline.empty())
-            break;
-        const VectorXd before = run.x;
-        solve(run, 4);
-        if (round > 4 && (run.x - before).cwiseAbs().maxCoeff() < 2e-3)
-            break;
-    }
+    if (girthKept)
+        run.options.priors.girthMm = options.fixedShare;
+    solveJoints(run, scale);
+    const double sigma = girthKept ? 0 : solveOutlines(run, stop);
     SubjectResult result = describe(run);
     result.lengthsKept = lengthsKept;
+    result.girthKept = girthKept;
     result.outlineSigmaMm = sigma;
     for (std::size_t f = 0; sigma > 0 && f < frames.size(); ++f)
-        result.outlineFrames += !frames[f].outlines.empty() && hasAllHands(run.poses[f]) ? 1 : 0;
+        result.outlineFrames += !frames[f].outlines.empty() && hasAllHands(run, f) ? 1 : 0;
     result.stopped = stop.stop_requested();
     return result;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/subject/subject_problem.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/LU>
 
 namespace core {
@@ -66,32 +69,32 @@ void SubjectProblem::addShapeLinks(std::size_t hand) {
     m_links.push_back({at, -1, 0, m_priors.logScale});
     m_links.push_back({at + 1, -1, 0, m_priors.girthMm});
     for (int a = 0; a < space.segmentCount(); ++a) {
-        m_links.push_back({at + space.lengthIndex(a), -1, 0, m_priors.lengthShare});
+        m_links.push_back({at + space.lengthIndex(a), -1, 0, m_priors.lengthShare, true});
         for (int b = 0; b < space.segmentCount(); ++b) {
             const int end = space.segments()[static_cast<std::size_t>(a)].end;
             if (end >= 0 && space.segments()[static_cast<std::size_t>(b)].bone == end)
-                m_links.push_back({at + space.lengthIndex(a), at + space.lengthIndex(b), 0, m_priors.neighbourShare});
+                m_links.push_back(
+                    {at + space.lengthIndex(a), at + space.lengthIndex(b), 0, m_priors.neighbourShare, true});
         }
     }
     for (int b = 0; b < space.boneCount(); ++b)
-        m_links.push_back({at + space.girthIndex(b), -1, 0, m_priors.boneGirthMm});
+        m_links.push_back({at + space.girthIndex(b), -1, 0, m_priors.boneGirthMm, true});
 }
 
-/// Both hands are alike where they have the same bones.
+/// Both hands are alike: in scale and girth always, bone by bone where they have the same bones.
 void SubjectProblem::addHandLinks() {
-    if (m_spaces.size() != 2 || m_spaces[0].size() != m_spaces[1].size())
+    if (m_spaces.size() != 2)
         return;
     const auto& first = m_spaces[0].model().skeleton.bones;
     const auto& second = m_spaces[1].model().skeleton.bones;
-    for (std::size_t b = 0; b < first.size(); ++b)
-        if (first[b].name != second[b].name)
-            return;
-    const int size = m_spaces[0].size();
-    for (int k = 0; k < size; ++k) {
+    const bool sameBones = m_spaces[0].size() == m_spaces[1].size() &&
+                           std::equal(first.begin(), first.end(), second.begin(), second.end(),
+                                      [](const Bone& a, const Bone& b) { return a.name == b.name; });
+    for (int k = 0; k < (sameBones ? m_spaces[0].size() : 2); ++k) {
         const double sigma = k == 0                                    ? m_priors.handsLogScale
                              : k >= 2 && k < m_spaces[0].girthIndex(0) ? m_priors.handsShare
                                                                        : m_priors.handsGirthMm;
-        m_links.push_back({m_shapeOffset[0] + k, m_shapeOffset[1] + k, 0, sigma});
+        m_links.push_back({m_shapeOffset[0] + k, m_shapeOffset[1] + k, 0, sigma, k >= 2});
     }
 }
 
@@ -184,11 +187,21 @@ double SubjectProblem::visit(const Eigen::VectorXd& x, Accumulator* sums) const 
 
 double SubjectProblem::cost(const Eigen::VectorXd& x) const {
     double sum = visit(x, nullptr);
+    const double k2 = m_priors.robustFactor * m_priors.robustFactor;
     for (const Link& link : m_links) {
-        const double residual = (x[link.a] - (link.b >= 0 ? x[link.b] : 0) - link.value) / link.sigma;
-        sum += 0.5 * residual * residual;
+        const double squared = std::pow(residualOf(link, x), 2);
+        sum += 0.5 * (link.isRobust ? k2 * std::log1p(squared / k2) : squared);
     }
     return sum;
+}
+
+double SubjectProblem::residualOf(const Link& link, const Eigen::VectorXd& x) const {
+    return (x[link.a] - (link.b >= 0 ? x[link.b] : 0) - link.value) / link.sigma;
+}
+
+double SubjectProblem::weightOf(const Link& link, double residual) const {
+    const double relative = residual / m_priors.robustFactor;
+    return link.isRobust ? 1 / (1 + relative * relative) : 1;
 }
 
 void SubjectProblem::linearise(const Eigen::VectorXd& x, Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) const {
@@ -197,17 +210,71 @@ void SubjectProblem::linearise(const Eigen::VectorXd& x, Eigen::MatrixXd& hessia
     Accumulator sums{hessian, gradient};
     visit(x, &sums);
     for (const Link& link : m_links) {
-        const double weight = 1 / (link.sigma * link.sigma);
-        const double residual = x[link.a] - (link.b >= 0 ? x[link.b] : 0) - link.value;
+        const double residual = residualOf(link, x);
+        const double factor = weightOf(link, residual), weight = factor / (link.sigma * link.sigma);
+        const double slope = factor * residual / link.sigma;
         hessian(link.a, link.a) += weight;
-        gradient[link.a] += weight * residual;
+        gradient[link.a] += slope;
         if (link.b >= 0) {
             hessian(link.b, link.b) += weight;
             hessian(link.a, link.b) -= weight;
             hessian(link.b, link.a) -= weight;
-            gradient[link.b] -= weight * residual;
+            gradient[link.b] -= slope;
         }
     }
+}
+
+std::vector<JointResidual> SubjectProblem::jointResiduals(const Eigen::VectorXd& x) const {
+    std::vector<JointResidual> residuals;
+    for (std::size_t h = 0; h < m_spaces.size(); ++h) {
+        const HandModel hand = m_spaces[h].shaped(shape(x, h));
+        for (std::size_t f = 0; f < m_frames.size(); ++f) {
+            if (m_poseOffset[f][h] < 0)
+                continue;
+            const auto joints = jointPositions(hand.skeleton, pose(x, f, h));
+            for (const JointTarget& target : m_frames[f].targets[h])
+                residuals.push_back(
+                    {h, joints[static_cast<std::size_t>(target.bone)] - target.pointInWorld, target.covariance});
+        }
+    }
+    return residuals;
+}
+
+std::vector<UnknownsRange> SubjectProblem::poseBlocks() const {
+    std::vector<UnknownsRange> blocks;
+    for (std::size_t f = 0; f < m_frames.size(); ++f)
+        for (std::size_t h = 0; h < m_spaces.size(); ++h)
+            if (m_poseOffset[f][h] >= 0)
+                blocks.push_back({m_poseOffset[f][h], m_spaces[h].model().skeleton.poseSize()});
+    return blocks;
+}
+
+double SubjectProblem::parametersFromData(const Eigen::VectorXd& x) const {
+    Eigen::MatrixXd hessian;
+    Eigen::VectorXd gradient;
+    linearise(x, hessian, gradient);
+    const ArrowSystem system(hessian, poseBlocks());
+    const std::vector<UnknownsRange> blocks = poseBlocks();
+    Eigen::VectorXd poseDiagonal = Eigen::VectorXd::Zero(m_size);
+    for (std::size_t i = 0; i < blocks.size(); ++i)
+        poseDiagonal.segment(blocks[i].at, blocks[i].size) = system.diagonalOfInverse(i);
+    const Eigen::MatrixXd shapes = system.restOfInverse();
+    const int first = m_shapeOffset.front();
+    double fromPriors = 0;
+    for (const Link& link : m_links) {
+        const double weight = weightOf(link, residualOf(link, x)) / (link.sigma * link.sigma);
+        const int a = link.a - first, b = link.b - first;
+        if (a < 0)
+            fromPriors += weight * poseDiagonal[link.a];
+        else
+            fromPriors += weight * (link.b < 0 ? shapes(a, a) : shapes(a, a) + shapes(b, b) - 2 * shapes(a, b));
+    }
+    return m_size - fromPriors;
+}
+
+Eigen::VectorXd dampedStep(const SubjectProblem& problem, const Eigen::VectorXd& /*x*/, const Eigen::MatrixXd& damped,
+                           const Eigen::VectorXd& gradient) {
+    return -ArrowSystem(damped, problem.poseBlocks()).solve(gradient);
 }
 
 } // namespace core

@@ -6,6 +6,7 @@
 
 #include "core/fitting/joint_problem.h"
 #include "core/numeric/levenberg_marquardt.h"
+#include "core/subject/arrow_system.h"
 #include "core/subject/posed_shape.h"
 
 namespace core {
@@ -22,6 +23,7 @@ struct SubjectPriors {
     double handsGirthMm = 0.2;    ///< between both hands
     double angleRad = 0.6;        ///< of an angle from that of the start
     double modelSigmaMm = 0.3;    ///< how far joints are clicked from where the model has them, added to covariances
+    double robustFactor = 2;      ///< of proportions: differences beyond that many deviations cost ever less (Cauchy)
 };
 
 /// One frame: the annotated joints of each hand and where each hand starts; a hand without targets is not there.
@@ -43,9 +45,18 @@ struct OutlineMatch {
     double weight = 0;      ///< 1 / sigma^2, robust factor included, 1/mm^2
 };
 
+/// How far a hand's joint is from where it was annotated, mm in the world, and the covariance of the annotation.
+struct JointResidual {
+    std::size_t hand = 0;
+    Eigen::Vector3d residual;
+    Eigen::Matrix3d covariance;
+};
+
 /// The poses of all frames and the shapes of all hands, to be found together. The unknowns: per frame and hand that is
 /// there its pose, in that order, then each hand's shape. Minimises half the sum of the squared joint distances
-/// (whitened by their covariances), the outline distances and the priors.
+/// (whitened by their covariances), the outline distances and the priors. Priors on proportions (lengths beyond the
+/// scale, girths of bones, likeness of neighbours and hands) are robust, k^2 / 2 log(1 + r^2 / k^2): noise is held down
+/// as by a Gaussian, a finger that is really longer is not.
 class SubjectProblem {
 public:
     /// All arguments must outlive the problem.
@@ -64,13 +75,22 @@ public:
     int shapeOffset(std::size_t hand) const { return m_shapeOffset[hand]; }
     Pose pose(const Eigen::VectorXd& x, std::size_t frame, std::size_t hand) const;
     HandShape shape(const Eigen::VectorXd& x, std::size_t hand) const;
+    std::vector<JointResidual> jointResiduals(const Eigen::VectorXd& x) const;
+    /// The poses as blocks of the linearised problem, which meet in the shapes alone.
+    std::vector<UnknownsRange> poseBlocks() const;
+    /// How many parameters the data decide, the priors taking the others: size - trace(H^-1 H_priors).
+    double parametersFromData(const Eigen::VectorXd& x) const;
 
 private:
     /// One prior: (x[a] - x[b] - value) / sigma, b = -1 for none.
     struct Link {
         int a = 0, b = -1;
         double value = 0, sigma = 1;
+        bool isRobust = false;
     };
+    double residualOf(const Link& link, const Eigen::VectorXd& x) const;
+    /// Derivative of the link's cost by half its squared residual.
+    double weightOf(const Link& link, double residual) const;
     void addAngleLinks();
     void addShapeLinks(std::size_t hand);
     void addHandLinks();
@@ -89,5 +109,9 @@ private:
     std::vector<Link> m_links;
     int m_size = 0;
 };
+
+/// The damped step of the solver, by eliminating the poses.
+Eigen::VectorXd dampedStep(const SubjectProblem& problem, const Eigen::VectorXd& x, const Eigen::MatrixXd& damped,
+                           const Eigen::VectorXd& gradient);
 
 } // namespace core

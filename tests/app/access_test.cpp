@@ -196,8 +196,8 @@ TEST_F(Access, PreferencesAreKept) {
     name->setText(QStringLiteral(" bea "));
     emit name->editingFinished();
     EXPECT_EQ(session().document.rater(), "bea");
-    page->findChild<QSpinBox*>(QStringLiteral("memory"))->setValue(1024);
-    EXPECT_EQ(settings->value(QStringLiteral("pictureMemoryMb")).toInt(), 1024);
+    page->findChild<QSpinBox*>(QStringLiteral("memory"))->setValue(2048);
+    EXPECT_EQ(settings->value(QStringLiteral("pictureMemoryMb")).toInt(), 2048);
     action("edit.shortcuts")->trigger();
     EXPECT_EQ(page->findChild<QTabWidget*>()->currentIndex(), 1) << "the keys";
     EXPECT_EQ(window->findChildren<app::PreferencesWindow*>().size(), 1);

@@ -20,6 +20,7 @@ Reconstructions::Reconstructions(const AnnotationDocument& document, const Selec
 void Reconstructions::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
     m_gaps = {};
+    m_sigmas = {};
     rebuild();
 }
 
@@ -27,6 +28,11 @@ void Reconstructions::setPictureGaps(core::PictureGaps gaps) {
     if (gaps == m_gaps)
         return;
     m_gaps = std::move(gaps);
+    rebuild();
+}
+
+void Reconstructions::setClickSigmas(core::ClickSigmas sigmas) {
+    m_sigmas = std::move(sigmas);
     rebuild();
 }
 
@@ -49,6 +55,7 @@ core::JointReconstruction Reconstructions::compute(int frame, const core::JointI
 
 void Reconstructions::rebuild() {
     m_joints.clear();
+    m_options = m_sigmas.optionsFor(m_document.rater());
     if (m_dataset) {
         m_joints = core::reconstructFrame(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
                                           m_document.rater(), optionsAt(m_selection.frame(), false));

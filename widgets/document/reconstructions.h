@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/reconstruction.h"
 #include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
@@ -25,12 +26,16 @@ public:
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
     /// Where the open sequence has no picture: views that need no mark.
     void setPictureGaps(core::PictureGaps gaps);
+    /// What clicks are worth; assumed in a dataset until this says otherwise.
+    void setClickSigmas(core::ClickSigmas sigmas);
+    const core::ClickSigmas& clickSigmas() const { return m_sigmas; }
 
     /// Every joint with at least one mark in the frame.
     const std::map<core::JointId, core::JointReconstruction>& joints() const { return m_joints; }
     /// That joint, or null if it has no mark.
     const core::JointReconstruction* find(const core::JointId& joint) const;
     const core::JointReconstruction& selected() const { return m_selected; }
+    /// With the sigmas of the document's rater.
     const core::TriangulationOptions& options() const { return m_options; }
 
     /// Any joint of any frame for the document's rater, with all details.
@@ -51,6 +56,7 @@ private:
     const Selection& m_selection;
     std::shared_ptr<const core::Dataset> m_dataset;
     core::PictureGaps m_gaps;
+    core::ClickSigmas m_sigmas;
     core::TriangulationOptions m_options;
     std::map<core::JointId, core::JointReconstruction> m_joints;
     core::JointReconstruction m_selected;

@@ -22,7 +22,8 @@ class FrameSource;
 namespace widgets {
 
 /// Brings the pictures of all cameras of a frame, from files or drawn from the recorded motion, without keeping the
-/// window waiting. Pictures of recent frames are kept within a budget, and the next ones are fetched ahead.
+/// window waiting. Pictures of recent frames are kept within a budget: some ready to be drawn, those of videos mostly
+/// as decoded. Time that nobody needs goes into the frames that lie ahead, on all cores but one.
 class FrameLoader : public QObject {
     Q_OBJECT
 
@@ -45,7 +46,9 @@ public:
     bool lacksPicture(int camera) const;
     /// How much memory pictures may take. The requested frame is always kept.
     void setBudget(std::int64_t bytes);
-    /// Whether the next frame is fetched before it is asked for; it is at first.
+    /// The camera whose picture is wanted before the others'; -1: none.
+    void setFirstCamera(int camera) { m_firstCamera = camera; }
+    /// Whether the next frames are fetched before they are asked for; they are at first.
     void setFetchingAhead(bool on) { m_fetchesAhead = on; }
 
 signals:
@@ -65,20 +68,27 @@ private:
     void store(int frame, int camera, const ImagePyramid& picture);
     void finish(int camera);
     void prefetch();
+    void decodeAhead();
+    std::vector<int> camerasByUrgency() const;
+    void shareBudget();
     void trim();
 
     JobPool& m_pool;
-    std::shared_ptr<const core::FrameSource> m_source;
-    std::vector<std::unique_ptr<Job>> m_jobs;      ///< one per camera
-    std::vector<std::unique_ptr<Job>> m_aheadJobs; ///< one per camera
+    JobPool m_decodingPool; ///< for what is decoded ahead, which may take long
+    std::shared_ptr<core::FrameSource> m_source;
+    std::vector<std::unique_ptr<Job>> m_jobs;         ///< one per camera
+    std::vector<std::unique_ptr<Job>> m_aheadJobs;    ///< one per camera: the next frame
+    std::vector<std::unique_ptr<Job>> m_decodingJobs; ///< one per thread: the frames after that
     std::map<Key, Entry> m_cache;
     std::set<int> m_missing;
     std::int64_t m_budget;
-    std::int64_t m_bytes = 0;
+    std::int64_t m_drawableBudget = 0; ///< the part for pictures that are ready to be drawn
+    std::int64_t m_bytes = 0;          ///< of those
     std::uint64_t m_clock = 0;
     int m_frame = -1;
     int m_frameCount = 0;
     int m_direction = 1;
+    int m_firstCamera = -1;
     bool m_fetchesAhead = true;
 };
 

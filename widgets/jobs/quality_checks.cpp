@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/quality_checks.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <utility>
+
+#include "core/rig/click_sigma_estimate.h"
 
 namespace widgets {
 
@@ -32,6 +36,35 @@ struct QualityChecks::State {
     std::shared_ptr<const core::Dataset> dataset;
     std::string rater;
     std::set<int> unseen; ///< frames to look at
+    core::ClickSigmas sigmas;
+    int clicks = -1; ///< that the sigmas were estimated from; none yet
+
+    core::QualityChecker newChecker() const {
+        core::QualityOptions options;
+        options.triangulation = sigmas.optionsFor(rater);
+        return {dataset->cameras, dataset->hands, rater, options};
+    }
+    void look(const std::stop_token& stop) {
+        while (!unseen.empty() && !stop.stop_requested())
+            checker.check(set, unseen.extract(unseen.begin()).value());
+    }
+    /// Estimates the sigmas again if many clicks are new. If they differ, every frame is to be looked at again.
+    void estimateSigmas() {
+        const auto now = static_cast<int>(std::count_if(set.marks.begin(), set.marks.end(),
+                                                        [](const auto& item) { return item.second.isEvidence(); }));
+        constexpr int kManyClicks = 16;
+        if (clicks >= 0 && std::abs(now - clicks) < std::max(kManyClicks, clicks / 10))
+            return;
+        clicks = now;
+        std::vector<core::RigJoint> joints;
+        core::addRigJoints(joints, set, dataset->cameras, 0);
+        core::ClickSigmas found = core::estimateClickSigmas(dataset->cameras, joints);
+        if (core::areAlike(found, sigmas))
+            return;
+        sigmas = std::move(found);
+        checker = newChecker();
+        unseen = framesOf(set);
+    }
 };
 
 QualityChecks::QualityChecks(const AnnotationDocument& document, JobPool& pool, QObject* parent)
@@ -54,6 +87,7 @@ QualityChecks::~QualityChecks() = default;
 
 void QualityChecks::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
+    m_sigmas = {};
     restart();
 }
 
@@ -65,9 +99,10 @@ void QualityChecks::restart() {
     m_findings.clear();
     m_noise.reset();
     if (m_dataset) {
-        m_state = std::make_shared<State>(State{
-            m_document.annotations(), core::QualityChecker(m_dataset->cameras, m_dataset->hands, m_document.rater()),
-            m_dataset, m_document.rater(), framesOf(m_document.annotations())});
+        m_state = std::make_shared<State>(
+            State{m_document.annotations(), core::QualityChecker(m_dataset->cameras, m_dataset->hands, {}), m_dataset,
+                  m_document.rater(), framesOf(m_document.annotations()), m_sigmas});
+        m_state->checker = m_state->newChecker();
         look();
     }
     emit changed();
@@ -94,12 +129,16 @@ void QualityChecks::look() {
             for (const core::Edit& edit : edits)
                 core::apply(state->set, edit);
             state->unseen.merge(framesOf(edits));
-            while (!state->unseen.empty() && !context.stop.stop_requested())
-                state->checker.check(state->set, state->unseen.extract(state->unseen.begin()).value());
+            state->estimateSigmas();
+            state->look(context.stop);
             auto noise = core::estimateClickNoise(state->set, state->dataset->cameras, state->rater);
-            return [this, found = state->checker.findings(), noise = std::move(noise)] {
+            return [this, found = state->checker.findings(), noise = std::move(noise), sigmas = state->sigmas] {
                 m_findings = found;
                 m_noise = noise;
+                if (sigmas != m_sigmas) {
+                    m_sigmas = sigmas;
+                    emit clickSigmasChanged();
+                }
                 emit changed();
             };
         });

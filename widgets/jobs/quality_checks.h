@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "core/annotation/click_noise.h"
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/quality.h"
 #include "core/annotation/quality_checker.h"
 #include "core/io/dataset/dataset.h"
@@ -33,11 +34,15 @@ public:
     const std::vector<core::QualityFinding>& findings() const { return m_findings; }
     /// Nothing with too few joints that three views agree on.
     const std::optional<core::ClickNoise>& clickNoise() const { return m_noise; }
+    /// What the clicks of the open sequence are worth; changes when many clicks are new.
+    const core::ClickSigmas& clickSigmas() const { return m_sigmas; }
     /// True when everything that was done has been looked at.
     bool isUpToDate() const { return !m_job.isRunning() && !m_wait.isActive(); }
 
 signals:
     void changed();
+    /// They differ enough for 3D points and their uncertainty to be made anew.
+    void clickSigmasChanged();
 
 private:
     struct State;
@@ -53,6 +58,7 @@ private:
     std::vector<core::Edit> m_edits; ///< that the state does not know yet
     std::vector<core::QualityFinding> m_findings;
     std::optional<core::ClickNoise> m_noise;
+    core::ClickSigmas m_sigmas;
 };
 
 } // namespace widgets

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/formats/annotation_report.h"
 #include "core/io/formats/joint_files.h"
 
@@ -56,6 +57,7 @@ void AnnotationFiles::exportTo(const QString& kind, const QString& path) {
           [this, kind, path, dataset = m_session.dataset(), sequence = *m_session.sequence(),
            set = m_document.annotations(), rater = m_document.rater()](const JobContext&) -> Job::Delivery {
               core::AnnotationExportOptions options;
+              options.sigmas = core::datasetClickSigmas(*dataset);
               if (!core::annotationFormat(kind.toStdString()).namesRaters)
                   options.rater = rater;
               core::exportAnnotations(*dataset, sequence, set, kind.toStdString(), path.toStdString(), options);

@@ -11,12 +11,13 @@ namespace {
 constexpr std::size_t kFramesAtOnce = 4;
 
 FrameCoverage coverageOfAll(const core::AnnotationSet& set, const core::Dataset& dataset, const std::string& rater,
-                            double badRmsPx, const core::PictureGaps& gaps, const std::stop_token& stop) {
+                            double badRmsPx, const core::PictureGaps& gaps, const core::TriangulationOptions& options,
+                            const std::stop_token& stop) {
     FrameCoverage frames;
     for (const int frame : core::annotatedFrames(set)) {
         if (stop.stop_requested())
             break;
-        frames[frame] = core::coverageOf(set, dataset.cameras, frame, rater, badRmsPx, {}, gaps);
+        frames[frame] = core::coverageOf(set, dataset.cameras, frame, rater, badRmsPx, options, gaps);
     }
     return frames;
 }
@@ -35,6 +36,7 @@ Coverage::Coverage(const AnnotationDocument& document, JobPool& pool, QObject* p
 void Coverage::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
     m_gaps = {};
+    m_sigmas = {};
     rebuild();
 }
 
@@ -42,6 +44,11 @@ void Coverage::setPictureGaps(core::PictureGaps gaps) {
     if (gaps == m_gaps)
         return;
     m_gaps = std::move(gaps);
+    rebuild();
+}
+
+void Coverage::setClickSigmas(core::ClickSigmas sigmas) {
+    m_sigmas = std::move(sigmas);
     rebuild();
 }
 
@@ -57,8 +64,9 @@ void Coverage::rebuild() {
     if (!m_dataset || m_document.annotations().marks.empty())
         return;
     m_job.start([this, set = m_document.annotations(), dataset = m_dataset, rater = m_document.rater(),
-                 bad = m_badRmsPx, gaps = m_gaps](const JobContext& context) -> Job::Delivery {
-        return [this, frames = coverageOfAll(set, *dataset, rater, bad, gaps, context.stop)] {
+                 bad = m_badRmsPx, gaps = m_gaps,
+                 options = m_sigmas.optionsFor(m_document.rater())](const JobContext& context) -> Job::Delivery {
+        return [this, frames = coverageOfAll(set, *dataset, rater, bad, gaps, options, context.stop)] {
             m_frames = frames;
             emit changed();
         };
@@ -84,7 +92,7 @@ void Coverage::update(const core::Edit& edit) {
 
 void Coverage::updateFrame(int frame) {
     const auto hands = core::coverageOf(m_document.annotations(), m_dataset->cameras, frame, m_document.rater(),
-                                        m_badRmsPx, {}, m_gaps);
+                                        m_badRmsPx, m_sigmas.optionsFor(m_document.rater()), m_gaps);
     const auto first = m_document.annotations().marks.lower_bound({frame, {}, {}, {}});
     if (first != m_document.annotations().marks.end() && first->first.frame == frame)
         m_frames[frame] = hands;

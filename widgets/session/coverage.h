@@ -6,6 +6,7 @@
 
 #include <QObject>
 
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/reconstruction.h"
 #include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
@@ -28,6 +29,8 @@ public:
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
     /// Where the open sequence has no picture: views that need no mark.
     void setPictureGaps(core::PictureGaps gaps);
+    /// What clicks are worth; assumed in a dataset until this says otherwise.
+    void setClickSigmas(core::ClickSigmas sigmas);
     /// A joint is bad when its error is above this, px.
     void setBadRmsPx(double px);
     double badRmsPx() const { return m_badRmsPx; }
@@ -46,6 +49,7 @@ private:
     Job m_job;
     std::shared_ptr<const core::Dataset> m_dataset;
     core::PictureGaps m_gaps;
+    core::ClickSigmas m_sigmas;
     FrameCoverage m_frames;
     double m_badRmsPx = 2.0;
 };

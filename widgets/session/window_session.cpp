@@ -56,7 +56,14 @@ WindowSession::WindowSession(QObject* parent)
     , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
+    connect(&checks, &QualityChecks::clickSigmasChanged, this, [this] {
+        reconstructions.setClickSigmas(checks.clickSigmas());
+        coverage.setClickSigmas(checks.clickSigmas());
+    });
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
+    connect(
+        &selection, &Selection::cameraChanged, this,
+        [this] { frames.setFirstCamera(opened.dataset() ? opened.dataset()->cameraIndex(selection.camera()) : -1); });
     connect(
         &joints, &JointList::changed, this,
         [this] {

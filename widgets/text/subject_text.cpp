@@ -34,6 +34,9 @@ QString framesText(const core::MeasuredSubject& measured) {
 }
 
 QString outlinesText(const core::SubjectResult& result) {
+    if (result.girthKept)
+        return subjectText(
+            QT_TRANSLATE_NOOP("widgets::SubjectText", "Fewer than 3 frames: only the scale is measured."));
     return result.outlineFrames > 0
                ? subjectText(QT_TRANSLATE_N_NOOP("widgets::SubjectText", "Outlines of %n frame(s) fit to %1 mm."),
                              result.outlineFrames)
@@ -71,7 +74,7 @@ QString subjectResultText(const core::MeasuredSubject& measured) {
     if (measured.unitMm != 1)
         lines << unitText(measured);
     lines << framesText(measured) + QLatin1Char(' ') + outlinesText(measured.result);
-    if (measured.result.lengthsKept)
+    if (measured.result.lengthsKept && !measured.result.girthKept)
         lines << subjectText(
             QT_TRANSLATE_NOOP("widgets::SubjectText", "Fewer than 5 frames: bones keep the model's proportions."));
     for (std::size_t h = 0; h < measured.result.hands.size(); ++h)

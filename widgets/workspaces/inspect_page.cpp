@@ -47,6 +47,7 @@ InspectPage::InspectPage(const FitRunner& fits, const DatasetSession& datasets, 
     , m_costs(new CurvePlot(this)) {
     build();
     m_frames.setFetchingAhead(false);
+    m_frames.setBudget(std::int64_t(128) << 20);
     connect(&fits, &FitRunner::started, this, &InspectPage::showHint);
     connect(&fits, &FitRunner::failed, this, &InspectPage::showHint);
     connect(&fits, &FitRunner::finished, this, &InspectPage::takeOutcome);

@@ -28,7 +28,7 @@ const QString kLanguage = QStringLiteral("language");
 const QString kLook = QStringLiteral("look");
 const QString kMemory = QStringLiteral("pictureMemoryMb");
 const QString kHintsSeen = QStringLiteral("hintsSeen");
-constexpr int kDefaultMemoryMb = 320, kLeastMemoryMb = 64, kMostMemoryMb = 65536, kMemoryStepMb = 64;
+constexpr int kDefaultMemoryMb = 1024, kLeastMemoryMb = 64, kMostMemoryMb = 65536, kMemoryStepMb = 64;
 
 std::int64_t bytes(int megabytes) {
     return std::int64_t(megabytes) << 20;

@@ -18,7 +18,7 @@ std::vector<RigJoint> readRigJoints(const Dataset& dataset, const std::vector<st
 /// As rigFindings() takes them.
 std::vector<std::string> sequenceNames(const Dataset& dataset);
 
-/// What every rater's clicks are worth, from all of the dataset's annotations.
+/// What every rater's clicks are worth, from all of the dataset's annotations that can be read.
 ClickSigmas datasetClickSigmas(const Dataset& dataset);
 
 /// What the clicks of the whole dataset say of its cameras, a sentence per finding (rigFindings).

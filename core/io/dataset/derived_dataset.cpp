@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/dataset/derived_dataset.h"
 
-#include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_paths.h"
 #include "core/io/files/atomic_file.h"
+#include "core/io/store/annotation_store.h"
 
 namespace core {
 
@@ -17,13 +17,8 @@ std::string seenFrom(const fs::path& folder, const fs::path& originalFolder, con
 }
 
 void copyAnnotations(const fs::path& from, const fs::path& to) {
-    std::error_code failure;
     ensureFolder(to.parent_path());
-    for (const char* suffix : {"", "-wal"}) {
-        const fs::path source = from.string() + suffix;
-        if (fs::exists(source) && !fs::copy_file(source, to.string() + suffix, failure))
-            throw Error(ErrorCode::Io, source.string(), "", "cannot be copied: " + failure.message());
-    }
+    AnnotationStore::open(from, StoreAccess::ReadOnly).copyTo(to);
 }
 
 } // namespace

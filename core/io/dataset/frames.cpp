@@ -36,6 +36,7 @@ struct View {
     ViewSource source;
     std::mutex mutex; ///< guards what follows
     std::unique_ptr<VideoFile> video;
+    std::int64_t budget = 0;                 ///< that the video has
     std::optional<GreyLevels> guessedLevels; ///< by the first picture, where the dataset says none
 };
 
@@ -68,6 +69,7 @@ struct FrameSource::Impl {
     std::shared_ptr<const PosedHands> posedAt(int frame);
     cv::Mat rendered(const Camera& camera, int frame);
     cv::Mat fromVideo(View& view, int frame, const std::stop_token& stop);
+    void applyBudget(View& view) const;
     int videoCount() const;
     int threadsPerVideo() const;
     cv::Mat fromImage(View& view, int frame) const;
@@ -108,6 +110,13 @@ int FrameSource::Impl::threadsPerVideo() const {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, videoCount()), 1, 4);
 }
 
+/// Where it is next used, so that whoever changes the budget need not wait for a video.
+void FrameSource::Impl::applyBudget(View& view) const {
+    const std::int64_t share = budget / std::max(1, videoCount());
+    if (share > 0 && share != view.budget)
+        view.video->setBudget(view.budget = share);
+}
+
 cv::Mat FrameSource::Impl::fromVideo(View& view, int frame, const std::stop_token& stop) {
     const std::lock_guard lock(view.mutex);
     if (stop.stop_requested())
@@ -115,9 +124,8 @@ cv::Mat FrameSource::Impl::fromVideo(View& view, int frame, const std::stop_toke
     if (!view.video) {
         const fs::path index = videoIndexFile(folder, sequenceName, view.source.camera);
         view.video = std::make_unique<VideoFile>(folder / view.source.path, index, threadsPerVideo());
-        if (budget > 0)
-            view.video->setBudget(budget / videoCount());
     }
+    applyBudget(view);
     return view.video->read(footageFrameAt(view.source, frame), stop);
 }
 
@@ -175,17 +183,19 @@ bool FrameSource::hasPicture(int camera, int frame) const {
 
 void FrameSource::setBudget(std::int64_t bytes) {
     m_impl->budget = bytes;
-    for (const std::unique_ptr<View>& view : m_impl->views) {
-        const std::lock_guard lock(view->mutex);
-        if (view->video)
-            view->video->setBudget(bytes / m_impl->videoCount());
-    }
+}
+
+bool FrameSource::hasVideos() const {
+    return m_impl->videoCount() > 0;
 }
 
 bool FrameSource::fetchAhead(int camera, int direction, const std::stop_token& stop) const {
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
     const std::lock_guard lock(view.mutex);
-    return view.video && view.video->fetchAhead(direction, stop);
+    if (!view.video)
+        return false;
+    m_impl->applyBudget(view);
+    return view.video->fetchAhead(direction, stop);
 }
 
 cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop) const {

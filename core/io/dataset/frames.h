@@ -36,6 +36,7 @@ public:
     /// Empty if it was stopped.
     cv::Mat read(int camera, int frame, const std::stop_token& stop = {}) const;
 
+    bool hasVideos() const;
     /// How much memory decoded pictures of videos may take, near the frames that were read last; a few are kept at
     /// first.
     void setBudget(std::int64_t bytes);

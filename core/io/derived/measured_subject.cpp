@@ -8,7 +8,9 @@
 #include "core/annotation/sequence_points.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/frames.h"
+#include "core/subject/hand_tips.h"
 
 namespace core {
 
@@ -16,6 +18,10 @@ namespace {
 
 /// Hands are never this much smaller or larger than a model: the calibration's unit is another one.
 constexpr double kLeastRatio = 0.6, kMostRatio = 1.6;
+/// How far people's and detectors' tips are from a model's, mm per axis.
+constexpr double kTipSigmaMm = 2;
+/// Boundary pixels lie 0.5 px inside an upright outline and 0.35 px inside a diagonal one.
+constexpr double kOutlineOffsetPx = 0.45;
 
 struct AnnotatedFrame {
     SubjectFrameName name;
@@ -66,8 +72,11 @@ SubjectFrame subjectFrame(const Dataset& dataset, const AnnotatedFrame& annotate
         auto& targets = frame.targets.emplace_back();
         for (const auto& [id, point] : annotated.points) {
             const int bone = hand.skeleton.boneIndex(id.joint);
-            if (id.hand == hand.side && bone >= 0)
-                targets.push_back({bone, point.pointInWorld, point.covariance});
+            if (id.hand != hand.side || bone < 0)
+                continue;
+            targets.push_back({bone, point.pointInWorld, point.covariance});
+            if (id.joint.ends_with("_tip"))
+                targets.back().covariance += kTipSigmaMm * kTipSigmaMm * Eigen::Matrix3d::Identity();
         }
     }
     return frame;
@@ -97,7 +106,9 @@ std::vector<SubjectFrame> chosenFrames(std::vector<AnnotatedFrame> useful, const
         const Sequence& sequence = dataset.sequence(annotated.name.sequence);
         if (!request.withoutMasks && hasMasks(sequence)) {
             const auto masks = readFrameMasks(dataset.folder, sequence, dataset.cameras, annotated.name.frame);
-            frames.back().outlines = makeFitTargets(dataset.cameras, masks, {}, 1);
+            FitTargetOptions options;
+            options.contour.offsetPx = kOutlineOffsetPx;
+            frames.back().outlines = makeFitTargets(dataset.cameras, masks, options, 1);
         }
     }
     return frames;
@@ -132,6 +143,16 @@ bool makeMetric(MeasuredSubject& measured, const std::vector<AnnotatedFrame>& an
     return true;
 }
 
+/// Gives the models bones for tips if there are annotated ones.
+void addAnnotatedTips(std::vector<HandModel>& hands, const std::vector<AnnotatedFrame>& frames) {
+    const bool hasTips = std::any_of(frames.begin(), frames.end(), [](const AnnotatedFrame& frame) {
+        return std::any_of(frame.points.begin(), frame.points.end(),
+                           [](const auto& point) { return point.first.joint.ends_with("_tip"); });
+    });
+    for (HandModel& hand : hands)
+        hand = hasTips ? withTips(hand) : hand;
+}
+
 } // namespace
 
 MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& request, const SubjectProgress& progress,
@@ -144,6 +165,8 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
     if (progress)
         progress(SubjectStage::ReadingAnnotations, -1);
     std::vector<AnnotatedFrame> annotated = annotatedFramesOf(measured.dataset, request);
+    addAnnotatedTips(measured.dataset.hands, annotated);
+    measured.rigFindings = datasetRigFindings(original);
     if (makeMetric(measured, annotated))
         annotated = annotatedFramesOf(measured.dataset, request);
     const std::vector<SubjectFrame> frames = chosenFrames(std::move(annotated), request, measured, progress, stop);
@@ -158,8 +181,11 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
     } catch (const Error& error) {
         throw Error(error.code(), name, error.field(), error.detail());
     }
-    for (std::size_t h = 0; h < measured.result.hands.size(); ++h)
-        measured.dataset.hands[h] = measured.result.hands[h].hand;
+    for (std::size_t h = 0; h < measured.result.hands.size(); ++h) {
+        HandModel& hand = measured.result.hands[h].hand;
+        hand = withoutTips(hand, original.hands[h]);
+        measured.dataset.hands[h] = hand;
+    }
     return measured;
 }
 

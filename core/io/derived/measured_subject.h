@@ -33,6 +33,7 @@ struct MeasuredSubject {
     int annotatedFrames = 0;              ///< that could have been used
     double unitMm = 1;                    ///< of the original's calibration, as the hands tell it
     bool isUnitKnown = true;              ///< false: it follows from the model's size, so that scale says nothing
+    std::vector<std::string> rigFindings; ///< what the clicks say against the calibration; empty if nothing
 };
 
 /// What is being done, for progress.

@@ -14,13 +14,14 @@ namespace {
 constexpr int kBits = 13; ///< of the matrix
 
 /// One row of colour samples between two rows of them, times 4.
-void mixRows(const std::uint8_t* near, const std::uint8_t* far, int count, std::int16_t* mixed) {
+void mixRows(const std::uint8_t* __restrict near, const std::uint8_t* __restrict far, int count,
+             std::int16_t* __restrict mixed) {
     for (int i = 0; i < count; ++i)
         mixed[i] = static_cast<std::int16_t>(3 * near[i] + far[i]);
 }
 
 /// Twice as many samples in a row, times 4 again, about 0: 128 is 2048.
-void spreadRow(const std::int16_t* mixed, int count, std::int16_t* spread) {
+void spreadRow(const std::int16_t* __restrict mixed, int count, std::int16_t* __restrict spread) {
     constexpr int kMiddle = 16 * 128;
     spread[0] = static_cast<std::int16_t>(4 * mixed[0] - kMiddle);
     for (int i = 0; i + 1 < count; ++i) {
@@ -35,8 +36,9 @@ std::uint8_t toByte(int value) {
 }
 
 /// `u` and `v` are 16 times their values.
-void toColours(const std::uint8_t* y, const std::int16_t* u, const std::int16_t* v, int count, const ColourMatrix& m,
-               std::uint8_t* blue, std::uint8_t* green, std::uint8_t* red) {
+void toColours(const std::uint8_t* __restrict y, const std::int16_t* __restrict u, const std::int16_t* __restrict v,
+               int count, const ColourMatrix m, std::uint8_t* __restrict blue, std::uint8_t* __restrict green,
+               std::uint8_t* __restrict red) {
     constexpr int kShift = kBits + 4, kHalf = 1 << (kShift - 1);
     for (int x = 0; x < count; ++x) {
         const int light = m.luma * 16 * (y[x] - m.black) + kHalf;

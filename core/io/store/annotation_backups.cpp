@@ -57,20 +57,25 @@ std::optional<fs::path> backUp(SQLite::Database& database, const fs::path& file,
     if (fs::exists(backup, failure))
         return backup;
     ensureFolder(backup.parent_path());
-    const fs::path pending = backup.string() + ".part-" + std::to_string(::getpid());
+    copyDatabase(database, backup);
+    dropOldest(file);
+    return backup;
+}
+
+void copyDatabase(SQLite::Database& database, const fs::path& to) {
+    const fs::path pending = to.string() + ".part-" + std::to_string(::getpid());
+    std::error_code failure;
     try {
         fs::remove(pending, failure);
         SQLite::Statement copy(database, "VACUUM INTO ?");
         copy.bind(1, pending.string());
         copy.exec();
         flush(pending);
-        fs::rename(pending, backup);
+        fs::rename(pending, to);
     } catch (const std::exception& problem) {
         fs::remove(pending, failure);
-        throw Error(ErrorCode::Io, backup.string(), "", std::string("the backup cannot be written: ") + problem.what());
+        throw Error(ErrorCode::Io, to.string(), "", std::string("the copy cannot be written: ") + problem.what());
     }
-    dropOldest(file);
-    return backup;
 }
 
 std::vector<fs::path> backupsOf(const fs::path& annotationFile) {

@@ -18,6 +18,9 @@ inline constexpr int kKeptBackups = 10;
 std::optional<std::filesystem::path> backUp(SQLite::Database& database, const std::filesystem::path& file,
                                             std::int64_t changeCount);
 
+/// Writes what the database holds now to a new file, flushed and then renamed to its place. Throws Error(Io).
+void copyDatabase(SQLite::Database& database, const std::filesystem::path& to);
+
 /// The backups of an annotation file, newest first.
 std::vector<std::filesystem::path> backupsOf(const std::filesystem::path& annotationFile);
 

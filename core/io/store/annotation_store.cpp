@@ -305,4 +305,8 @@ std::optional<fs::path> AnnotationStore::backup() {
                    [this] { return backUp(*m_impl->database, m_impl->file, m_impl->tables->changeCount()); });
 }
 
+void AnnotationStore::copyTo(const fs::path& file) const {
+    copyDatabase(*m_impl->database, file);
+}
+
 } // namespace core

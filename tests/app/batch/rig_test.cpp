@@ -65,6 +65,10 @@ TEST_F(BatchRig, NamesTheMovedCameraAndMendsItInANewFile) {
         EXPECT_EQ(camera["clicks"], 60);
     }
     EXPECT_NEAR(found["sigmaPx"].get<double>(), 0.5, 0.1);
+    ASSERT_EQ(found["raters"].size(), 1u);
+    EXPECT_EQ(found["raters"][0]["assumed"], false);
+    EXPECT_NEAR(found["raters"][0]["sigmaPx"].get<double>(), 0.5, 0.1);
+    EXPECT_NE(ended.out.find("clicks of ann scatter by 0."), std::string::npos) << ended.out;
     EXPECT_EQ(core::readCameras(m_out).size(), 4u);
     EXPECT_EQ(core::readTextFile(m_set + "/cameras.json"), m_before);
     const Ended check = runBatch({"check", m_set});
@@ -77,9 +81,29 @@ TEST_F(BatchRig, SaysWhatCannotBeKnown) {
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find("cannot be known: only 5 clicks"), std::string::npos) << ended.out;
     EXPECT_NE(ended.out.find("a refinement needs 20 joints"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("clicks of ann: too few to know how far they scatter; 1 px is assumed"), std::string::npos)
+        << ended.out;
     const Ended refused = runBatch({"rig", m_set, "--refine", "--out", m_out});
     EXPECT_EQ(refused.status, 1);
     EXPECT_FALSE(std::filesystem::exists(m_out));
+}
+
+TEST_F(BatchRig, ExportsStateWhatTheClicksAreWorth) {
+    click(60);
+    const core::Dataset dataset = core::readDataset(m_set);
+    const auto firstVariance = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"export", m_set,      "--sequence", dataset.sequences[0].name,
+                                           "--to",   "handlens", "--out",      m_out};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        EXPECT_EQ(runBatch(arguments).status, 0);
+        const nlohmann::json found = core::readJsonFile(m_out);
+        return found["frames"][0]["raters"][0]["hands"]["left"]["joints"]["joint0"]["covariance"][0][0].get<double>();
+    };
+    EXPECT_NEAR(firstVariance({"--sigma-px", "20"}) / firstVariance({"--sigma-px", "10"}), 4, 0.01);
+    // 0.5 px and cam1 off by far more: three cameras count, and little is stated of their calibration.
+    const auto clean = firstVariance({"--sigma-px", "10"}) / 100;
+    EXPECT_GT(firstVariance({}), 0.25 * clean);
+    EXPECT_NE(firstVariance({}), clean);
 }
 
 TEST_F(BatchRig, RefusesWrongUsage) {

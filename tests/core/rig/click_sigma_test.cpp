@@ -73,6 +73,17 @@ TEST(ClickSigmas, AMovedCameraIsTakenOutOfWhatTheOthersAreWorth) {
             EXPECT_LT(sigmas.systematicPx[c], 0.6) << c;
 }
 
+TEST(ClickSigmas, ACameraWithoutClicksIsTakenToBeLikeTheOthers) {
+    RigScene scene("Unseen");
+    scene.loosen();
+    auto joints = scene.clicks(RigScene::frames(10, 8));
+    for (core::RigJoint& joint : joints)
+        std::erase_if(joint.clicks, [](const core::Observation& click) { return click.camera == 4; });
+    const core::ClickSigmas sigmas = core::estimateClickSigmas(scene.nominal, joints);
+    EXPECT_NEAR(sigmas.systematicPx[4] / sigmas.systematicPx[3], 1, 0.1);
+    EXPECT_NEAR(sigmas.of("ann").clickPxByCamera[4], sigmas.of("ann").clickPx, 1e-9);
+}
+
 TEST(ClickSigmas, WrongClicksDoNotCount) {
     RigScene scene("Wrong");
     auto joints = scene.clicks(RigScene::frames(10, 8));
@@ -89,7 +100,7 @@ TEST(ClickSigmas, WrongClicksDoNotCount) {
 TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
     for (const double level : {0.0, 0.27, 1.0}) {
         test::TruthComparison given, refined;
-        constexpr int kRigs = 24;
+        constexpr int kRigs = 24, kRefined = 8;
         for (int rig = 0; rig < kRigs; ++rig) {
             RigScene scene("Nees" + std::to_string(level) + "/" + std::to_string(rig));
             scene.loosen(level);
@@ -97,9 +108,11 @@ TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
             test::add(given,
                       compareWithTruth(scene, scene.nominal, others, core::estimateClickSigmas(scene.nominal, chosen)),
                       1.0 / kRigs);
+            if (rig >= kRefined)
+                continue;
             const auto cameras = core::refineRig(scene.nominal, chosen)->cameras;
             test::add(refined, compareWithTruth(scene, cameras, others, core::estimateClickSigmas(cameras, chosen)),
-                      1.0 / kRigs);
+                      1.0 / kRefined);
         }
         EXPECT_NEAR(given.neesRaw, 3, 0.5) << level;
         EXPECT_NEAR(refined.neesAligned, 3, 0.5) << level;
@@ -110,7 +123,7 @@ TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
 
 TEST(ClickSigmas, WhileTheyAreAssumedGoodCamerasAreKeptAndTheCovarianceGrows) {
     RigScene scene("Assumed");
-    scene.loosen(1.5);
+    scene.loosen();
     const auto joints = scene.clicks({4, 20, 36});
     const test::TruthComparison plain = compareWithTruth(scene, scene.nominal, joints, {});
     EXPECT_LT(plain.dropped, 0.005);

@@ -66,9 +66,30 @@ TEST(SubjectEstimate, ThreeFramesWithoutMasksGiveTheScaleAndKeepTheProportions) 
     EXPECT_NEAR(core::annotatedOverModelLength(scene.models, scene.frames), 0.95, 1e-6);
 }
 
-TEST(SubjectEstimate, TooFewFramesAreRefusedInWords) {
-    const SubjectScene scene(test::twoFingerHand(core::Side::Left), 2, false);
-    EXPECT_THROW(core::estimateSubject(scene.models, scene.cameras, scene.frames), core::Error);
+TEST(SubjectEstimate, OneFrameGivesTheScaleAlone) {
+    const core::ShapeSpace space(test::twoFingerHand(core::Side::Left));
+    core::HandShape shape = space.modelShape();
+    shape[0] = std::log(1.05);
+    shape[1] = 1;
+    const SubjectScene scene(space.shaped(shape), 1, true);
+    const core::SubjectResult result = core::estimateSubject(scene.models, scene.cameras, scene.frames);
+    EXPECT_TRUE(result.girthKept);
+    EXPECT_EQ(result.outlineFrames, 0);
+    EXPECT_NEAR(result.hands[0].scale.value, 1.05, 0.005);
+    EXPECT_NEAR(result.hands[0].girthMm.value, 0, 1e-6);
+}
+
+TEST(SubjectEstimate, NoFrameIsRefusedInWords) {
+    SubjectScene scene(test::twoFingerHand(core::Side::Left), 2, false);
+    for (core::SubjectFrame& frame : scene.frames)
+        frame.targets[0].resize(3);
+    try {
+        core::estimateSubject(scene.models, scene.cameras, scene.frames);
+        FAIL();
+    } catch (const core::Error& error) {
+        EXPECT_EQ(error.detail(),
+                  "a frame with 4 or more joints of a hand in 3D is needed to measure it, and there is none");
+    }
 }
 
 } // namespace

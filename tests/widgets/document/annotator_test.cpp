@@ -51,6 +51,25 @@ protected:
     Annotator annotator{document, selection, reconstructions, joints, shown};
 };
 
+TEST_F(AnnotatorTest, PointsStateWhatTheClicksOfTheRaterAreWorth) {
+    for (const int camera : {0, 1, 2, 3})
+        click(camera);
+    EXPECT_TRUE(reconstructions.options().isSigmaAssumed);
+    const Eigen::Matrix3d assumed = reconstructions.selected().result.point->covariance;
+    core::ClickSigmas sigmas;
+    sigmas.raters["ann"] = {.clickPx = 3, .clickPxByCamera = {3, 3, 3, 3}, .isAssumed = false};
+    sigmas.systematicPx = {4, 4, 4, 4};
+    QSignalSpy changed(&reconstructions, &Reconstructions::changed);
+    reconstructions.setClickSigmas(sigmas);
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_FALSE(reconstructions.options().isSigmaAssumed);
+    const Eigen::Matrix3d known = reconstructions.selected().result.point->covariance;
+    EXPECT_NEAR(known.trace() / assumed.trace(), 25, 1e-6);
+    EXPECT_NEAR(reconstructions.find(kIndex)->result.point->covariance.trace(), known.trace(), 1e-9);
+    document.setRater("bob");
+    EXPECT_TRUE(reconstructions.options().isSigmaAssumed);
+}
+
 TEST_F(AnnotatorTest, TwoClicksMakeAPoint) {
     click(0);
     EXPECT_FALSE(reconstructions.selected().hasPoint());

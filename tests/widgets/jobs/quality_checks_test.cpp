@@ -49,6 +49,25 @@ TEST_F(QualityChecksTest, FindNothingInGoodHandsAndKnowTheClickNoise) {
     EXPECT_NEAR(checks.clickNoise()->sigmaPx, 0.4, 0.04);
 }
 
+TEST_F(QualityChecksTest, KnowWhatTheClicksAreWorth) {
+    const core::RaterSigma& sigma = checks.clickSigmas().of("ann");
+    EXPECT_FALSE(sigma.isAssumed);
+    EXPECT_NEAR(sigma.clickPx, 0.4, 0.04);
+    EXPECT_EQ(sigma.clickPxByCamera.size(), dataset->cameras.size());
+    EXPECT_TRUE(checks.clickSigmas().of("bob").isAssumed);
+    int changes = 0;
+    QObject::connect(&checks, &widgets::QualityChecks::clickSigmasChanged, &checks, [&changes] { ++changes; });
+    auto one = test::fiveFingerJoints(*dataset, 0.2);
+    mark(50, "bob", {*one.begin()}); // few clicks: nothing is estimated anew
+    settle();
+    EXPECT_EQ(changes, 0);
+    for (int frame = 60; frame <= 90; frame += 10)
+        mark(frame, "bob", test::fiveFingerJoints(*dataset, 0.2 + 0.005 * frame));
+    settle();
+    EXPECT_EQ(changes, 1);
+    EXPECT_FALSE(checks.clickSigmas().of("bob").isAssumed);
+}
+
 TEST_F(QualityChecksTest, FollowEditsAndUndo) {
     auto joints = test::fiveFingerJoints(*dataset, 0.3);
     const JointId tip{Side::Left, "ring_tip"}, dip{Side::Left, "ring_dip"};
@@ -56,7 +75,10 @@ TEST_F(QualityChecksTest, FollowEditsAndUndo) {
     mark(20, "ann", {{tip, joints[tip]}});
     settle();
     ASSERT_FALSE(checks.findings().empty());
-    EXPECT_EQ(checks.findings(), core::checkSequence(document.annotations(), dataset->cameras, "ann", dataset->hands));
+    core::QualityOptions options;
+    options.triangulation = checks.clickSigmas().optionsFor("ann");
+    EXPECT_EQ(checks.findings(),
+              core::checkSequence(document.annotations(), dataset->cameras, "ann", dataset->hands, options));
     EXPECT_EQ(checks.findings().front().frame, 20);
     document.undoStack()->undo();
     settle();

@@ -169,6 +169,51 @@ TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {
     }
 }
 
+std::vector<int> keptFrames(const core::VideoFile& video) {
+    std::vector<int> kept;
+    for (int frame = 0; frame < video.info().frames; ++frame)
+        if (video.isKept(frame))
+            kept.push_back(frame);
+    return kept;
+}
+
+TEST_F(Video, KeepsPicturesNearTheLastOneWithinItsBudgetAndFetchesThoseAhead) {
+    core::VideoFile video(encode("a.mp4", "-c:v libx264 -bf 2 -g 30 -sc_threshold 0 -pix_fmt yuv420p"), {}, 1);
+    EXPECT_FALSE(video.fetchAhead(1, {})) << "nothing was read yet";
+    constexpr int kPictures = 10;
+    const std::int64_t bytes = std::int64_t(video.info().size.width) * video.info().size.height * 3 / 2;
+    video.setBudget(kPictures * bytes + bytes / 2);
+    std::mt19937 random(3);
+    for (const auto& [frame, direction] : {std::pair(40, 1), {36, -1}, {31, -1}, {3, -1}, {45, 1}, {58, 1}}) {
+        EXPECT_EQ(test::numberInPicture(video.read(frame)), frame);
+        EXPECT_LE(keptFrames(video).size(), std::size_t(kPictures));
+        int rounds = 0;
+        while (video.fetchAhead(direction, {}) && rounds < 100)
+            ++rounds;
+        EXPECT_LT(rounds, 2 * kPictures);
+        const std::vector<int> kept = keptFrames(video);
+        EXPECT_LE(kept.size(), std::size_t(kPictures));
+        for (int ahead = 1; ahead <= 4; ++ahead)
+            if (frame + direction * ahead >= 0 && frame + direction * ahead < 60)
+                EXPECT_TRUE(video.isKept(frame + direction * ahead)) << frame << " " << ahead;
+        for (const int one : kept)
+            if (random() % 3 == 0)
+                EXPECT_EQ(test::numberInPicture(video.read(one)), one);
+    }
+}
+
+TEST_F(Video, IsRightAfterReadingWasStopped) {
+    core::VideoFile video(encode("a.mp4", "-c:v libx264 -bf 2 -g 50 -sc_threshold 0 -pix_fmt yuv420p"), {});
+    std::stop_source stop;
+    stop.request_stop();
+    for (const int frame : {12, 45, 59}) {
+        EXPECT_TRUE(video.read(frame, stop.get_token()).empty());
+        EXPECT_FALSE(video.fetchAhead(1, stop.get_token()));
+        EXPECT_EQ(test::numberInPicture(video.read(frame)), frame);
+    }
+    EXPECT_FALSE(video.read(59, stop.get_token()).empty()) << "kept pictures cost nothing";
+}
+
 TEST_F(Video, LeavesOutWhatTheContainerCutsAway) {
     const fs::path whole = encode("whole.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p", 60),
                    cut = m_folder / "cut.mp4";
