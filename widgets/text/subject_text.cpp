@@ -73,6 +73,10 @@ QString subjectResultText(const core::MeasuredSubject& measured) {
     QStringList lines;
     if (measured.unitMm != 1)
         lines << unitText(measured);
+    if (!measured.rigFindings.empty())
+        lines << subjectText(QT_TRANSLATE_NOOP("widgets::SubjectText",
+                                               "The calibration does not fit the clicks everywhere (Quality, Cameras): "
+                                               "measure again after it is refined."));
     lines << framesText(measured) + QLatin1Char(' ') + outlinesText(measured.result);
     if (measured.result.lengthsKept && !measured.result.girthKept)
         lines << subjectText(
