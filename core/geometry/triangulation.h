@@ -41,7 +41,7 @@ struct TriangulationOptions {
 
 /// While sigma is assumed, clicks nearer than this to where the others put the joint are not outliers: cameras that
 /// were calibrated in a hurry differ by so much.
-inline constexpr double kAssumedGatePx = 12;
+inline constexpr double kAssumedGatePx = 10;
 
 /// By how much a variance is larger than was assumed: (sum of r^2 / sigma^2 + 4) / (degrees of freedom + 4), at least
 /// 1; the 4 stand for the assumption, so that few residuals do not outweigh it.
