@@ -38,7 +38,8 @@ std::vector<HandModel> otherHands(const std::vector<HandModel>& hands, const Imp
 /// from another's, such as "01/20".
 std::vector<cv::Mat> simulatedMasks(const SimulatedWorld& world, const HandPoses& poses, const std::string& name);
 
-/// A silhouette whose outline moves across itself with standard deviation `sigmaPx`, smooth over about 6 px along it.
+/// A silhouette whose outline moves across itself with standard deviation `sigmaPx`, smooth over about 6 px along it:
+/// a soft edge with noise, cut again. From about 1.5 px on this makes specks and holes, too, as a threshold does.
 cv::Mat withContourNoise(const cv::Mat& mask, double sigmaPx, std::uint64_t seed);
 
 /// The seed of one of many independent draws.
