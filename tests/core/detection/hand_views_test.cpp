@@ -5,6 +5,8 @@
 
 #include "core/detection/hand_doubt.h"
 #include "core/detection/hand_sides.h"
+#include "core/detection/landmark_errors.h"
+#include "core/detection/landmark_spread.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/random_values.h"
 
@@ -118,6 +120,37 @@ TEST(HandSides, AreDecidedByAllViewsOfAllFramesTogether) {
             EXPECT_LT(hand.sideDoubt, 0.01);
         }
     }
+}
+
+TEST(LandmarkErrors, MirrorBetweenLeftAndRightHands) {
+    test::RandomValues random("bias");
+    const Points points = handAt({0, 0, 0}, random);
+    core::SpatialHand right, left;
+    for (std::size_t i = 0; i < core::kLandmarkCount; ++i) {
+        core::SpatialLandmark landmark;
+        landmark.triangulated.pointInWorld = points[i];
+        right.landmarks[i] = landmark;
+        landmark.triangulated.pointInWorld.x() *= -1;
+        left.landmarks[i] = landmark;
+    }
+    const core::SpatialHand a = core::withoutBias(right, core::Side::Right),
+                            b = core::withoutBias(left, core::Side::Left);
+    const double palmMm = (points[core::kMiddleBaseLandmark] - points[0]).norm();
+    for (std::size_t i = 0; i < core::kLandmarkCount; ++i) {
+        Eigen::Vector3d mirrored = b.landmarks[i]->triangulated.pointInWorld;
+        mirrored.x() *= -1;
+        const Eigen::Vector3d moved = a.landmarks[i]->triangulated.pointInWorld - points[i];
+        EXPECT_NEAR((a.landmarks[i]->triangulated.pointInWorld - mirrored).norm(), 0, 1e-9);
+        EXPECT_NEAR(moved.norm(), palmMm * core::landmarkSpread(i).bias.norm(), 1e-9);
+    }
+    // along the finger: y points from the joint before
+    const Eigen::Vector3d along = (points[7] - points[6]).normalized();
+    EXPECT_NEAR((a.landmarks[7]->triangulated.pointInWorld - points[7]).dot(along),
+                -palmMm * core::landmarkSpread(7).bias.y(), 1e-9);
+    left.landmarks[core::kMiddleBaseLandmark].reset();
+    EXPECT_EQ(core::withoutBias(left, core::Side::Left).landmarks[7]->triangulated.pointInWorld,
+              left.landmarks[7]->triangulated.pointInWorld)
+        << "no palm";
 }
 
 TEST(HandDoubt, GrowsWhereBonesChangeAndViewsDisagree) {
