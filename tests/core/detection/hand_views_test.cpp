@@ -21,7 +21,7 @@ Points handAt(const Eigen::Vector3d& centre, test::RandomValues& random) {
     for (int finger = 0; finger < 5; ++finger)
         for (int k = 0; k < 4; ++k)
             points[static_cast<std::size_t>(1 + 4 * finger + k)] =
-                centre + Eigen::Vector3d(20.0 * (finger - 2), 60 + 25.0 * k, 10.0 * (k % 2)) + random.vector(3, 3);
+                centre + Eigen::Vector3d(20.0 * (finger - 2), 60 + 25.0 * k, 10.0 * (k % 2)) + random.vector(3, 0.5);
     return points;
 }
 

@@ -213,10 +213,10 @@ TEST(Detector, RefusesDamagedArchives) {
     expectRefused("", "gzip");
     expectRefused("PK and so on", "gzip");
     expectRefused(packed.substr(0, packed.size() / 2), "truncated");
-    expectRefused(gzipOf(tar.substr(0, 700)), "truncated");
+    expectRefused(gzipOf(tar.substr(0, 1700)), "truncated"); // within the second file
     expectRefused(gzipOf("no tar" + std::string(600, 'x')), "tar");
     test::RandomValues random("damaged archives");
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 100; ++i) {
         std::string damaged = i % 2 == 0 ? tar : packed;
         damaged[static_cast<std::size_t>(
             random.below(static_cast<int>(std::min<std::size_t>(damaged.size(), 2000))))] ^=
