@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/detection/landmark_errors.h"
+#include "core/detection/landmark_spread.h"
 #include "core/numeric/median.h"
 
 namespace core {
@@ -26,7 +26,7 @@ double logOdds(double probability) {
 }
 
 Observation observationOf(int camera, const DetectedHand& hand, std::size_t landmark) {
-    return {camera, hand.px[landmark], std::max(0.5, landmarkError(landmark).spread * hand.sidePx)};
+    return {camera, hand.px[landmark], std::max(0.5, landmarkSpread(landmark).share * hand.sidePx)};
 }
 
 using Candidate = std::array<std::optional<Eigen::Vector3d>, kLandmarkCount>;
@@ -156,7 +156,7 @@ SpatialHand spatialHand(const std::vector<Camera>& cameras, std::map<int, Detect
         auto point = triangulate(cameras, observations).point;
         if (!point)
             continue;
-        const double floor = landmarkError(i).floorMm;
+        const double floor = landmarkSpread(i).floorMm;
         point->covariance += floor * floor * Eigen::Matrix3d::Identity();
         hand.landmarks[i] = SpatialLandmark{std::move(*point), std::move(seenBy)};
     }

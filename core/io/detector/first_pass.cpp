@@ -7,6 +7,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "core/detection/frame_detection.h"
+#include "core/detection/landmark_errors.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/frames.h"
 #include "core/io/files/content_hash.h"
@@ -86,8 +87,11 @@ AutoLabels labelsOf(const Dataset& dataset, const Sequence& sequence, const std:
     const auto doubts = doubtsOf(sided, countViews(sequence));
     AutoLabels labels;
     for (const auto& [frame, list] : sided)
-        for (std::size_t i = 0; i < list.size(); ++i)
-            labels[frame].push_back({list[i], doubts.at(frame)[i]});
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            SidedHand hand = list[i];
+            hand.hand = withoutBias(std::move(hand.hand), hand.side);
+            labels[frame].push_back({std::move(hand), doubts.at(frame)[i]});
+        }
     return labels;
 }
 
