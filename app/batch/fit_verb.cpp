@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -60,17 +61,23 @@ ordered_json historyToJson(const core::FitResult& result) {
     return history;
 }
 
-ordered_json jointsToJson(const core::Dataset& dataset, const core::HandPoses& estimate, const core::HandPoses& truth) {
+/// sigmaMm: standard deviation of the joint's place, the root of the covariance's trace.
+ordered_json jointsToJson(const core::Dataset& dataset, const core::FitResult& result, const core::HandPoses& truth) {
     ordered_json joints = ordered_json::array();
     for (std::size_t h = 0; h < dataset.hands.size(); ++h) {
         const core::Skeleton& skeleton = dataset.hands[h].skeleton;
-        const auto estimated = core::jointPositions(skeleton, estimate[h]);
+        const auto estimated = core::jointPositions(skeleton, result.poses[h]);
         const auto recorded = core::jointPositions(skeleton, truth[h]);
         for (std::size_t b = 0; b < estimated.size(); ++b) {
             joints.push_back({{"hand", core::sideName(dataset.hands[h].side)},
                               {"name", skeleton.bones[b].name},
                               {"xyz", core::jsonOf(estimated[b])},
                               {"errorMm", (estimated[b] - recorded[b]).norm()}});
+            if (result.confidence) {
+                const Eigen::Matrix3d& covariance = result.confidence->jointCovarianceMm2[h][b];
+                joints.back()["sigmaMm"] = std::sqrt(covariance.trace());
+                joints.back()["covariance"] = core::jsonOf(covariance);
+            }
         }
     }
     return joints;
@@ -94,19 +101,29 @@ void fit(const FitArguments& arguments) {
         throw Interrupted(arguments.out + ": stopped; nothing was written");
     const double initialErrorMm = core::meanJointDistanceMm(dataset.hands, start, truth);
     const double errorMm = core::meanJointDistanceMm(dataset.hands, result.poses, truth);
-    core::writeJsonFile(arguments.out, {{"method", core::methodName(method)},
-                                        {"sequence", sequence.name},
-                                        {"start", arguments.start},
-                                        {"test", arguments.test},
-                                        {"initialErrorMm", initialErrorMm},
-                                        {"errorMm", errorMm},
-                                        {"iterations", result.history.size()},
-                                        {"termination", core::terminationName(result.termination)},
-                                        {"seconds", result.seconds},
-                                        {"joints", jointsToJson(dataset, result.poses, truth)},
-                                        {"history", historyToJson(result)}});
+    ordered_json file{{"method", core::methodName(method)},
+                      {"sequence", sequence.name},
+                      {"start", arguments.start},
+                      {"test", arguments.test},
+                      {"initialErrorMm", initialErrorMm},
+                      {"errorMm", errorMm},
+                      {"iterations", result.history.size()},
+                      {"termination", core::terminationName(result.termination)},
+                      {"seconds", result.seconds}};
+    if (result.confidence) {
+        file["doubt"] = result.confidence->doubt;
+        file["contourSigmaPx"] = result.confidence->sigmaPx;
+        file["overlap"] = result.confidence->overlap;
+    }
+    file["joints"] = jointsToJson(dataset, result, truth);
+    file["history"] = historyToJson(result);
+    core::writeJsonFile(arguments.out, file);
     std::printf("%.3f mm from %.3f mm in %zu iterations, %.3f s (%s)\n", errorMm, initialErrorMm, result.history.size(),
                 result.seconds, std::string(core::terminationName(result.termination)).c_str());
+    if (result.confidence)
+        std::printf("doubt %.2f: %s\n", result.confidence->doubt,
+                    result.confidence->doubt < core::kTrustedDoubt ? "the silhouettes agree with the pose"
+                                                                   : "the pose may be wrong");
     if (arguments.profile)
         printProfile(result, arguments.threads);
 }

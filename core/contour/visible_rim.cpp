@@ -69,22 +69,34 @@ void Coverage::markIgnored(int row, std::span<const ConvexRegion> ignored,
 }
 
 double Coverage::differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored) const {
-    std::size_t cells = 0;
+    return compare(mask, {}, ignored).differencePx2;
+}
+
+SilhouetteComparison Coverage::compare(const cv::Mat& mask, const cv::Mat& unsure,
+                                       std::span<const ConvexRegion> ignored) const {
+    std::size_t different = 0, deep = 0, either = 0;
     std::vector<unsigned char> isIgnored;
     for (int row = 0; row < m_height; ++row) {
         const long y = std::lround(m_originPx.y() + static_cast<float>(row) * m_cellPx);
-        const unsigned char* observed =
-            y >= 0 && y < mask.rows ? mask.ptr<unsigned char>(static_cast<int>(y)) : nullptr;
+        if (y < 0 || y >= mask.rows)
+            continue;
+        const auto* observed = mask.ptr<unsigned char>(static_cast<int>(y));
+        const auto* isUnsure = unsure.empty() ? nullptr : unsure.ptr<unsigned char>(static_cast<int>(y));
         const unsigned char* drawn = m_cells.data() + static_cast<std::size_t>(row) * m_width;
         markIgnored(row, ignored, isIgnored);
         for (int column = 0; column < m_width; ++column) {
             const long x = std::lround(m_originPx.x() + static_cast<float>(column) * m_cellPx);
-            const bool inside = observed && x >= 0 && x < mask.cols;
-            cells += inside && (observed[x] != 0) != (drawn[column] != 0) &&
-                     (isIgnored.empty() || isIgnored[static_cast<std::size_t>(column)] == 0);
+            if (x < 0 || x >= mask.cols || (!isIgnored.empty() && isIgnored[static_cast<std::size_t>(column)] != 0))
+                continue;
+            const bool isObserved = observed[x] != 0, isDrawn = drawn[column] != 0;
+            either += isObserved || isDrawn;
+            different += isObserved != isDrawn;
+            deep += isObserved != isDrawn && (!isUnsure || isUnsure[x] == 0);
         }
     }
-    return static_cast<double>(cells) * static_cast<double>(m_cellPx * m_cellPx);
+    const auto cellPx2 = static_cast<double>(m_cellPx * m_cellPx);
+    return {static_cast<double>(different) * cellPx2, static_cast<double>(deep) * cellPx2,
+            static_cast<double>(either) * cellPx2};
 }
 
 namespace {
@@ -230,8 +242,15 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
 double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                                const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
                                std::span<const ConvexRegion> ignored) {
+    return compareSilhouettes(camera, hands, options, mask, {}, maskBounds, scratch, ignored).differencePx2;
+}
+
+SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<RimSource>& hands,
+                                        const RimOptions& options, const cv::Mat& mask, const cv::Mat& unsure,
+                                        const cv::Rect& maskBounds, RimScratch& scratch,
+                                        std::span<const ConvexRegion> ignored) {
     drawCoverage(FastCamera(camera), hands, options.cellPx, maskBounds, scratch);
-    return scratch.coverage.differencePx2(mask, ignored);
+    return scratch.coverage.compare(mask, unsure, ignored);
 }
 
 void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,

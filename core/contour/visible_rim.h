@@ -26,6 +26,13 @@ struct RimPoint {
     Eigen::Vector2f normalPx; ///< outward image normal, unit, y down
 };
 
+/// How a drawn silhouette and an observed mask compare, areas in px^2.
+struct SilhouetteComparison {
+    double differencePx2 = 0; ///< where they disagree
+    double deepPx2 = 0;       ///< the part of it where the mask is sure
+    double unionPx2 = 0;      ///< where either is foreground
+};
+
 /// Silhouette of the union of surfaces at reduced resolution, for asking whether a pixel is covered.
 class Coverage {
 public:
@@ -38,6 +45,10 @@ public:
     /// Area (px^2) where the coverage and the mask disagree, sampled at the cells' centres. mask: CV_8U. What lies in
     /// an `ignored` region does not count.
     double differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored = {}) const;
+    /// The same with all areas. unsure: CV_8U of the mask's size, not 0 where the mask may be wrong (near its outline);
+    /// empty if it is sure everywhere.
+    SilhouetteComparison compare(const cv::Mat& mask, const cv::Mat& unsure,
+                                 std::span<const ConvexRegion> ignored = {}) const;
     int width() const { return m_width; }
     int height() const { return m_height; }
 
@@ -79,6 +90,11 @@ struct RimScratch {
 double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                                const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
                                std::span<const ConvexRegion> ignored = {});
+/// The same with all areas, see Coverage::compare.
+SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<RimSource>& hands,
+                                        const RimOptions& options, const cv::Mat& mask, const cv::Mat& unsure,
+                                        const cv::Rect& maskBounds, RimScratch& scratch,
+                                        std::span<const ConvexRegion> ignored = {});
 
 /// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another
 /// hand, nothing outside the image. Deterministic. (method: P(theta, c))

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -13,23 +15,38 @@ namespace {
 constexpr double kTangentWeight = 0.1; ///< rims may slide along the outline: what is measured is across it
 constexpr double kStartPrior = 1;      ///< mm^2 per rad^2 and correspondence: holds what the outlines do not determine
 
+/// mm^2 per correspondence and squared Mahalanobis distance of the angles from the start's: strong where the outlines
+/// still lead astray; then what the noise's variance makes of it, for a standard deviation of 1 px.
+constexpr double kMotionPrior = 0.02;
+constexpr double kMotionPriorPerNoise = 0.003;
+constexpr double kLeastMotionNoisePx = 0.5;
+
 /// Mean distance of the two silhouettes' outlines, px, above which other starts are tried; good fits reach 0.4 to 0.6.
 constexpr double kUnexplainedPx = 0.75;
-/// With noise sigma on the contour, good fits reach at most 2.9 (sigma - 0.3 px): exact contours have a sigma of 0.4 px
-/// from the coarse level of the mesh alone.
-constexpr double kUnexplainedPerNoise = 3.2;
-constexpr double kExactNoisePx = 0.3;
+/// The same of the part that the contour's noise cannot explain. Noise leaves less than 0.04, a wrong finger more than
+/// 0.1.
+constexpr double kUnexplainedDeepPx = 0.06;
+constexpr int kFingerSearches = 3;
+/// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
+constexpr double kRivalScore = 1.1;
 
 /// Cauchy scale of the last iterations in standard deviations of the contour's noise, which is taken to be at least so
 /// much.
 constexpr double kRobustPerNoise = 2;
 constexpr double kLeastNoisePx = 0.75;
 
+/// Whether the contour's noise is measured. The real-time variant has no time for it.
+bool isRelative(const BestOptions& options) {
+    return options.noise && !options.live;
+}
+
 IterationSettings baseSettings(const Method& method) {
     IterationSettings settings;
     settings.rule = matchRule(method);
     settings.tangentWeight = method.best->across ? kTangentWeight : 1;
-    settings.startPrior = method.best->prior ? kStartPrior : 0;
+    const bool learnt = isRelative(*method.best) && method.best->learnt;
+    settings.startPrior = method.best->prior && !learnt ? kStartPrior : 0;
+    settings.motionPrior = method.best->prior && learnt ? kMotionPrior : 0;
     settings.robustMm = method.best->robustMm;
     return settings;
 }
@@ -59,18 +76,94 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
     return poses;
 }
 
-/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
-/// the fit is over. `relative`: how much may be left unexplained goes with the noise of the contours.
-bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
-             const HandPoses& start, bool relative, FitAttempt& best) {
-    double bestScore = refiner.silhouetteDifferencePx(best.poses);
-    double explainedPx = kUnexplainedPx;
-    if (relative && bestScore > explainedPx) {
-        const double noisePx = refiner.contourNoise(best.poses).px;
-        explainedPx = std::max(explainedPx, kUnexplainedPerNoise * (noisePx - kExactNoisePx));
+/// The wide degrees of freedom of each finger, from its base outward: those below one child of the root bone.
+std::vector<std::vector<std::size_t>> wideDofsPerFinger(const Skeleton& skeleton) {
+    constexpr double kWideRad = 1;
+    std::map<int, std::vector<std::size_t>> byBase;
+    for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
+        const DegreeOfFreedom& dof = skeleton.dofs[d];
+        int base = dof.bone;
+        while (skeleton.bones[static_cast<std::size_t>(base)].parent > 0)
+            base = skeleton.bones[static_cast<std::size_t>(base)].parent;
+        if (dof.maxRad - dof.minRad > kWideRad)
+            byBase[base].push_back(d);
     }
+    std::vector<std::vector<std::size_t>> fingers;
+    for (auto& [base, dofs] : byBase)
+        fingers.push_back(std::move(dofs));
+    return fingers;
+}
+
+/// Finger by finger, the shape out of a few that explains the masks best; its own where none is better. `score` becomes
+/// that of the answer.
+HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score) {
+    struct Shape {
+        double base, others; ///< how far the first joint and those after it are bent, shares of their range
+    };
+    constexpr std::array kShapes{Shape{0, 0},     Shape{0.35, 0.35}, Shape{0.7, 0.7},
+                                 Shape{0.9, 0.9}, Shape{0, 0.8},     Shape{0.8, 0}};
+    for (std::size_t h = 0; h < poses.size(); ++h) {
+        const Skeleton& skeleton = refiner.hands().models[h].skeleton;
+        for (const std::vector<std::size_t>& finger : wideDofsPerFinger(skeleton)) {
+            Pose chosen = poses[h];
+            for (const Shape& shape : kShapes) {
+                for (std::size_t k = 0; k < finger.size(); ++k) {
+                    const DegreeOfFreedom& dof = skeleton.dofs[finger[k]];
+                    const double bent = -dof.minRad > dof.maxRad ? dof.minRad : dof.maxRad;
+                    poses[h][kRigidDofs + static_cast<Eigen::Index>(finger[k])] =
+                        std::clamp((k == 0 ? shape.base : shape.others) * bent, dof.minRad, dof.maxRad);
+                }
+                const double shapeScore = refiner.silhouetteDifferencePx(poses);
+                if (shapeScore < score) {
+                    score = shapeScore;
+                    chosen = poses[h];
+                }
+            }
+            poses[h] = chosen;
+        }
+    }
+    return poses;
+}
+
+/// Replaces `best` by attempts from other shapes of single fingers, as long as the silhouettes differ by more than the
+/// contour's noise explains and a shape is found that is better. False if the fit is over.
+bool improveByFingers(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, FitAttempt& best) {
+    double bestScore = refiner.silhouetteDifferencePx(best.poses);
+    if (bestScore <= kUnexplainedPx)
+        return true;
+    const int depthPx = beyondNoisePx(refiner.contourNoise(best.poses).px);
+    for (int search = 0; search < kFingerSearches; ++search) {
+        if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
+            return true;
+        FitAttempt attempt;
+        double found = bestScore;
+        attempt.poses = searchFingers(refiner, best.poses, found);
+        if (found >= bestScore)
+            return true;
+        if (!loop.run(phases.fromOtherFingers, attempt)) {
+            best.termination = attempt.termination;
+            return false;
+        }
+        const double score = refiner.silhouetteDifferencePx(attempt.poses);
+        const double apartMm = meanJointDistanceMm(refiner.hands().models, best.poses, attempt.poses);
+        const bool better = score < bestScore;
+        const double rivalMm = std::max(score, bestScore) <= kRivalScore * std::min(score, bestScore) ? apartMm : 0;
+        attempt.rivalMm = best.rivalMm = rivalMm;
+        if (!better)
+            return true;
+        bestScore = score;
+        best = std::move(attempt);
+    }
+    return true;
+}
+
+/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
+/// the fit is over.
+bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
+             const HandPoses& start, FitAttempt& best) {
+    double bestScore = refiner.silhouetteDifferencePx(best.poses);
     for (const StartKind kind : otherStarts) {
-        if (bestScore <= explainedPx)
+        if (bestScore <= kUnexplainedPx)
             return true;
         const bool again = kind == StartKind::Start;
         FitAttempt attempt;
@@ -91,8 +184,12 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std:
 /// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
 IterationSettings polishSettings(PoseRefiner& refiner, const Method& method, const HandPoses& poses) {
     IterationSettings settings = baseSettings(method);
-    if (method.best->noise && !method.best->live)
-        settings.robustPx = kRobustPerNoise * std::max(kLeastNoisePx, refiner.contourNoise(poses).px);
+    if (!isRelative(*method.best))
+        return settings;
+    const double noisePx = refiner.contourNoise(poses).px;
+    settings.robustPx = kRobustPerNoise * std::max(kLeastNoisePx, noisePx);
+    if (settings.motionPrior > 0)
+        settings.motionPrior = kMotionPriorPerNoise * std::pow(std::max(kLeastMotionNoisePx, noisePx), 2);
     return settings;
 }
 
@@ -108,8 +205,11 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
         options.live ? std::span<const StartKind>(kOtherLiveStarts) : std::span<const StartKind>(kOtherStarts);
     FitAttempt attempt;
     attempt.poses = start;
-    if (loop.run(phases.main, attempt) && (!options.restarts || improve(refiner, loop, phases, otherStarts, start,
-                                                                        options.noise && !options.live, attempt))) {
+    const auto improved = [&] {
+        return isRelative(options) ? improveByFingers(refiner, loop, phases, attempt)
+                                   : improve(refiner, loop, phases, otherStarts, start, attempt);
+    };
+    if (loop.run(phases.main, attempt) && (!options.restarts || improved())) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);
     }

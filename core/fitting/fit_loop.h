@@ -16,6 +16,7 @@ struct FitAttempt {
     HandPoses poses;
     std::vector<FitIteration> history;
     FitTermination termination = FitTermination::MaxIterations;
+    double rivalMm = 0; ///< how far the joints of another attempt lie that explains the silhouettes nearly as well
 };
 
 /// The one loop of every method: it asks whether to stop, iterates, records and reports.

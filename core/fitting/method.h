@@ -26,6 +26,7 @@ struct BestOptions {
     bool wide = true;       ///< tau anneals from 45 deg to 22.5; else 22.5 deg in every iteration
     bool across = true;     ///< the distance along the outline counts a tenth: rims may slide
     bool prior = true;      ///< a weak pull of the angles to those of the start
+    bool learnt = true;     ///< the pull knows how fingers move together (needs prior and noise)
     bool restarts = true;   ///< other starts where silhouettes are left unexplained
     bool polish = true;     ///< the last iterations on the full mesh
     bool noise = true;      ///< restarts and the last iterations' weights are relative to the contour's noise

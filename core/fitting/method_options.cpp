@@ -123,6 +123,8 @@ constexpr std::array kOptions{
     option("wide", kBest, flag<&B::wide>(), "tau anneals from 45 deg to 22.5", "1", "own"),
     option("across", kBest, flag<&B::across>(), "the distance along the outline counts a tenth", "1", "own"),
     option("prior", kBest, flag<&B::prior>(), "a weak pull of the angles to those of the start", "1", "own"),
+    option("learnt", kBest, flag<&B::learnt>(), "the pull knows how fingers move together; 0 with prior=0 or noise=0",
+           "1", "own; learnt from the demo's motion"),
     option("restarts", kBest, flag<&B::restarts>(), "other starts where silhouettes are left unexplained", "1", "own"),
     option("polish", kBest, flag<&B::polish>(), "last iterations on the full mesh", "1", "own"),
     option("noise", kBest, flag<&B::noise>(), "restarts and last weights are relative to the contour's noise", "1",

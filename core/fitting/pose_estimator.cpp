@@ -5,6 +5,7 @@
 
 #include "core/error.h"
 #include "core/fitting/best_fit.h"
+#include "core/fitting/fit_confidence.h"
 #include "core/fitting/fit_loop.h"
 #include "core/fitting/fit_target.h"
 #include "core/fitting/phases.h"
@@ -100,8 +101,14 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
         result.poses = std::move(attempt.poses);
         result.history = std::move(attempt.history);
         result.termination = attempt.termination;
+        result.seconds = total.seconds();
+        const bool isOver =
+            result.termination == FitTermination::Stopped || result.termination == FitTermination::NoMatches;
+        if (!isOver && !(method.best && method.best->live))
+            result.confidence = judgeFit(refiner, start, result.poses, attempt.rivalMm);
     }
-    result.seconds = total.seconds();
+    if (targets.empty())
+        result.seconds = total.seconds();
     if (recording == MatchRecording::On) {
         trace->finalMatches = refiner.matchesAt(result.poses);
         result.trace = std::move(trace);

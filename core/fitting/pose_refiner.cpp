@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "core/fitting/stopwatch.h"
+#include "core/hand/finger_prior.h"
 #include "core/numeric/box_step.h"
 #include "core/numeric/median.h"
 
@@ -38,6 +40,7 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
     hands.models = std::move(models);
     for (const HandModel& model : hands.models) {
         hands.cuts.push_back(forearmCut(model));
+        hands.changePrecision.push_back(fingerChangePrecision(model.skeleton, learntFingerMotion()));
         auto& levels = hands.levels.emplace_back();
         for (int level = 0; level < kSurfaceLevels; ++level)
             levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
@@ -63,8 +66,7 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
     }
 }
 
-template <typename Work>
-void PoseRefiner::forEachView(Work&& work) {
+void PoseRefiner::forEachView(const std::function<void(View&, const CameraTarget&)>& work) {
     if (m_threads <= 1) {
         for (std::size_t v = 0; v < m_views.size(); ++v)
             work(m_views[v], m_targets[v]);
@@ -219,35 +221,78 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
         lower[k] = std::min(0.0, dof.minRad - kLimitSlackRad - angle);
         upper[k] = std::max(0.0, dof.maxRad + kLimitSlackRad - angle);
     }
+    if (settings.motionPrior > 0 && !settings.rigidOnly) {
+        const Eigen::MatrixXd pull = settings.motionPrior * equations.count * m_hands.changePrecision[hand];
+        hessian.bottomRightCorner(pull.rows(), pull.cols()) += pull;
+        gradient.tail(pull.rows()) += pull * (poses[hand] - m_start[hand]).tail(pull.rows());
+    }
     Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
     step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
     return step;
+}
+
+int beyondNoisePx(double noisePx) {
+    return std::clamp(static_cast<int>(std::ceil(3.5 * noisePx)), 4, 12);
+}
+
+double PoseRefiner::outlineLengthPx() const {
+    std::size_t length = 0;
+    for (const View& view : m_views)
+        length += view.contourPoints;
+    return static_cast<double>(length);
+}
+
+const cv::Mat& PoseRefiner::unsureMask(View& view, const CameraTarget& target, int depthPx) const {
+    if (view.unsureDepthPx != depthPx) {
+        const cv::Rect around(target.maskBounds.x - depthPx, target.maskBounds.y - depthPx,
+                              target.maskBounds.width + 2 * depthPx, target.maskBounds.height + 2 * depthPx);
+        const cv::Rect part = around & cv::Rect({}, target.mask.size());
+        const cv::Mat square = cv::Mat::ones(2 * depthPx + 1, 2 * depthPx + 1, CV_8U);
+        view.unsure = cv::Mat::zeros(target.mask.size(), CV_8U);
+        cv::morphologyEx(target.mask(part), view.unsure(part), cv::MORPH_GRADIENT, square);
+        view.unsureDepthPx = depthPx;
+    }
+    return view.unsure;
+}
+
+void PoseRefiner::compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
+                              const cv::Mat& unsure) {
+    const Stopwatch watch;
+    RimOptions options;
+    options.cellPx = kCoarseCellPx;
+    view.silhouettes = compareSilhouettes(m_cameras[static_cast<std::size_t>(target.camera)], sources, options,
+                                          target.mask, unsure, target.maskBounds, view.scratch, view.forearms);
+    view.contourPoints = target.contour.size();
+    if (!view.forearms.empty())
+        for (std::size_t q = 0; q < target.contour.size(); ++q)
+            view.contourPoints -= isInside(view.forearms, contourPx(target, static_cast<int>(q))) ? 1 : 0;
+    view.secondsScore += watch.seconds();
 }
 
 double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses) {
     poseSurfaces(poses, Detail::Coarse);
     placeForearms(poses);
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
-    RimOptions options;
-    options.cellPx = kCoarseCellPx;
+    forEachView([&](View& view, const CameraTarget& target) { compareView(view, target, sources, {}); });
+    double area = 0;
+    for (const View& view : m_views)
+        area += view.silhouettes.differencePx2;
+    const double length = outlineLengthPx();
+    return length > 0 ? area / length : 0;
+}
+
+double PoseRefiner::deepDifferencePx(const HandPoses& poses, int depthPx) {
+    poseSurfaces(poses, Detail::Coarse);
+    placeForearms(poses);
+    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
     forEachView([&](View& view, const CameraTarget& target) {
-        const Stopwatch watch;
-        view.differencePx2 =
-            core::silhouetteDifferencePx2(m_cameras[static_cast<std::size_t>(target.camera)], sources, options,
-                                          target.mask, target.maskBounds, view.scratch, view.forearms);
-        view.contourPoints = target.contour.size();
-        if (!view.forearms.empty())
-            for (std::size_t q = 0; q < target.contour.size(); ++q)
-                view.contourPoints -= isInside(view.forearms, contourPx(target, static_cast<int>(q))) ? 1 : 0;
-        view.secondsScore += watch.seconds();
+        compareView(view, target, sources, unsureMask(view, target, depthPx));
     });
     double area = 0;
-    std::size_t length = 0;
-    for (std::size_t v = 0; v < m_views.size(); ++v) {
-        area += m_views[v].differencePx2;
-        length += m_views[v].contourPoints;
-    }
-    return length ? area / static_cast<double>(length) : 0;
+    for (const View& view : m_views)
+        area += view.silhouettes.deepPx2;
+    const double length = outlineLengthPx();
+    return length > 0 ? area / length : 0;
 }
 
 namespace {

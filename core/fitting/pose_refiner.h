@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -21,8 +22,13 @@ struct FittingHands {
     std::vector<HandModel> models;
     std::vector<std::array<SkinnedSurface, kSurfaceLevels>> levels; ///< per hand
     std::vector<ForearmCut> cuts;                                   ///< per hand
+    std::vector<Eigen::MatrixXd> changePrecision;                   ///< per hand, see fingerChangePrecision
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
+
+/// How far from an observed outline, px, a difference of silhouettes is no longer its noise of that standard deviation:
+/// 3.5 of them, from 4 to 12 px.
+int beyondNoisePx(double noisePx);
 
 /// Extracts correspondences and solves for one step, again and again. One object per fit; not for several threads at
 /// once, though it may use several itself.
@@ -60,8 +66,27 @@ public:
     /// mean distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all
     /// is well.
     double silhouetteDifferencePx(const HandPoses& poses);
+    /// The same of the part that lies farther than depthPx from the observed outlines: next to nothing where only the
+    /// contour is noisy, much where a finger is in a wrong place.
+    double deepDifferencePx(const HandPoses& poses, int depthPx);
+
+    /// What a pose leaves of the outlines, for its uncertainty and for the doubt about it (core/fitting/confidence.h).
+    struct Evidence {
+        std::vector<NormalEquations> equations; ///< per hand, at the pose, matches within 22.5 degrees and 4 sigma
+        double sigmaMm = 0;                     ///< robust scale of the distances across the outlines
+        double sigmaPx = 0;                     ///< the same in the pictures
+        double pointsPerSample = 1;             ///< N / N_eff: matches that count as one independent measurement
+        double unmatchedShare = 0;              ///< of the rim points, those without a match
+        SilhouetteComparison silhouettes;       ///< over all cameras; deep: beyondNoisePx
+        double outlinePx = 0;                   ///< length of the outlines that were compared
+    };
+    Evidence evidence(const HandPoses& poses);
 
 private:
+    struct Residual {
+        int contourPoint;
+        double px, mm; ///< signed, across the outline
+    };
     struct View {
         RimScratch scratch;
         std::vector<RimPoint> rim;
@@ -71,6 +96,10 @@ private:
         double differencePx2 = 0;
         std::size_t contourPoints = 0; ///< outside the forearms
         double noisePx = 0;
+        cv::Mat unsure; ///< not 0 within unsureDepthPx of the observed outline
+        int unsureDepthPx = 0;
+        SilhouetteComparison silhouettes;
+        std::vector<Residual> residuals;
         double secondsRim = 0, secondsMatch = 0, secondsSolve = 0, secondsScore = 0;
     };
 
@@ -82,8 +111,12 @@ private:
     void measureNoise(View& view, const CameraTarget& target) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                               const IterationSettings& settings) const;
-    template <typename Work>
-    void forEachView(Work&& work);
+    void compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
+                     const cv::Mat& unsure);
+    const cv::Mat& unsureMask(View& view, const CameraTarget& target, int depthPx) const;
+    double outlineLengthPx() const;
+    void collectEvidence(View& view, const CameraTarget& target, const std::vector<HandLinearisation>& hands) const;
+    void forEachView(const std::function<void(View&, const CameraTarget&)>& work);
 
     const FittingHands& m_hands;
     const std::vector<Camera>& m_cameras;

@@ -29,6 +29,8 @@ struct IterationSettings {
     double robustMm = 0;            ///< Cauchy scale of the distance; 0 = none
     double robustPx = 0;            ///< Cauchy scale of the distance across the outline in the picture; 0 = none
     double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
+    double motionPrior = 0;         ///< weight of the Mahalanobis distance of the angles from the start's, mm^2 per
+                                    ///< correspondence (core/hand/finger_prior.h)
 };
 
 /// What the rim of one camera view was matched with; its memory is reused from iteration to iteration.

@@ -46,6 +46,18 @@ TEST(Coverage, LeavesIgnoredRegionsOutOfTheDifference) {
     EXPECT_EQ(coverage.differencePx2(mask, ignored), 41 * 41 - inside);
 }
 
+TEST(Coverage, TellsDeepDifferencesFromThoseNearTheOutline) {
+    core::Coverage coverage;
+    coverage.reset({0, 0}, {40, 40}, 1);
+    const cv::Mat mask(60, 60, CV_8U, cv::Scalar(255));
+    cv::Mat unsure = cv::Mat::zeros(60, 60, CV_8U);
+    unsure.rowRange(0, 10).setTo(255);
+    const core::SilhouetteComparison areas = coverage.compare(mask, unsure);
+    EXPECT_EQ(areas.differencePx2, 41 * 41);
+    EXPECT_EQ(areas.deepPx2, 41 * 31);
+    EXPECT_EQ(areas.unionPx2, 41 * 41);
+}
+
 TEST(Forearm, BeginsBeforeTheModelsEndAndGoesAwayFromTheFingers) {
     for (const core::HandModel& hand : test::twoFingerHands()) {
         const core::ForearmCut cut = core::forearmCut(hand);

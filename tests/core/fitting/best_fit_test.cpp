@@ -82,11 +82,19 @@ TEST_F(BestFit, StopsWhenAskedToAndKeepsWhatItHas) {
 
 TEST_F(BestFit, EveryOptionChangesTheFit) {
     const FitAttempt all = fit(false);
-    for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "polish=0", "noise=0",
-                                   "both=1", "within=1", "robust=5"}) {
+    for (const char* const idea : {"palm=0", "coarse=0", "wide=0", "across=0", "prior=0", "learnt=0", "polish=0",
+                                   "noise=0", "both=1", "within=1", "robust=5"}) {
         const FitAttempt without = fit(core::parseMethod(std::string("best:") + idea));
         EXPECT_GT((without.poses[0] - all.poses[0]).norm(), 1e-9) << idea << " changed nothing";
         EXPECT_LT(m_scene.errorMm(without.poses), m_scene.errorMm(m_scene.start)) << idea;
+    }
+}
+
+TEST_F(BestFit, WithoutNoiseOrPriorNothingIsLearnt) {
+    for (const std::string name : {"best:noise=0", "best:prior=0", "best:live=1"}) {
+        const FitAttempt with = fit(core::parseMethod(name)), without = fit(core::parseMethod(name + ":learnt=0"));
+        EXPECT_EQ(with.poses[0], without.poses[0]) << name;
+        EXPECT_EQ(with.poses[1], without.poses[1]) << name;
     }
 }
 

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+#include "core/fitting/fit_confidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "core/numeric/median.h"
+
+namespace core {
+
+namespace {
+
+constexpr double kLeastSigmaMm = 0.05;
+/// Contours are wrong in ways that their residuals do not show (rounded tips, filled webs): calibrated so that the
+/// normalised error squared of simulated noisy fits of the demo's hands has a median of that of three coordinates.
+constexpr double kModelErrorFactor = 4.5;
+constexpr double kLeastChangeScale = 0.3, kMostChangeScale = 3;
+
+constexpr float kEvidenceTauRad = 0.39f; ///< matches within this angle
+constexpr int kEvidencePoints = 300;     ///< rim points per camera
+constexpr double kGateSigmas = 4;        ///< matches beyond it are wrong, not noisy
+constexpr double kEvidenceTangent = 0.1; ///< as `best` weighs the distance along the outline
+constexpr int kMostLagPx = 60;           ///< how far along the outline correlations are looked for
+constexpr int kLagBinPx = 4;
+
+/// Integral of the autocorrelation of the residuals along the outlines, px: neighbours that are nearer than that are
+/// not independent. It ends where the correlation is no longer positive.
+class CorrelationLength {
+public:
+    template <typename Residuals>
+    void add(const Residuals& sorted) {
+        for (std::size_t i = 0; i < sorted.size(); ++i) {
+            m_variance += sorted[i].px * sorted[i].px;
+            ++m_count;
+            for (std::size_t j = i + 1; j < sorted.size(); ++j) {
+                const int lag = sorted[j].contourPoint - sorted[i].contourPoint;
+                if (lag >= kMostLagPx)
+                    break;
+                m_products[lag / kLagBinPx] += sorted[i].px * sorted[j].px;
+                ++m_pairs[lag / kLagBinPx];
+            }
+        }
+    }
+    double lengthPx() const {
+        if (m_count == 0 || m_variance <= 0)
+            return 1;
+        double length = 0;
+        for (int bin = 0; bin < kMostLagPx / kLagBinPx; ++bin) {
+            if (m_pairs[bin] == 0)
+                continue;
+            const double correlation = m_products[bin] / m_pairs[bin] / (m_variance / m_count);
+            if (correlation <= 0)
+                break;
+            length += 2 * kLagBinPx * std::min(correlation, 1.0); // to both sides
+        }
+        return std::max(1.0, length);
+    }
+
+private:
+    std::array<double, kMostLagPx / kLagBinPx> m_products{};
+    std::array<int, kMostLagPx / kLagBinPx> m_pairs{};
+    double m_variance = 0;
+    int m_count = 0;
+};
+
+/// s: root mean square Mahalanobis distance of the angles from the start's, per degree of freedom.
+double changeScale(const Eigen::MatrixXd& precision, const Pose& start, const Pose& pose) {
+    const Eigen::VectorXd change = (pose - start).tail(precision.rows());
+    const double squared =
+        change.dot(precision * change) / static_cast<double>(std::max<Eigen::Index>(1, change.size()));
+    return std::clamp(std::sqrt(squared), kLeastChangeScale, kMostChangeScale);
+}
+
+/// The largest standard deviation of a joint's place (root of the trace), mm.
+double largestSigmaMm(const FitConfidence& confidence) {
+    double most = 0;
+    for (const auto& hand : confidence.jointCovarianceMm2)
+        for (const Eigen::Matrix3d& joint : hand)
+            most = std::max(most, joint.trace());
+    return std::sqrt(most);
+}
+
+} // namespace
+
+Eigen::MatrixXd poseCovariance(const Eigen::MatrixXd& hessian, double sigmaMm, double pointsPerSample,
+                               const Eigen::MatrixXd& changePrecision, double changeScale) {
+    Eigen::MatrixXd information = hessian / (sigmaMm * sigmaMm * pointsPerSample);
+    const Eigen::Index angles = changePrecision.rows();
+    information.bottomRightCorner(angles, angles) += changePrecision / (changeScale * changeScale);
+    constexpr double kUnseenMm = 100; // a hand that no camera sees
+    information.diagonal().head<kRigidDofs>().array() += 1 / (kUnseenMm * kUnseenMm);
+    return information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+}
+
+std::vector<Eigen::Matrix3d> jointCovariances(const Skeleton& skeleton, const Pose& pose,
+                                              const Eigen::MatrixXd& poseCovarianceOfHand) {
+    const Eigen::MatrixXd jacobian = jointJacobian(skeleton, pose);
+    std::vector<Eigen::Matrix3d> covariances;
+    for (Eigen::Index j = 0; j < jacobian.rows(); j += 3) {
+        const auto rows = jacobian.middleRows<3>(j);
+        covariances.push_back(rows * poseCovarianceOfHand * rows.transpose());
+    }
+    return covariances;
+}
+
+double doubtOf(const FitConfidence& confidence) {
+    // The share without a match and the rival add nothing once these two are known.
+    const double evidence = -7.1 + 15 * confidence.deepPx + 0.9 * largestSigmaMm(confidence);
+    return 1 / (1 + std::exp(-evidence));
+}
+
+FitConfidence judgeFit(PoseRefiner& refiner, const HandPoses& start, const HandPoses& poses, double rivalMm) {
+    const PoseRefiner::Evidence evidence = refiner.evidence(poses);
+    FitConfidence confidence;
+    confidence.sigmaPx = evidence.sigmaPx;
+    const SilhouetteComparison& areas = evidence.silhouettes;
+    confidence.overlap = areas.unionPx2 > 0 ? 1 - areas.differencePx2 / areas.unionPx2 : 0;
+    confidence.deepPx = evidence.outlinePx > 0 ? areas.deepPx2 / evidence.outlinePx : 0;
+    confidence.unmatchedShare = evidence.unmatchedShare;
+    confidence.rivalMm = rivalMm;
+    confidence.pointsPerSample = evidence.pointsPerSample;
+    const FittingHands& hands = refiner.hands();
+    for (std::size_t h = 0; h < hands.models.size(); ++h) {
+        const Eigen::MatrixXd& precision = hands.changePrecision[h];
+        const Eigen::MatrixXd covariance = poseCovariance(
+            evidence.equations[h].hessian, std::max(kLeastSigmaMm, evidence.sigmaMm),
+            kModelErrorFactor * evidence.pointsPerSample, precision, changeScale(precision, start[h], poses[h]));
+        confidence.jointCovarianceMm2.push_back(jointCovariances(hands.models[h].skeleton, poses[h], covariance));
+    }
+    confidence.doubt = doubtOf(confidence);
+    return confidence;
+}
+
+void PoseRefiner::collectEvidence(View& view, const CameraTarget& target,
+                                  const std::vector<HandLinearisation>& hands) const {
+    IterationSettings settings;
+    settings.rule.distance = DistanceKind::DchThres;
+    settings.rule.tauRad = kEvidenceTauRad;
+    settings.tangentWeight = kEvidenceTangent;
+    settings.rule.gatePx = static_cast<float>(kGateSigmas * std::max(view.noisePx, 0.5));
+    matchRim(target, settings, view.rim, view.forearms, view.matched);
+    view.residuals.clear();
+    std::vector<WeightedMatch>& matches = view.matched.matches;
+    for (const RimPoint& rim : view.rim) {
+        matches.clear();
+        findMatches(target, settings.rule, rim, matches);
+        for (const WeightedMatch& match : matches) {
+            if (isInside(view.forearms, contourPx(target, match.index)))
+                continue;
+            const Eigen::Vector3d& ray = target.rayDirection[static_cast<std::size_t>(match.index)];
+            const Eigen::Vector3d normal = rim.normal.cast<double>(), point = rim.point.cast<double>();
+            const Eigen::Vector3d across = (normal - normal.dot(ray) * ray).normalized();
+            view.residuals.push_back(
+                {match.index, acrossPx(rim, target, match.index), across.dot(point - target.centre)});
+        }
+    }
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        view.equations[h].reset(hands[h].poseSize());
+        hands[h].accumulate(view.matched.correspondences[h], view.equations[h]);
+    }
+    std::sort(view.residuals.begin(), view.residuals.end(),
+              [](const Residual& a, const Residual& b) { return a.contourPoint < b.contourPoint; });
+}
+
+PoseRefiner::Evidence PoseRefiner::evidence(const HandPoses& poses) {
+    Evidence found;
+    const int depthPx = beyondNoisePx(contourNoise(poses).px); // and each view's noise is the gate of its matches
+    std::vector<HandLinearisation> hands;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h)
+        hands.emplace_back(m_hands.models[h], m_hands.levels[h][static_cast<std::size_t>(Detail::Medium)], poses[h]);
+    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
+    forEachView([&](View& view, const CameraTarget& target) {
+        extractRim(view, target, Detail::Medium, kEvidencePoints);
+        collectEvidence(view, target, hands);
+        compareView(view, target, sources, unsureMask(view, target, depthPx));
+    });
+    CorrelationLength correlation;
+    std::vector<double> px, mm;
+    std::size_t rim = 0, unmatched = 0;
+    found.equations.resize(hands.size());
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        found.equations[h].reset(hands[h].poseSize());
+    for (const View& view : m_views) {
+        for (std::size_t h = 0; h < hands.size(); ++h)
+            found.equations[h] += view.equations[h];
+        correlation.add(view.residuals);
+        for (const Residual& residual : view.residuals) {
+            px.push_back(std::abs(residual.px));
+            mm.push_back(std::abs(residual.mm));
+        }
+        rim += view.rim.size();
+        unmatched += static_cast<std::size_t>(view.matched.rejected);
+        found.silhouettes.differencePx2 += view.silhouettes.differencePx2;
+        found.silhouettes.deepPx2 += view.silhouettes.deepPx2;
+        found.silhouettes.unionPx2 += view.silhouettes.unionPx2;
+    }
+    found.outlinePx = outlineLengthPx();
+    found.unmatchedShare = rim > 0 ? static_cast<double>(unmatched) / static_cast<double>(rim) : 1;
+    if (!px.empty()) {
+        const double matched = static_cast<double>(px.size());
+        found.sigmaPx = kSigmaPerMedian * medianOf(px);
+        found.sigmaMm = kSigmaPerMedian * medianOf(mm);
+        found.pointsPerSample = std::max(1.0, matched * correlation.lengthPx() / std::max(1.0, found.outlinePx));
+    }
+    return found;
+}
+
+} // namespace core
