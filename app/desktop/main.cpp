@@ -13,7 +13,7 @@
 #include "app/desktop/palettes.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
-#include "app/desktop/script/workspace_file.h"
+#include "app/desktop/script/workspace_player.h"
 #include "app/desktop/window_assembly.h"
 #include "core/error.h"
 #include "widgets/text/error_text.h"

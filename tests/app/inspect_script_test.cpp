@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/desktop/script/workspace_file.h"
+#include "app/desktop/script/workspace_player.h"
 #include "core/distance/circular_distance.h"
 #include "core/distance/orientation_bins.h"
 #include "core/error.h"

@@ -11,7 +11,7 @@
 
 #include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
-#include "app/desktop/script/workspace_file.h"
+#include "app/desktop/script/workspace_player.h"
 #include "app/desktop/windows/annotation_format_text.h"
 #include "app/desktop/windows/export_window.h"
 #include "core/error.h"

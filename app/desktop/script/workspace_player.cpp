@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "app/desktop/script/workspace_player.h"
+
+#include <algorithm>
+#include <iostream>
+#include <numbers>
+
+#include <QJsonArray>
+
+#include "app/desktop/main_window.h"
+#include "app/desktop/script/idle_wait.h"
+#include "app/desktop/script/script_steps.h"
+#include "core/error.h"
+#include "widgets/text/error_text.h"
+#include "widgets/views/picture_export.h"
+
+namespace app {
+
+namespace {
+
+constexpr int kPageWidth = 1920, kPageHeight = 1080; ///< of the window that the pictures are taken from
+
+QJsonObject goToStep(const Workspace& workspace) {
+    return {{QStringLiteral("do"), QStringLiteral("goto")},
+            {QStringLiteral("sequence"), QString::fromStdString(workspace.sequence)},
+            {QStringLiteral("frame"), workspace.test}};
+}
+
+QJsonObject fitStep(const Workspace& workspace) {
+    QJsonArray methods;
+    for (const std::string& method : workspace.methods)
+        methods.append(QString::fromStdString(method));
+    QJsonObject step{{QStringLiteral("do"), QStringLiteral("fit")},
+                     {QStringLiteral("start"), workspace.start},
+                     {QStringLiteral("test"), workspace.test},
+                     {QStringLiteral("methods"), methods}};
+    if (!workspace.target.empty())
+        step[QStringLiteral("target")] = QString::fromStdString(workspace.target);
+    return step;
+}
+
+void save(const QImage& picture, const QDir& folder, const QString& name, QStringList& saved) {
+    const QString path = folder.absoluteFilePath(name);
+    if (picture.isNull() || !widgets::savePicture({[&picture](double) { return picture; }, {}, name, {}}, path))
+        throw core::Error(core::ErrorCode::Io, path.toStdString(), {}, "the picture could not be written");
+    saved << name;
+}
+
+/// A method's name as part of a file's.
+QString fileName(const std::string& method, const std::string& camera) {
+    QString name = QString::fromStdString(method + "_" + camera + ".png");
+    for (QChar& c : name)
+        if (!c.isLetterOrNumber() && !QStringLiteral("-_.=").contains(c))
+            c = QLatin1Char('-');
+    return name;
+}
+
+} // namespace
+
+void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
+    ScriptSteps steps(window, QDir());
+    steps.run(goToStep(workspace));
+    widgets::InspectPage* page = window.workspaces().inspectPage();
+    if (!workspace.camera.empty()) {
+        const auto& shown = window.session().shownCameras.names();
+        if (std::find(shown.begin(), shown.end(), workspace.camera) == shown.end())
+            throw core::Error(core::ErrorCode::BadInput, {}, "camera", "\"" + workspace.camera + "\" is not shown");
+        window.session().selection.setCamera(workspace.camera);
+    }
+    page->setRows(workspace.rows);
+    steps.run(fitStep(workspace));
+    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+    page->setIteration(workspace.iteration);
+    page->overlays()->setFieldAngleRad(workspace.fieldDirectionDeg * std::numbers::pi / 180);
+    for (const widgets::InspectLayer layer : widgets::kInspectLayers) {
+        const std::string id = widgets::inspectLayerId(layer).toStdString();
+        const bool isShown = std::find(workspace.layers.begin(), workspace.layers.end(), id) != workspace.layers.end();
+        page->overlays()->setShown(layer, isShown);
+    }
+    waitUntilIdle(window);
+}
+
+QStringList saveWorkspacePictures(MainWindow& window, const QDir& folder) {
+    const widgets::InspectPage& page = *window.workspaces().inspectPage();
+    const auto& methods = window.session().fits.outcome()->methods;
+    page.grid()->finishDrawing();
+    QStringList saved;
+    for (int index = 0; index < page.grid()->count(); ++index) {
+        const widgets::CameraView* view = page.grid()->view(index);
+        const std::string& method = methods[static_cast<std::size_t>(index) % methods.size()].method;
+        save(view->grabPicture(), folder, fileName(method, view->camera().name), saved);
+    }
+    save(page.grid()->grabPicture(), folder, QStringLiteral("compare.png"), saved);
+    save(page.errorPlot()->grabPicture(), folder, QStringLiteral("error.png"), saved);
+    save(page.costPlot()->grabPicture(), folder, QStringLiteral("cost.png"), saved);
+    return saved;
+}
+
+namespace {
+
+/// Errors of the restoring name the file, too.
+void restoreFrom(MainWindow& window, const std::string& file) {
+    try {
+        restoreWorkspace(window, readWorkspace(file));
+    } catch (const core::Error& error) {
+        if (!error.file().empty())
+            throw;
+        throw core::Error(error.code(), file, error.field(), error.detail());
+    }
+}
+
+} // namespace
+
+int renderWorkspace(MainWindow& window, const std::string& file, const std::string& outFolder) {
+    try {
+        const QDir folder(QString::fromStdString(outFolder));
+        if (!QDir().mkpath(folder.absolutePath()))
+            throw core::Error(core::ErrorCode::Io, outFolder, {}, "the folder cannot be made");
+        window.resize(kPageWidth, kPageHeight);
+        restoreFrom(window, file);
+        for (const QString& name : saveWorkspacePictures(window, folder))
+            std::cout << name.toStdString() << '\n';
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << "handlens: " << error.what() << std::endl;
+        return 1;
+    }
+}
+
+void openWorkspace(MainWindow& window, const std::string& file) {
+    waitUntilIdle(window);
+    try {
+        restoreFrom(window, file);
+    } catch (const core::Error& error) {
+        window.showMessage(widgets::errorInWords(error));
+    }
+}
+
+} // namespace app
