@@ -61,7 +61,7 @@ struct FitConfidence {
     double pointsPerSample = 1; ///< rim points that count as one independent measurement
     double doubt = 1;           ///< 0 sure .. 1 lost; below kTrustedDoubt the fit may be trusted
 };
-/// Of simulated fits with less doubt, 99 % have a mean joint error below 3 mm (docs/results.md).
+/// Fits with less doubt may be trusted; what that was measured on stands in docs/method.md, "Doubt".
 inline constexpr double kTrustedDoubt = 0.5;
 
 struct FitResult {
