@@ -588,10 +588,6 @@
         <translation>Mit den gewählten Methoden, ausgehend von der Pose einige Bilder vorher</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
-        <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter, wo das Format Bewerter nennt, sonst Ihre</translation>
-    </message>
-    <message>
         <source>&amp;Raters</source>
         <translation>Be&amp;werter</translation>
     </message>
@@ -719,6 +715,122 @@
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
         <translation>Ein Ordner, der hier gespeichert oder von handlens-batch benchmark geschrieben wurde</translation>
     </message>
+    <message>
+        <source>&amp;Layers of the methods</source>
+        <translation>Ebenen &amp;der Verfahren</translation>
+    </message>
+    <message>
+        <source>Writes the annotations of this sequence: of all raters where the format names them, else yours</source>
+        <translation>Schreibt die Annotationen dieser Sequenz: die aller Bewerter, wo das Format sie nennt, sonst Ihre</translation>
+    </message>
+    <message>
+        <source>Residual a&amp;rrows</source>
+        <translation>&amp;Residuenpfeile</translation>
+    </message>
+    <message>
+        <source>How far all clicks of each camera are off, place by place, ten times as long; green: refined</source>
+        <translation>Wie weit alle Klicks jeder Kamera danebenliegen, Stelle für Stelle, 10-mal so lang; grün: verfeinert</translation>
+    </message>
+    <message>
+        <source>How the &amp;cameras fit the clicks</source>
+        <translation>Wie die &amp;Kameras zu den Klicks passen</translation>
+    </message>
+    <message>
+        <source>What all clicks of the dataset say of its calibration</source>
+        <translation>Was alle Klicks des Datensatzes über seine Kalibrierung sagen</translation>
+    </message>
+    <message>
+        <source>Re&amp;fine the calibration...</source>
+        <translation>Kalib&amp;rierung verfeinern...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to all clicks and shows what changes; also to return to an earlier calibration</source>
+        <translation>Passt die Kameras an alle Klicks an und zeigt, was sich ändert; auch zur Rückkehr zu einer früheren Kalibrierung</translation>
+    </message>
+    <message>
+        <source>&amp;Use the refined calibration</source>
+        <translation>Verfeinerte Kalibrierung ver&amp;wenden</translation>
+    </message>
+    <message>
+        <source>As a new calibration file; the old one is kept</source>
+        <translation>Als neue Kalibrierungsdatei; die alte bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s &amp;hands...</source>
+        <translation>&amp;Hände dieser Person vermessen...</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth from annotated frames and masks, as a new dataset</source>
+        <translation>Knochenlängen, Skalierung und Dicke aus annotierten Bildern und Masken, als neuer Datensatz</translation>
+    </message>
+    <message>
+        <source>Measure the hands now</source>
+        <translation>Hände jetzt vermessen</translation>
+    </message>
+    <message>
+        <source>With what is chosen in the window for measuring hands</source>
+        <translation>Mit der Auswahl im Fenster zum Vermessen der Hände</translation>
+    </message>
+    <message>
+        <source>&amp;Contour</source>
+        <translation>&amp;Kontur</translation>
+    </message>
+    <message>
+        <source>The observed outline over the inspected views; its colour is its direction</source>
+        <translation>Der beobachtete Umriss über den untersuchten Ansichten; seine Farbe ist seine Richtung</translation>
+    </message>
+    <message>
+        <source>&amp;Rim</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>Randpunkte der Hände in ihrer Pose, mit Normalen</translation>
+    </message>
+    <message>
+        <source>&amp;Matches</source>
+        <translation>&amp;Zuordnungen</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>Von Randpunkten zu ihren Konturpunkten, gefärbt nach Abstand; verworfene gestrichelt</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of silhouettes</source>
+        <translation>&amp;Differenz der Silhouetten</translation>
+    </message>
+    <message>
+        <source>Red is seen but not covered, blue is covered but not seen</source>
+        <translation>Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen</translation>
+    </message>
+    <message>
+        <source>&amp;Field</source>
+        <translation>&amp;Feld</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>Was ein Randpunkt einer Richtung an jedem Pixel kostet</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>F&amp;ehler</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>Das Netz, gefärbt nach seinem Abstand zur aufgezeichneten Pose</translation>
+    </message>
+    <message>
+        <source>Save this &amp;comparison...</source>
+        <translation>Diesen Ver&amp;gleich speichern...</translation>
+    </message>
+    <message>
+        <source>Pair, methods, cameras, layers and iteration, as a small file that opens again</source>
+        <translation>Paar, Verfahren, Kameras, Ebenen und Iteration, als kleine Datei, die sich wieder öffnen lässt</translation>
+    </message>
+    <message>
+        <source>Open a com&amp;parison...</source>
+        <translation>Verglei&amp;ch öffnen...</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -747,12 +859,12 @@
         <translation>Ort wählen...</translation>
     </message>
     <message>
-        <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation>Die Annotationen aller Personen in dieser Sequenz, mit Namen</translation>
-    </message>
-    <message>
         <source>Your own annotations of this sequence</source>
         <translation>Ihre eigenen Annotationen dieser Sequenz</translation>
+    </message>
+    <message>
+        <source>The annotations of all raters of this sequence, with their names</source>
+        <translation>Die Annotationen aller Bewerter dieser Sequenz, mit Namen</translation>
     </message>
 </context>
 <context>
@@ -804,10 +916,6 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – ein neuer Ordner (*)</translation>
-    </message>
-    <message>
-        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation>3D-Gelenke mit ihrer Unsicherheit, jede Marke mit Zustand und Fehler, von allen Personen, und die Kameras.</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
@@ -902,20 +1010,12 @@
         <translation>Lader für FreiHAND oder HanCo (JSON)</translation>
     </message>
     <message>
-        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation>Eine Zeile je 3D-Gelenk: Millimeter, Unsicherheit, Fehler, Zustand, von allen Personen.</translation>
-    </message>
-    <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
         <translation>Tabellenprogramme, R, pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
         <translation>Die Marken selbst und die Kameras; kann nicht wieder importiert werden</translation>
-    </message>
-    <message>
-        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation>Eine Zeile je Marke: Pixel, Zustand, wie sie gesetzt wurde, von allen Personen; auch Vorschläge.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
@@ -956,6 +1056,18 @@
     <message>
         <source>Label3D and DANNCE (MATLAB)</source>
         <translation>Label3D und DANNCE (MATLAB)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark of every rater with its state and error, and the cameras.</source>
+        <translation>3D-Gelenke mit ihrer Unsicherheit, jede Marke jedes Bewerters mit Zustand und Fehler, und die Kameras.</translation>
+    </message>
+    <message>
+        <source>A row per 3D joint of every rater: millimetres, uncertainty, error, state.</source>
+        <translation>Eine Zeile je 3D-Gelenk jedes Bewerters: Millimeter, Unsicherheit, Fehler, Zustand.</translation>
+    </message>
+    <message>
+        <source>A row per mark of every rater: pixel, state, how it was placed; proposals, too.</source>
+        <translation>Eine Zeile je Marke jedes Bewerters: Pixel, Zustand, wie sie gesetzt wurde; auch Vorschläge.</translation>
     </message>
 </context>
 <context>
@@ -1225,10 +1337,6 @@
         <translation>Ihr Name: %1</translation>
     </message>
     <message>
-        <source>Nobody else has marks in this sequence.</source>
-        <translation>Niemand sonst hat Marken in dieser Sequenz.</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Zeigen</translation>
     </message>
@@ -1318,10 +1426,6 @@
         <translation>Beenden</translation>
     </message>
     <message>
-        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation>Noch ist nicht bekannt, wo die Hände sind: erst einige Gelenke markieren, dann einpassen.</translation>
-    </message>
-    <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
         <translation>Bild %1 gibt es nicht: Sequenz „%2“ hat die Bilder 0-%3. Das letzte wird gezeigt.</translation>
     </message>
@@ -1340,6 +1444,62 @@
     <message>
         <source>Results saved in %1</source>
         <translation>Ergebnisse gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>Comparisons (*.json)</source>
+        <translation>Vergleiche (*.json)</translation>
+    </message>
+    <message>
+        <source>Fit a pair first.</source>
+        <translation>Zuerst ein Paar anpassen.</translation>
+    </message>
+    <message>
+        <source>Save this comparison</source>
+        <translation>Diesen Vergleich speichern</translation>
+    </message>
+    <message>
+        <source>Open a comparison</source>
+        <translation>Vergleich öffnen</translation>
+    </message>
+    <message>
+        <source>No other person has marks in this sequence.</source>
+        <translation>Keine andere Person hat Marken in dieser Sequenz.</translation>
+    </message>
+    <message>
+        <source>Refine the calibration</source>
+        <translation>Kalibrierung verfeinern</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s hands</source>
+        <translation>Hände dieser Person vermessen</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>Zuerst die Kalibrierung verfeinern.</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet.</source>
+        <translation>Noch ist kein Gelenk in zwei Kameras angeklickt.</translation>
+    </message>
+    <message>
+        <source>The dataset uses %1 now; all joints were reconstructed anew.</source>
+        <translation>Der Datensatz verwendet jetzt %1; alle Gelenke wurden neu rekonstruiert.</translation>
+    </message>
+    <message>
+        <source>Refining the calibration</source>
+        <translation>Kalibrierung wird verfeinert</translation>
+    </message>
+    <message>
+        <source>Measuring hands</source>
+        <translation>Hände werden vermessen</translation>
+    </message>
+    <message>
+        <source>Measuring hands: %1</source>
+        <translation>Hände vermessen: %1</translation>
+    </message>
+    <message>
+        <source>It is not known yet where the hands are: mark some joints, then frame them.</source>
+        <translation>Noch ist nicht bekannt, wo die Hände sind: erst einige Gelenke markieren, dann einpassen.</translation>
     </message>
 </context>
 <context>
@@ -1942,6 +2102,13 @@
     </message>
 </context>
 <context>
+    <name>widgets::CalibrationChoice</name>
+    <message>
+        <source>Wait until the sequence is open.</source>
+        <translation>Warten Sie, bis die Sequenz geöffnet ist.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
@@ -2091,6 +2258,37 @@
     <message>
         <source>Make a dataset...</source>
         <translation>Datensatz anlegen...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ErrorText</name>
+    <message>
+        <source>this is not possible with the data that is open</source>
+        <translation>mit den geöffneten Daten nicht möglich</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nicht gefunden</translation>
+    </message>
+    <message>
+        <source>the content is not valid</source>
+        <translation>der Inhalt ist ungültig</translation>
+    </message>
+    <message>
+        <source>written by a newer version of Handlens</source>
+        <translation>von einer neueren Handlens-Version geschrieben</translation>
+    </message>
+    <message>
+        <source>cannot be read or written: check permissions and space</source>
+        <translation>kann nicht gelesen oder geschrieben werden: Rechte und Platz prüfen</translation>
+    </message>
+    <message>
+        <source>this kind of content is not supported</source>
+        <translation>diese Art von Inhalt wird nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>unexpected error</source>
+        <translation>unerwarteter Fehler</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2543,97 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectLayerBar</name>
+    <message>
+        <source>Contour</source>
+        <translation>Kontur</translation>
+    </message>
+    <message>
+        <source>The observed outline; its colour is its direction</source>
+        <translation>Der beobachtete Umriss; seine Farbe ist seine Richtung</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>Randpunkte der Hände in ihrer Pose, mit Normalen</translation>
+    </message>
+    <message>
+        <source>Matches</source>
+        <translation>Zuordnungen</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>Von Randpunkten zu ihren Konturpunkten, gefärbt nach Abstand; verworfene gestrichelt</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
+        <translation>Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>Was ein Randpunkt einer Richtung an jedem Pixel kostet</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>Das Netz, gefärbt nach seinem Abstand zur aufgezeichneten Pose</translation>
+    </message>
+    <message>
+        <source>Direction of the rim point whose field is shown</source>
+        <translation>Richtung des Randpunkts, dessen Feld gezeigt wird</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>matches 0–%1 px</source>
+        <translation>Zuordnungen 0–%1 px</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px</source>
+        <translation>Feld 0–%1 px</translation>
+    </message>
+    <message>
+        <source>error 0–%1 mm</source>
+        <translation>Fehler 0–%1 mm</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there.</source>
+        <translation>Auf eine Ansicht zeigen, um zu sehen, was jedes Verfahren dort zuordnen würde.</translation>
+    </message>
+    <message>
+        <source>(%1, %2), direction %3°</source>
+        <translation>(%1; %2), Richtung %3°</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1, refused</source>
+        <translation>%1, verworfen</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectPage</name>
     <message>
         <source>Cameras: </source>
@@ -2391,10 +2680,6 @@
         <translation>Mit den unter Anpassung gewählten Verfahren, von der Pose einige Bilder davor</translation>
     </message>
     <message>
-        <source>There is nothing that the error could be measured against.</source>
-        <translation>Es gibt nichts, woran der Fehler gemessen werden könnte.</translation>
-    </message>
-    <message>
         <source>Fitting...</source>
         <translation>Anpassung läuft...</translation>
     </message>
@@ -2405,6 +2690,14 @@
     <message>
         <source>No picture at this instant.</source>
         <translation>Kein Bild zu diesem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>There is no reference to measure the error against.</source>
+        <translation>Es gibt keine Referenz, an der der Fehler zu messen wäre.</translation>
+    </message>
+    <message>
+        <source>%1, IoU %2</source>
+        <translation>%1, IoU %2</translation>
     </message>
 </context>
 <context>
@@ -2497,10 +2790,6 @@
         <translation>übernommen, wie es vorgesetzt war</translation>
     </message>
     <message>
-        <source>proposed: nobody&apos;s label yet</source>
-        <translation>vorgeschlagen: noch niemandes Marke</translation>
-    </message>
-    <message>
         <source>occluded, estimated</source>
         <translation>verdeckt, geschätzt</translation>
     </message>
@@ -2515,6 +2804,10 @@
     <message>
         <source>What the marks mean</source>
         <translation>Was die Marken bedeuten</translation>
+    </message>
+    <message>
+        <source>proposed: not a label until it is accepted</source>
+        <translation>vorgeschlagen: erst mit dem Übernehmen eine Marke</translation>
     </message>
 </context>
 <context>
@@ -2735,6 +3028,10 @@
             <numerusform>%n Bilder mit Marken von %1.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Kameras</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -2806,6 +3103,123 @@
     </message>
 </context>
 <context>
+    <name>widgets::RefinementModel</name>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Clicks</source>
+        <translation>Klicks</translation>
+    </message>
+    <message>
+        <source>px before</source>
+        <translation>px vorher</translation>
+    </message>
+    <message>
+        <source>px after</source>
+        <translation>px nachher</translation>
+    </message>
+    <message>
+        <source>turned, °</source>
+        <translation>gedreht, °</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <translation>verschoben, mm</translation>
+    </message>
+    <message>
+        <source>focal, %</source>
+        <translation>Brennw., %</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the calibration in use</source>
+        <translation>RMS ihrer Klicks mit der verwendeten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the refined calibration</source>
+        <translation>RMS ihrer Klicks mit der verfeinerten Kalibrierung</translation>
+    </message>
+    <message>
+        <source>By how much the camera turns</source>
+        <translation>Um wie viel sich die Kamera dreht</translation>
+    </message>
+    <message>
+        <source>By how much the camera&apos;s centre moves</source>
+        <translation>Um wie viel sich das Kamerazentrum verschiebt</translation>
+    </message>
+    <message>
+        <source>By how much its focal length grows</source>
+        <translation>Um wie viel ihre Brennweite wächst</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RefinementPage</name>
+    <message>
+        <source>Refine</source>
+        <translation>Verfeinern</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Use the refined calibration</source>
+        <translation>Verfeinerte Kalibrierung verwenden</translation>
+    </message>
+    <message>
+        <source>Use the chosen one</source>
+        <translation>Gewählte verwenden</translation>
+    </message>
+    <message>
+        <source>Adjusts every camera&apos;s place, direction, focal length and first lens coefficients to all clicks of the dataset</source>
+        <translation>Passt Ort, Richtung, Brennweite und erste Linsenkoeffizienten jeder Kamera an alle Klicks des Datensatzes an</translation>
+    </message>
+    <message>
+        <source>Writes a new calibration file beside the one in use, which is kept; all joints are reconstructed anew</source>
+        <translation>Schreibt eine neue Kalibrierungsdatei neben die verwendete, die erhalten bleibt; alle Gelenke werden neu rekonstruiert</translation>
+    </message>
+    <message>
+        <source>The dataset uses that calibration from now on; marks stay as they are</source>
+        <translation>Der Datensatz verwendet ab jetzt diese Kalibrierung; Marken bleiben, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Calibrations of this dataset</source>
+        <translation>Kalibrierungen dieses Datensatzes</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>Zuerst die Kalibrierung verfeinern.</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>Die Klicks aller Sequenzen werden ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Refined from %1 joints in %2 frames. A click scatters by %3 px per axis about the refined cameras.</source>
+        <translation>Verfeinert aus %1 Gelenken in %2 Bildern. Klicks streuen mit %3 px je Achse um die verfeinerten Kameras.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong click(s) took no part.</source>
+        <translation>
+            <numerusform>%n falscher Klick blieb außen vor.</numerusform>
+            <numerusform>%n falsche Klicks blieben außen vor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The adjustment stopped before it had settled.</source>
+        <translation>Die Anpassung endete, bevor sie konvergiert war.</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1 (in Verwendung)</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ResultTableModel</name>
     <message>
         <source>Converged</source>
@@ -2846,6 +3260,184 @@
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthModel</name>
+    <message numerus="yes">
+        <source>%1: %n click(s) that other cameras confirm are too few to judge it</source>
+        <translation>
+            <numerusform>%1: %n von anderen Kameras bestätigter Klick ist zu wenig zum Beurteilen</numerusform>
+            <numerusform>%1: %n von anderen Kameras bestätigte Klicks sind zu wenig zum Beurteilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong click(s)</source>
+        <translation>
+            <numerusform>%1: Mittel (%2; %3) ± %4 px; Klicks streuen mit %5 px darum; %n falscher Klick</numerusform>
+            <numerusform>%1: Mittel (%2; %3) ± %4 px; Klicks streuen mit %5 px darum; %n falsche Klicks</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Status</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Clicks that other cameras confirm</source>
+        <translation>Klicks, die andere Kameras bestätigen</translation>
+    </message>
+    <message>
+        <source>RMS residual, px</source>
+        <translation>Residuum (RMS), px</translation>
+    </message>
+    <message>
+        <source>Mean residual to the right, px; the joint is made from the other cameras</source>
+        <translation>Mittleres Residuum nach rechts, px; das Gelenk stammt aus den anderen Kameras</translation>
+    </message>
+    <message>
+        <source>Mean residual downwards, px; the joint is made from the other cameras</source>
+        <translation>Mittleres Residuum nach unten, px; das Gelenk stammt aus den anderen Kameras</translation>
+    </message>
+    <message>
+        <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
+        <translation>Klick- und Kalibrierungsfehler zusammen, je Achse, px: so genau ist ein Klick</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthView</name>
+    <message>
+        <source>Refine calibration...</source>
+        <translation>Kalibrierung verfeinern...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to the clicks; nothing changes before you use the result</source>
+        <translation>Passt die Kameras an die Klicks an; nichts ändert sich, bevor Sie das Ergebnis verwenden</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>Die Klicks aller Sequenzen werden ausgewertet.</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet: the calibration cannot be judged.</source>
+        <translation>Noch ist kein Gelenk in zwei Kameras angeklickt: Die Kalibrierung ist nicht zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>There are too few clicks to judge the calibration.</source>
+        <translation>Es gibt zu wenige Klicks, um die Kalibrierung zu beurteilen.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigText</name>
+    <message>
+        <source>%1 of %2 cameras are %3 to %4 px off in every frame: the calibration as a whole does not fit the clicks.</source>
+        <translation>%1 von %2 Kameras liegen in jedem Bild %3 bis %4 px daneben: Die Kalibrierung insgesamt passt nicht zu den Klicks.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is %2 px off in the %n sequence(s) %3 only: it stood otherwise there.</source>
+        <translation>
+            <numerusform>%1 liegt nur in der Sequenz %3 um %2 px daneben: Sie stand dort anders.</numerusform>
+            <numerusform>%1 liegt nur in den %n Sequenzen %3 um %2 px daneben: Sie stand dort anders.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames behind the others: its residuals go with the joints&apos; motion.</source>
+        <translation>%1 liegt %2 Bilder hinter den anderen: Ihre Residuen folgen der Bewegung der Gelenke.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames ahead of the others: its residuals go with the joints&apos; motion.</source>
+        <translation>%1 liegt %2 Bilder vor den anderen: Ihre Residuen folgen der Bewegung der Gelenke.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 px off in every frame: its calibration moved.</source>
+        <translation>%1 liegt in jedem Bild %2 px daneben: Ihre Kalibrierung hat sich verschoben.</translation>
+    </message>
+    <message>
+        <source>%1 moved before frame %2 of sequence %3: its picture lies %4 px elsewhere from there on.</source>
+        <translation>%1 hat sich vor Bild %2 der Sequenz %3 bewegt: Von dort an liegt ihr Bild um %4 px versetzt.</translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2 px in 100 frames of sequence %3.</source>
+        <translation>%1 driftet um %2 px in 100 Bildern der Sequenz %3.</translation>
+    </message>
+    <message>
+        <source>Clicks of %1: too few to know how far they scatter; 1 px is assumed.</source>
+        <translation>Klicks von %1: zu wenige, um ihre Streuung zu kennen; 1 px wird angenommen.</translation>
+    </message>
+    <message>
+        <source>Clicks of %1 scatter by %2 px per axis (%3 to %4 by camera).</source>
+        <translation>Klicks von %1 streuen um %2 px je Achse (%3 bis %4 je nach Kamera).</translation>
+    </message>
+    <message>
+        <source>Too few clicks that other cameras confirm: %1.</source>
+        <translation>Zu wenige von anderen Kameras bestätigte Klicks: %1.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s own error adds %1 to %2 px.</source>
+        <translation>Der Fehler der Kalibrierung selbst kommt mit %1 bis %2 px hinzu.</translation>
+    </message>
+    <message>
+        <source>too few clicks</source>
+        <translation>zu wenige Klicks</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>daneben</translation>
+    </message>
+    <message>
+        <source>partly off</source>
+        <translation>teils daneben</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>verspätet</translation>
+    </message>
+    <message>
+        <source>early</source>
+        <translation>verfrüht</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>bewegt</translation>
+    </message>
+    <message>
+        <source>drifts</source>
+        <translation>driftet</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>Cameras can be refined from %1 joints on that three cameras or more have clicked (%2 so far).</source>
+        <translation>Kameras lassen sich ab %1 Gelenken verfeinern, die in mindestens drei Kameras angeklickt sind (bisher %2).</translation>
+    </message>
+    <message>
+        <source>The calibration fits the clicks.</source>
+        <translation>Die Kalibrierung passt zu den Klicks.</translation>
+    </message>
+    <message>
+        <source>Refining is worth it from %1 frames and %2 joints on (%3 and %4 so far).</source>
+        <translation>Verfeinern lohnt sich ab %1 Bildern und %2 Gelenken (bisher %3 und %4).</translation>
+    </message>
+    <message>
+        <source>There are enough clicks to refine the calibration.</source>
+        <translation>Es gibt genug Klicks, um die Kalibrierung zu verfeinern.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +3538,187 @@
     <message>
         <source>the file is read-only</source>
         <translation>die Datei ist schreibgeschützt</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectModel</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Hand</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Model, mm</source>
+        <translation>Modell, mm</translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation>Gemessen, mm</translation>
+    </message>
+    <message>
+        <source>Change, %</source>
+        <translation>Änderung, %</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the measured length</source>
+        <translation>Standardabweichung der gemessenen Länge</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectPage</name>
+    <message>
+        <source>Use masks</source>
+        <translation>Masken verwenden</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Vermessen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Save as a new dataset...</source>
+        <translation>Als neuen Datensatz speichern...</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Gespeichert in %1.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Evenly drawn from the annotated ones; more than 15 bring little and take long</source>
+        <translation>Gleichmäßig aus den annotierten gewählt; mehr als 15 bringen wenig und dauern lange</translation>
+    </message>
+    <message>
+        <source>Outlines tell the girth; joints alone leave it as the model has it</source>
+        <translation>Umrisse bestimmen die Dicke; Gelenke allein belassen sie wie im Modell</translation>
+    </message>
+    <message>
+        <source>A dataset with these hands; footage and masks stay where they are, annotations and motion are copied</source>
+        <translation>Ein Datensatz mit diesen Händen; Aufnahmen und Masken bleiben, wo sie sind, Annotationen und Bewegung werden kopiert</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Sequenzen</translation>
+    </message>
+    <message>
+        <source>Frames at most</source>
+        <translation>Höchstzahl Bilder</translation>
+    </message>
+    <message>
+        <source>Choose a sequence with annotated frames.</source>
+        <translation>Wählen Sie eine Sequenz mit annotierten Bildern.</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth of this person&apos;s hands are found from annotated frames: at least %1, from 5 on every bone by itself.</source>
+        <translation>Knochenlängen, Skalierung und Dicke der Hände dieser Person werden aus annotierten Bildern bestimmt: aus mindestens %1, ab 5 jeder Knochen für sich.</translation>
+    </message>
+    <message>
+        <source>A new folder for the dataset</source>
+        <translation>Ein neuer Ordner für den Datensatz</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectStudy</name>
+    <message>
+        <source>reading annotations</source>
+        <translation>Annotationen werden gelesen</translation>
+    </message>
+    <message>
+        <source>reading masks</source>
+        <translation>Masken werden gelesen</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messung läuft</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectText</name>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm. The cameras of the new dataset are in mm.</source>
+        <translation>Die Kalibrierung ist nicht in mm: Ihre Einheit ist %1 mm. Die Kameras des neuen Datensatzes sind in mm.</translation>
+    </message>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm if this hand is as large as the model, so that scale says nothing. The cameras of the new dataset are in mm.</source>
+        <translation>Die Kalibrierung ist nicht in mm: Ihre Einheit ist %1 mm, falls diese Hand so groß wie das Modell ist; die Skalierung sagt daher nichts aus. Die Kameras des neuen Datensatzes sind in mm.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 annotated frames were used, evenly drawn.</source>
+        <translation>%1 von %2 annotierten Bildern wurden verwendet, gleichmäßig gewählt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s) were used.</source>
+        <translation>
+            <numerusform>%n annotiertes Bild wurde verwendet.</numerusform>
+            <numerusform>%n annotierte Bilder wurden verwendet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fewer than 3 frames: only the scale is measured.</source>
+        <translation>Weniger als 3 Bilder: Nur die Skalierung wird gemessen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Outlines of %n frame(s) fit to %1 mm.</source>
+        <translation>
+            <numerusform>Umrisse aus %n Bild passen auf %1 mm genau.</numerusform>
+            <numerusform>Umrisse aus %n Bildern passen auf %1 mm genau.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No masks of frames in which all hands are annotated: the girth stays the model&apos;s.</source>
+        <translation>Keine Masken zu Bildern, in denen alle Hände annotiert sind: Die Dicke bleibt die des Modells.</translation>
+    </message>
+    <message>
+        <source>Left hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>Linke Hand: Skalierung %1 ± %2, Dicke %3 ± %4 mm; Gelenke passen auf %5 mm genau.</translation>
+    </message>
+    <message>
+        <source>Right hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>Rechte Hand: Skalierung %1 ± %2, Dicke %3 ± %4 mm; Gelenke passen auf %5 mm genau.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s)</source>
+        <translation>
+            <numerusform>%n annotiertes Bild</numerusform>
+            <numerusform>%n annotierte Bilder</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>masks</source>
+        <translation>Masken</translation>
+    </message>
+    <message>
+        <source>no masks</source>
+        <translation>keine Masken</translation>
+    </message>
+    <message>
+        <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
+        <translation>Weniger als 5 Bilder: Die Knochen behalten die Proportionen des Modells.</translation>
     </message>
 </context>
 <context>

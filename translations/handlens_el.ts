@@ -588,10 +588,6 @@
         <translation>Με τις επιλεγμένες μεθόδους, από την πόζα μερικών καρέ πριν</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
-        <translation>Γράφει τους σχολιασμούς αυτής της ακολουθίας: όλων, όπου η μορφή ονομάζει αξιολογητές, αλλιώς τους δικούς σας</translation>
-    </message>
-    <message>
         <source>&amp;Raters</source>
         <translation>Α&amp;ξιολογητές</translation>
     </message>
@@ -719,6 +715,122 @@
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
         <translation>Φάκελος που αποθηκεύτηκε εδώ ή γράφτηκε από το handlens-batch benchmark</translation>
     </message>
+    <message>
+        <source>&amp;Layers of the methods</source>
+        <translation>&amp;Στρώσεις των μεθόδων</translation>
+    </message>
+    <message>
+        <source>Writes the annotations of this sequence: of all raters where the format names them, else yours</source>
+        <translation>Γράφει τις επισημειώσεις αυτής της ακολουθίας: όλων των αξιολογητών όπου η μορφή τους ονομάζει, αλλιώς τις δικές σας</translation>
+    </message>
+    <message>
+        <source>Residual a&amp;rrows</source>
+        <translation>&amp;Βέλη καταλοίπων</translation>
+    </message>
+    <message>
+        <source>How far all clicks of each camera are off, place by place, ten times as long; green: refined</source>
+        <translation>Πόσο αποκλίνουν όλα τα κλικ κάθε κάμερας, θέση προς θέση, με δεκαπλό μήκος· πράσινο: βελτιωμένη</translation>
+    </message>
+    <message>
+        <source>How the &amp;cameras fit the clicks</source>
+        <translation>Πώς ταιριάζουν οι &amp;κάμερες με τα κλικ</translation>
+    </message>
+    <message>
+        <source>What all clicks of the dataset say of its calibration</source>
+        <translation>Τι λένε όλα τα κλικ του συνόλου για τη βαθμονόμησή του</translation>
+    </message>
+    <message>
+        <source>Re&amp;fine the calibration...</source>
+        <translation>&amp;Βελτίωση της βαθμονόμησης...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to all clicks and shows what changes; also to return to an earlier calibration</source>
+        <translation>Προσαρμόζει τις κάμερες σε όλα τα κλικ και δείχνει τι αλλάζει· επίσης για επιστροφή σε παλαιότερη βαθμονόμηση</translation>
+    </message>
+    <message>
+        <source>&amp;Use the refined calibration</source>
+        <translation>&amp;Χρήση της βελτιωμένης βαθμονόμησης</translation>
+    </message>
+    <message>
+        <source>As a new calibration file; the old one is kept</source>
+        <translation>Ως νέο αρχείο βαθμονόμησης· το παλιό διατηρείται</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s &amp;hands...</source>
+        <translation>Μέ&amp;τρηση των χεριών αυτού του ατόμου...</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth from annotated frames and masks, as a new dataset</source>
+        <translation>Μήκη οστών, κλίμακα και πάχος από επισημειωμένα καρέ και μάσκες, ως νέο σύνολο δεδομένων</translation>
+    </message>
+    <message>
+        <source>Measure the hands now</source>
+        <translation>Μέτρηση των χεριών τώρα</translation>
+    </message>
+    <message>
+        <source>With what is chosen in the window for measuring hands</source>
+        <translation>Με ό,τι είναι επιλεγμένο στο παράθυρο μέτρησης χεριών</translation>
+    </message>
+    <message>
+        <source>&amp;Contour</source>
+        <translation>&amp;Περίγραμμα</translation>
+    </message>
+    <message>
+        <source>The observed outline over the inspected views; its colour is its direction</source>
+        <translation>Το παρατηρούμενο περίγραμμα πάνω στις όψεις της εξέτασης· το χρώμα δείχνει την κατεύθυνσή του</translation>
+    </message>
+    <message>
+        <source>&amp;Rim</source>
+        <translation>&amp;Χείλος</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>Σημεία χείλους των χεριών στην πόζα τους, με τις καθέτους τους</translation>
+    </message>
+    <message>
+        <source>&amp;Matches</source>
+        <translation>&amp;Αντιστοιχίες</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>Από σημεία χείλους στα σημεία περιγράμματός τους, ανά απόσταση· οι απορριφθείσες διακεκομμένες</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of silhouettes</source>
+        <translation>&amp;Διαφορά των σιλουετών</translation>
+    </message>
+    <message>
+        <source>Red is seen but not covered, blue is covered but not seen</source>
+        <translation>Κόκκινο: φαίνεται αλλά δεν καλύπτεται· μπλε: καλύπτεται αλλά δεν φαίνεται</translation>
+    </message>
+    <message>
+        <source>&amp;Field</source>
+        <translation>Π&amp;εδίο</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>Πόσο κοστίζει ένα σημείο χείλους μίας κατεύθυνσης σε κάθε πίξελ</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>&amp;Σφάλμα</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>Το πλέγμα ανάλογα με την απόστασή του από την καταγεγραμμένη πόζα</translation>
+    </message>
+    <message>
+        <source>Save this &amp;comparison...</source>
+        <translation>Απο&amp;θήκευση αυτής της σύγκρισης...</translation>
+    </message>
+    <message>
+        <source>Pair, methods, cameras, layers and iteration, as a small file that opens again</source>
+        <translation>Ζεύγος, μέθοδοι, κάμερες, στρώσεις και επανάληψη, ως μικρό αρχείο που ανοίγει ξανά</translation>
+    </message>
+    <message>
+        <source>Open a com&amp;parison...</source>
+        <translation>Άνοιγμα σύ&amp;γκρισης...</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -747,12 +859,12 @@
         <translation>Επιλογή θέσης...</translation>
     </message>
     <message>
-        <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation>Οι σχολιασμοί όλων σε αυτή την ακολουθία, με ονόματα</translation>
-    </message>
-    <message>
         <source>Your own annotations of this sequence</source>
         <translation>Οι δικοί σας σχολιασμοί αυτής της ακολουθίας</translation>
+    </message>
+    <message>
+        <source>The annotations of all raters of this sequence, with their names</source>
+        <translation>Οι σχολιασμοί όλων των αξιολογητών αυτής της ακολουθίας, με τα ονόματά τους</translation>
     </message>
 </context>
 <context>
@@ -804,10 +916,6 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – νέος φάκελος (*)</translation>
-    </message>
-    <message>
-        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation>Αρθρώσεις 3D με αβεβαιότητα, κάθε σημάδι με κατάσταση και σφάλμα, όλων, και οι κάμερες.</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
@@ -902,20 +1010,12 @@
         <translation>Φορτωτές για το FreiHAND ή το HanCo (JSON)</translation>
     </message>
     <message>
-        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation>Μία γραμμή ανά άρθρωση 3D: χιλιοστά, αβεβαιότητα, σφάλμα, κατάσταση, όλων.</translation>
-    </message>
-    <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
         <translation>Λογιστικά φύλλα, R, pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
         <translation>Τα ίδια τα σημάδια και οι κάμερες· δεν εισάγεται ξανά</translation>
-    </message>
-    <message>
-        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation>Μία γραμμή ανά σημάδι: εικονοστοιχείο, κατάσταση, τρόπος τοποθέτησης, όλων· και προτάσεις.</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
@@ -956,6 +1056,18 @@
     <message>
         <source>Label3D and DANNCE (MATLAB)</source>
         <translation>Label3D και DANNCE (MATLAB)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark of every rater with its state and error, and the cameras.</source>
+        <translation>Αρθρώσεις 3D με αβεβαιότητα, κάθε σημάδι κάθε αξιολογητή με κατάσταση και σφάλμα, και οι κάμερες.</translation>
+    </message>
+    <message>
+        <source>A row per 3D joint of every rater: millimetres, uncertainty, error, state.</source>
+        <translation>Μία γραμμή ανά άρθρωση 3D κάθε αξιολογητή: χιλιοστά, αβεβαιότητα, σφάλμα, κατάσταση.</translation>
+    </message>
+    <message>
+        <source>A row per mark of every rater: pixel, state, how it was placed; proposals, too.</source>
+        <translation>Μία γραμμή ανά σημάδι κάθε αξιολογητή: εικονοστοιχείο, κατάσταση, τρόπος τοποθέτησης· και προτάσεις.</translation>
     </message>
 </context>
 <context>
@@ -1225,10 +1337,6 @@
         <translation>Το όνομά σας: %1</translation>
     </message>
     <message>
-        <source>Nobody else has marks in this sequence.</source>
-        <translation>Κανείς άλλος δεν έχει σημάδια σε αυτή την ακολουθία.</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Εμφάνιση</translation>
     </message>
@@ -1318,10 +1426,6 @@
         <translation>Τέλος</translation>
     </message>
     <message>
-        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation>Δεν είναι ακόμη γνωστό πού είναι τα χέρια: σημειώστε μερικές αρθρώσεις και εστιάστε μετά.</translation>
-    </message>
-    <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
         <translation>Δεν υπάρχει καρέ %1: η ακολουθία «%2» έχει τα καρέ 0-%3. Εμφανίζεται το τελευταίο.</translation>
     </message>
@@ -1340,6 +1444,62 @@
     <message>
         <source>Results saved in %1</source>
         <translation>Τα αποτελέσματα αποθηκεύτηκαν στο %1</translation>
+    </message>
+    <message>
+        <source>Comparisons (*.json)</source>
+        <translation>Συγκρίσεις (*.json)</translation>
+    </message>
+    <message>
+        <source>Fit a pair first.</source>
+        <translation>Προσαρμόστε πρώτα ένα ζεύγος.</translation>
+    </message>
+    <message>
+        <source>Save this comparison</source>
+        <translation>Αποθήκευση αυτής της σύγκρισης</translation>
+    </message>
+    <message>
+        <source>Open a comparison</source>
+        <translation>Άνοιγμα σύγκρισης</translation>
+    </message>
+    <message>
+        <source>No other person has marks in this sequence.</source>
+        <translation>Κανένα άλλο άτομο δεν έχει σημάδια σε αυτή την ακολουθία.</translation>
+    </message>
+    <message>
+        <source>Refine the calibration</source>
+        <translation>Βελτίωση της βαθμονόμησης</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s hands</source>
+        <translation>Μέτρηση των χεριών αυτού του ατόμου</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>Βελτιώστε πρώτα τη βαθμονόμηση.</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet.</source>
+        <translation>Καμία άρθρωση δεν έχει ακόμη κλικ σε δύο κάμερες.</translation>
+    </message>
+    <message>
+        <source>The dataset uses %1 now; all joints were reconstructed anew.</source>
+        <translation>Το σύνολο χρησιμοποιεί τώρα το %1· όλες οι αρθρώσεις ανακατασκευάστηκαν.</translation>
+    </message>
+    <message>
+        <source>Refining the calibration</source>
+        <translation>Βελτιώνεται η βαθμονόμηση</translation>
+    </message>
+    <message>
+        <source>Measuring hands</source>
+        <translation>Μέτρηση χεριών</translation>
+    </message>
+    <message>
+        <source>Measuring hands: %1</source>
+        <translation>Μέτρηση χεριών: %1</translation>
+    </message>
+    <message>
+        <source>It is not known yet where the hands are: mark some joints, then frame them.</source>
+        <translation>Δεν είναι ακόμη γνωστό πού είναι τα χέρια: σημειώστε μερικές αρθρώσεις και εστιάστε μετά.</translation>
     </message>
 </context>
 <context>
@@ -1942,6 +2102,13 @@
     </message>
 </context>
 <context>
+    <name>widgets::CalibrationChoice</name>
+    <message>
+        <source>Wait until the sequence is open.</source>
+        <translation>Περιμένετε να ανοίξει η ακολουθία.</translation>
+    </message>
+</context>
+<context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
@@ -2091,6 +2258,37 @@
     <message>
         <source>Make a dataset...</source>
         <translation>Δημιουργία συνόλου...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ErrorText</name>
+    <message>
+        <source>this is not possible with the data that is open</source>
+        <translation>δεν είναι δυνατό με τα δεδομένα που είναι ανοιχτά</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>δεν βρέθηκε</translation>
+    </message>
+    <message>
+        <source>the content is not valid</source>
+        <translation>το περιεχόμενο δεν είναι έγκυρο</translation>
+    </message>
+    <message>
+        <source>written by a newer version of Handlens</source>
+        <translation>γράφτηκε από νεότερη έκδοση του Handlens</translation>
+    </message>
+    <message>
+        <source>cannot be read or written: check permissions and space</source>
+        <translation>δεν διαβάζεται ή δεν γράφεται: ελέγξτε δικαιώματα και χώρο</translation>
+    </message>
+    <message>
+        <source>this kind of content is not supported</source>
+        <translation>αυτό το είδος περιεχομένου δεν υποστηρίζεται</translation>
+    </message>
+    <message>
+        <source>unexpected error</source>
+        <translation>απρόσμενο σφάλμα</translation>
     </message>
 </context>
 <context>
@@ -2345,6 +2543,97 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectLayerBar</name>
+    <message>
+        <source>Contour</source>
+        <translation>Περίγραμμα</translation>
+    </message>
+    <message>
+        <source>The observed outline; its colour is its direction</source>
+        <translation>Το παρατηρούμενο περίγραμμα· το χρώμα δείχνει την κατεύθυνσή του</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>Χείλος</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>Σημεία χείλους των χεριών στην πόζα τους, με τις καθέτους τους</translation>
+    </message>
+    <message>
+        <source>Matches</source>
+        <translation>Αντιστοιχίες</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>Από σημεία χείλους στα σημεία περιγράμματός τους, ανά απόσταση· οι απορριφθείσες διακεκομμένες</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Διαφορά</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
+        <translation>Σιλουέτες: το κόκκινο φαίνεται αλλά δεν καλύπτεται, το μπλε καλύπτεται αλλά δεν φαίνεται</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>Πεδίο</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>Πόσο κοστίζει ένα σημείο χείλους μίας κατεύθυνσης σε κάθε πίξελ</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Σφάλμα</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>Το πλέγμα ανάλογα με την απόστασή του από την καταγεγραμμένη πόζα</translation>
+    </message>
+    <message>
+        <source>Direction of the rim point whose field is shown</source>
+        <translation>Κατεύθυνση του σημείου χείλους του οποίου εμφανίζεται το πεδίο</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>matches 0–%1 px</source>
+        <translation>αντιστοιχίες 0–%1 px</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px</source>
+        <translation>πεδίο 0–%1 px</translation>
+    </message>
+    <message>
+        <source>error 0–%1 mm</source>
+        <translation>σφάλμα 0–%1 mm</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there.</source>
+        <translation>Δείξτε σε μια όψη για να δείτε τι θα αντιστοίχιζε εκεί κάθε μέθοδος.</translation>
+    </message>
+    <message>
+        <source>(%1, %2), direction %3°</source>
+        <translation>(%1· %2), κατεύθυνση %3°</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>καμία</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1, refused</source>
+        <translation>%1, απορρίφθηκε</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectPage</name>
     <message>
         <source>Cameras: </source>
@@ -2391,10 +2680,6 @@
         <translation>Με τις μεθόδους που επιλέχθηκαν στην Προσαρμογή, από την πόζα μερικών καρέ πριν</translation>
     </message>
     <message>
-        <source>There is nothing that the error could be measured against.</source>
-        <translation>Δεν υπάρχει τίποτα για να μετρηθεί το σφάλμα.</translation>
-    </message>
-    <message>
         <source>Fitting...</source>
         <translation>Προσαρμογή...</translation>
     </message>
@@ -2405,6 +2690,14 @@
     <message>
         <source>No picture at this instant.</source>
         <translation>Καμία εικόνα αυτή τη στιγμή.</translation>
+    </message>
+    <message>
+        <source>There is no reference to measure the error against.</source>
+        <translation>Δεν υπάρχει αναφορά για να μετρηθεί το σφάλμα.</translation>
+    </message>
+    <message>
+        <source>%1, IoU %2</source>
+        <translation>%1, IoU %2</translation>
     </message>
 </context>
 <context>
@@ -2497,10 +2790,6 @@
         <translation>αποδεκτό όπως προτοποθετήθηκε</translation>
     </message>
     <message>
-        <source>proposed: nobody&apos;s label yet</source>
-        <translation>πρόταση: δεν ανήκει ακόμη σε κανέναν</translation>
-    </message>
-    <message>
         <source>occluded, estimated</source>
         <translation>καλυμμένο, εκτίμηση</translation>
     </message>
@@ -2515,6 +2804,10 @@
     <message>
         <source>What the marks mean</source>
         <translation>Τι σημαίνουν τα σημάδια</translation>
+    </message>
+    <message>
+        <source>proposed: not a label until it is accepted</source>
+        <translation>πρόταση: δεν μετρά ως σημάδι πριν από την αποδοχή</translation>
     </message>
 </context>
 <context>
@@ -2735,6 +3028,10 @@
             <numerusform>%n καρέ με σημάδια του %1.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Cameras</source>
+        <translation>Κάμερες</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -2806,6 +3103,123 @@
     </message>
 </context>
 <context>
+    <name>widgets::RefinementModel</name>
+    <message>
+        <source>Camera</source>
+        <translation>Κάμερα</translation>
+    </message>
+    <message>
+        <source>Clicks</source>
+        <translation>Κλικ</translation>
+    </message>
+    <message>
+        <source>px before</source>
+        <translation>px πριν</translation>
+    </message>
+    <message>
+        <source>px after</source>
+        <translation>px μετά</translation>
+    </message>
+    <message>
+        <source>turned, °</source>
+        <translation>στροφή, °</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <translation>μετατόπιση, mm</translation>
+    </message>
+    <message>
+        <source>focal, %</source>
+        <translation>εστιακή, %</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the calibration in use</source>
+        <translation>RMS των κλικ της με τη βαθμονόμηση σε χρήση</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the refined calibration</source>
+        <translation>RMS των κλικ της με τη βελτιωμένη βαθμονόμηση</translation>
+    </message>
+    <message>
+        <source>By how much the camera turns</source>
+        <translation>Πόσο στρέφεται η κάμερα</translation>
+    </message>
+    <message>
+        <source>By how much the camera&apos;s centre moves</source>
+        <translation>Πόσο μετατοπίζεται το κέντρο της κάμερας</translation>
+    </message>
+    <message>
+        <source>By how much its focal length grows</source>
+        <translation>Πόσο αυξάνεται η εστιακή της απόσταση</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RefinementPage</name>
+    <message>
+        <source>Refine</source>
+        <translation>Βελτίωση</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Απόρριψη</translation>
+    </message>
+    <message>
+        <source>Use the refined calibration</source>
+        <translation>Χρήση της βελτιωμένης βαθμονόμησης</translation>
+    </message>
+    <message>
+        <source>Use the chosen one</source>
+        <translation>Χρήση της επιλεγμένης</translation>
+    </message>
+    <message>
+        <source>Adjusts every camera&apos;s place, direction, focal length and first lens coefficients to all clicks of the dataset</source>
+        <translation>Προσαρμόζει θέση, κατεύθυνση, εστιακή απόσταση και πρώτους συντελεστές φακού κάθε κάμερας σε όλα τα κλικ του συνόλου</translation>
+    </message>
+    <message>
+        <source>Writes a new calibration file beside the one in use, which is kept; all joints are reconstructed anew</source>
+        <translation>Γράφει νέο αρχείο βαθμονόμησης δίπλα στο τρέχον, που διατηρείται· όλες οι αρθρώσεις ανακατασκευάζονται</translation>
+    </message>
+    <message>
+        <source>The dataset uses that calibration from now on; marks stay as they are</source>
+        <translation>Το σύνολο χρησιμοποιεί στο εξής αυτή τη βαθμονόμηση· τα σημάδια μένουν ως έχουν</translation>
+    </message>
+    <message>
+        <source>Calibrations of this dataset</source>
+        <translation>Βαθμονομήσεις αυτού του συνόλου</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>Βελτιώστε πρώτα τη βαθμονόμηση.</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>Εξετάζονται τα κλικ όλων των ακολουθιών.</translation>
+    </message>
+    <message>
+        <source>Refined from %1 joints in %2 frames. A click scatters by %3 px per axis about the refined cameras.</source>
+        <translation>Βελτίωση από %1 αρθρώσεις σε %2 καρέ. Διασπορά κλικ γύρω από τις βελτιωμένες κάμερες: %3 px ανά άξονα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong click(s) took no part.</source>
+        <translation>
+            <numerusform>%n λανθασμένο κλικ δεν λήφθηκε υπόψη.</numerusform>
+            <numerusform>%n λανθασμένα κλικ δεν λήφθηκαν υπόψη.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The adjustment stopped before it had settled.</source>
+        <translation>Η προσαρμογή σταμάτησε πριν συγκλίνει.</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1 (σε χρήση)</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ResultTableModel</name>
     <message>
         <source>Converged</source>
@@ -2846,6 +3260,184 @@
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthModel</name>
+    <message numerus="yes">
+        <source>%1: %n click(s) that other cameras confirm are too few to judge it</source>
+        <translation>
+            <numerusform>%1: %n κλικ που επιβεβαιώνουν άλλες κάμερες δεν αρκεί για να κριθεί</numerusform>
+            <numerusform>%1: %n κλικ που επιβεβαιώνουν άλλες κάμερες δεν αρκούν για να κριθεί</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong click(s)</source>
+        <translation>
+            <numerusform>%1: μέση τιμή (%2· %3) ± %4 px· διασπορά κλικ γύρω της %5 px· %n λανθασμένο κλικ</numerusform>
+            <numerusform>%1: μέση τιμή (%2· %3) ± %4 px· διασπορά κλικ γύρω της %5 px· %n λανθασμένα κλικ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Κάμερα</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Κατάσταση</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Clicks that other cameras confirm</source>
+        <translation>Κλικ που επιβεβαιώνουν άλλες κάμερες</translation>
+    </message>
+    <message>
+        <source>RMS residual, px</source>
+        <translation>Κατάλοιπο (RMS), px</translation>
+    </message>
+    <message>
+        <source>Mean residual to the right, px; the joint is made from the other cameras</source>
+        <translation>Μέσο κατάλοιπο προς τα δεξιά, px· η άρθρωση προκύπτει από τις άλλες κάμερες</translation>
+    </message>
+    <message>
+        <source>Mean residual downwards, px; the joint is made from the other cameras</source>
+        <translation>Μέσο κατάλοιπο προς τα κάτω, px· η άρθρωση προκύπτει από τις άλλες κάμερες</translation>
+    </message>
+    <message>
+        <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
+        <translation>Κλικ και σφάλμα βαθμονόμησης μαζί, ανά άξονα, px: πόσο αξίζει ένα κλικ</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthView</name>
+    <message>
+        <source>Refine calibration...</source>
+        <translation>Βελτίωση βαθμονόμησης...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to the clicks; nothing changes before you use the result</source>
+        <translation>Προσαρμόζει τις κάμερες στα κλικ· τίποτα δεν αλλάζει πριν χρησιμοποιήσετε το αποτέλεσμα</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>Εξετάζονται τα κλικ όλων των ακολουθιών.</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet: the calibration cannot be judged.</source>
+        <translation>Καμία άρθρωση δεν έχει ακόμη κλικ σε δύο κάμερες: η βαθμονόμηση δεν μπορεί να κριθεί.</translation>
+    </message>
+    <message>
+        <source>There are too few clicks to judge the calibration.</source>
+        <translation>Τα κλικ είναι πολύ λίγα για να κριθεί η βαθμονόμηση.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigText</name>
+    <message>
+        <source>%1 of %2 cameras are %3 to %4 px off in every frame: the calibration as a whole does not fit the clicks.</source>
+        <translation>%1 από %2 κάμερες αποκλίνουν %3 έως %4 px σε κάθε καρέ: η βαθμονόμηση συνολικά δεν ταιριάζει με τα κλικ.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is %2 px off in the %n sequence(s) %3 only: it stood otherwise there.</source>
+        <translation>
+            <numerusform>Η %1 αποκλίνει %2 px μόνο στην ακολουθία %3: εκεί ήταν στημένη αλλιώς.</numerusform>
+            <numerusform>Η %1 αποκλίνει %2 px μόνο στις %n ακολουθίες %3: εκεί ήταν στημένη αλλιώς.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames behind the others: its residuals go with the joints&apos; motion.</source>
+        <translation>Η %1 είναι %2 καρέ πίσω από τις άλλες: τα κατάλοιπά της ακολουθούν την κίνηση των αρθρώσεων.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames ahead of the others: its residuals go with the joints&apos; motion.</source>
+        <translation>Η %1 είναι %2 καρέ μπροστά από τις άλλες: τα κατάλοιπά της ακολουθούν την κίνηση των αρθρώσεων.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 px off in every frame: its calibration moved.</source>
+        <translation>Η %1 αποκλίνει %2 px σε κάθε καρέ: η βαθμονόμησή της μετατοπίστηκε.</translation>
+    </message>
+    <message>
+        <source>%1 moved before frame %2 of sequence %3: its picture lies %4 px elsewhere from there on.</source>
+        <translation>Η %1 μετακινήθηκε πριν από το καρέ %2 της ακολουθίας %3: από εκεί και πέρα η εικόνα της απέχει %4 px.</translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2 px in 100 frames of sequence %3.</source>
+        <translation>Η %1 ολισθαίνει κατά %2 px σε 100 καρέ της ακολουθίας %3.</translation>
+    </message>
+    <message>
+        <source>Clicks of %1: too few to know how far they scatter; 1 px is assumed.</source>
+        <translation>Κλικ του %1: πολύ λίγα για να είναι γνωστή η διασπορά τους· θεωρείται 1 px.</translation>
+    </message>
+    <message>
+        <source>Clicks of %1 scatter by %2 px per axis (%3 to %4 by camera).</source>
+        <translation>Διασπορά των κλικ του %1: %2 px ανά άξονα (%3 έως %4 ανά κάμερα).</translation>
+    </message>
+    <message>
+        <source>Too few clicks that other cameras confirm: %1.</source>
+        <translation>Πολύ λίγα κλικ που επιβεβαιώνουν άλλες κάμερες: %1.</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s own error adds %1 to %2 px.</source>
+        <translation>Το σφάλμα της ίδιας της βαθμονόμησης προσθέτει %1 έως %2 px.</translation>
+    </message>
+    <message>
+        <source>too few clicks</source>
+        <translation>πολύ λίγα κλικ</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>αποκλίνει</translation>
+    </message>
+    <message>
+        <source>partly off</source>
+        <translation>αποκλίνει εν μέρει</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>καθυστερεί</translation>
+    </message>
+    <message>
+        <source>early</source>
+        <translation>προηγείται</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>μετακινήθηκε</translation>
+    </message>
+    <message>
+        <source>drifts</source>
+        <translation>ολισθαίνει</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>ταιριάζει</translation>
+    </message>
+    <message>
+        <source>Cameras can be refined from %1 joints on that three cameras or more have clicked (%2 so far).</source>
+        <translation>Οι κάμερες βελτιώνονται από %1 αρθρώσεις και πάνω με κλικ σε τουλάχιστον τρεις κάμερες (ως τώρα %2).</translation>
+    </message>
+    <message>
+        <source>The calibration fits the clicks.</source>
+        <translation>Η βαθμονόμηση ταιριάζει με τα κλικ.</translation>
+    </message>
+    <message>
+        <source>Refining is worth it from %1 frames and %2 joints on (%3 and %4 so far).</source>
+        <translation>Η βελτίωση αξίζει από %1 καρέ και %2 αρθρώσεις και πάνω (ως τώρα %3 και %4).</translation>
+    </message>
+    <message>
+        <source>There are enough clicks to refine the calibration.</source>
+        <translation>Τα κλικ αρκούν για βελτίωση της βαθμονόμησης.</translation>
     </message>
 </context>
 <context>
@@ -2946,6 +3538,187 @@
     <message>
         <source>the file is read-only</source>
         <translation>το αρχείο είναι μόνο για ανάγνωση</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectModel</name>
+    <message>
+        <source>left</source>
+        <translation>αριστερό</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>δεξί</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Χέρι</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Οστό</translation>
+    </message>
+    <message>
+        <source>Model, mm</source>
+        <translation>Μοντέλο, mm</translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation>Μέτρηση, mm</translation>
+    </message>
+    <message>
+        <source>Change, %</source>
+        <translation>Μεταβολή, %</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the measured length</source>
+        <translation>Τυπική απόκλιση του μετρημένου μήκους</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectPage</name>
+    <message>
+        <source>Use masks</source>
+        <translation>Χρήση μασκών</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Μέτρηση</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>Save as a new dataset...</source>
+        <translation>Αποθήκευση ως νέο σύνολο...</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>Αποθηκεύτηκε στο %1.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Άνοιγμα</translation>
+    </message>
+    <message>
+        <source>Evenly drawn from the annotated ones; more than 15 bring little and take long</source>
+        <translation>Ομοιόμορφα επιλεγμένα από τα επισημειωμένα· πάνω από 15 προσφέρουν λίγα και αργούν πολύ</translation>
+    </message>
+    <message>
+        <source>Outlines tell the girth; joints alone leave it as the model has it</source>
+        <translation>Τα περιγράμματα δίνουν το πάχος· μόνο με αρθρώσεις μένει όπως στο μοντέλο</translation>
+    </message>
+    <message>
+        <source>A dataset with these hands; footage and masks stay where they are, annotations and motion are copied</source>
+        <translation>Σύνολο με αυτά τα χέρια· υλικό και μάσκες μένουν στη θέση τους, επισημειώσεις και κίνηση αντιγράφονται</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>Ακολουθίες</translation>
+    </message>
+    <message>
+        <source>Frames at most</source>
+        <translation>Μέγιστα καρέ</translation>
+    </message>
+    <message>
+        <source>Choose a sequence with annotated frames.</source>
+        <translation>Επιλέξτε ακολουθία με επισημειωμένα καρέ.</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth of this person&apos;s hands are found from annotated frames: at least %1, from 5 on every bone by itself.</source>
+        <translation>Μήκη οστών, κλίμακα και πάχος των χεριών αυτού του ατόμου βρίσκονται από επισημειωμένα καρέ: τουλάχιστον %1, από 5 και πάνω κάθε οστό χωριστά.</translation>
+    </message>
+    <message>
+        <source>A new folder for the dataset</source>
+        <translation>Νέος φάκελος για το σύνολο</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Αποθήκευση</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectStudy</name>
+    <message>
+        <source>reading annotations</source>
+        <translation>ανάγνωση επισημειώσεων</translation>
+    </message>
+    <message>
+        <source>reading masks</source>
+        <translation>ανάγνωση μασκών</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>μέτρηση</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectText</name>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm. The cameras of the new dataset are in mm.</source>
+        <translation>Η βαθμονόμηση δεν είναι σε mm: η μονάδα της είναι %1 mm. Οι κάμερες του νέου συνόλου είναι σε mm.</translation>
+    </message>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm if this hand is as large as the model, so that scale says nothing. The cameras of the new dataset are in mm.</source>
+        <translation>Η βαθμονόμηση δεν είναι σε mm: η μονάδα της είναι %1 mm αν αυτό το χέρι είναι όσο το μοντέλο, οπότε η κλίμακα δεν λέει τίποτα. Οι κάμερες του νέου συνόλου είναι σε mm.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 annotated frames were used, evenly drawn.</source>
+        <translation>Χρησιμοποιήθηκαν %1 από %2 επισημειωμένα καρέ, ομοιόμορφα επιλεγμένα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s) were used.</source>
+        <translation>
+            <numerusform>Χρησιμοποιήθηκε %n επισημειωμένο καρέ.</numerusform>
+            <numerusform>Χρησιμοποιήθηκαν %n επισημειωμένα καρέ.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fewer than 3 frames: only the scale is measured.</source>
+        <translation>Λιγότερα από 3 καρέ: μετριέται μόνο η κλίμακα.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Outlines of %n frame(s) fit to %1 mm.</source>
+        <translation>
+            <numerusform>Τα περιγράμματα %n καρέ ταιριάζουν με ακρίβεια %1 mm.</numerusform>
+            <numerusform>Τα περιγράμματα %n καρέ ταιριάζουν με ακρίβεια %1 mm.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No masks of frames in which all hands are annotated: the girth stays the model&apos;s.</source>
+        <translation>Δεν υπάρχουν μάσκες για καρέ με όλα τα χέρια επισημειωμένα: το πάχος μένει του μοντέλου.</translation>
+    </message>
+    <message>
+        <source>Left hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>Αριστερό χέρι: κλίμακα %1 ± %2, πάχος %3 ± %4 mm· οι αρθρώσεις ταιριάζουν με ακρίβεια %5 mm.</translation>
+    </message>
+    <message>
+        <source>Right hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>Δεξί χέρι: κλίμακα %1 ± %2, πάχος %3 ± %4 mm· οι αρθρώσεις ταιριάζουν με ακρίβεια %5 mm.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s)</source>
+        <translation>
+            <numerusform>%n επισημειωμένο καρέ</numerusform>
+            <numerusform>%n επισημειωμένα καρέ</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>masks</source>
+        <translation>μάσκες</translation>
+    </message>
+    <message>
+        <source>no masks</source>
+        <translation>χωρίς μάσκες</translation>
+    </message>
+    <message>
+        <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
+        <translation>Λιγότερα από 5 καρέ: τα οστά κρατούν τις αναλογίες του μοντέλου.</translation>
     </message>
 </context>
 <context>

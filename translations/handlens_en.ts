@@ -191,6 +191,43 @@
     </message>
 </context>
 <context>
+    <name>widgets::RefinementPage</name>
+    <message numerus="yes">
+        <source>%n wrong click(s) took no part.</source>
+        <translation>
+            <numerusform>%n wrong click took no part.</numerusform>
+            <numerusform>%n wrong clicks took no part.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthModel</name>
+    <message numerus="yes">
+        <source>%1: %n click(s) that other cameras confirm are too few to judge it</source>
+        <translation>
+            <numerusform>%1: %n click that other cameras confirm is too few to judge it</numerusform>
+            <numerusform>%1: %n clicks that other cameras confirm are too few to judge it</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong click(s)</source>
+        <translation>
+            <numerusform>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong click</numerusform>
+            <numerusform>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong clicks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigText</name>
+    <message numerus="yes">
+        <source>%1 is %2 px off in the %n sequence(s) %3 only: it stood otherwise there.</source>
+        <translation>
+            <numerusform>%1 is %2 px off in sequence %3 only: it stood otherwise there.</numerusform>
+            <numerusform>%1 is %2 px off in the %n sequences %3 only: it stood otherwise there.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::StatusLine</name>
     <message numerus="yes">
         <source>saved %n s ago</source>
@@ -218,6 +255,30 @@
         <translation>
             <numerusform>, %n s left</numerusform>
             <numerusform>, %n s left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectText</name>
+    <message numerus="yes">
+        <source>%n annotated frame(s) were used.</source>
+        <translation>
+            <numerusform>%n annotated frame was used.</numerusform>
+            <numerusform>%n annotated frames were used.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Outlines of %n frame(s) fit to %1 mm.</source>
+        <translation>
+            <numerusform>Outlines of %n frame fit to %1 mm.</numerusform>
+            <numerusform>Outlines of %n frames fit to %1 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s)</source>
+        <translation>
+            <numerusform>%n annotated frame</numerusform>
+            <numerusform>%n annotated frames</numerusform>
         </translation>
     </message>
 </context>

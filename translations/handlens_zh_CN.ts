@@ -588,10 +588,6 @@
         <translation>使用所选方法，从前若干帧的姿态开始</translation>
     </message>
     <message>
-        <source>Writes the annotations of this sequence: everybody&apos;s where the format names raters, else yours</source>
-        <translation>写出此序列的标注：格式能记录标注者时写出所有人的标注，否则写出您的标注</translation>
-    </message>
-    <message>
         <source>&amp;Raters</source>
         <translation>标注者(&amp;R)</translation>
     </message>
@@ -719,6 +715,122 @@
         <source>A folder that was saved here or written by handlens-batch benchmark</source>
         <translation>此处保存的或由 handlens-batch benchmark 写出的文件夹</translation>
     </message>
+    <message>
+        <source>&amp;Layers of the methods</source>
+        <translation>各方法的图层(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Writes the annotations of this sequence: of all raters where the format names them, else yours</source>
+        <translation>写出此序列的标注：格式能记录标注者时写出所有标注者的标注，否则写出您的标注</translation>
+    </message>
+    <message>
+        <source>Residual a&amp;rrows</source>
+        <translation>残差箭头(&amp;A)</translation>
+    </message>
+    <message>
+        <source>How far all clicks of each camera are off, place by place, ten times as long; green: refined</source>
+        <translation>每台相机所有点击在各位置的偏离，放大十倍；绿色：优化后</translation>
+    </message>
+    <message>
+        <source>How the &amp;cameras fit the clicks</source>
+        <translation>相机与点击的吻合程度(&amp;C)</translation>
+    </message>
+    <message>
+        <source>What all clicks of the dataset say of its calibration</source>
+        <translation>数据集的所有点击所反映的标定质量</translation>
+    </message>
+    <message>
+        <source>Re&amp;fine the calibration...</source>
+        <translation>优化标定(&amp;T)...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to all clicks and shows what changes; also to return to an earlier calibration</source>
+        <translation>按所有点击调整相机并显示变化；也可恢复先前的标定</translation>
+    </message>
+    <message>
+        <source>&amp;Use the refined calibration</source>
+        <translation>使用优化后的标定(&amp;U)</translation>
+    </message>
+    <message>
+        <source>As a new calibration file; the old one is kept</source>
+        <translation>存为新的标定文件；旧文件保留</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s &amp;hands...</source>
+        <translation>测量此人的双手(&amp;H)...</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth from annotated frames and masks, as a new dataset</source>
+        <translation>由已标注帧和掩膜得出骨骼长度、比例和粗细，存为新数据集</translation>
+    </message>
+    <message>
+        <source>Measure the hands now</source>
+        <translation>立即测量双手</translation>
+    </message>
+    <message>
+        <source>With what is chosen in the window for measuring hands</source>
+        <translation>使用双手测量窗口中的选择</translation>
+    </message>
+    <message>
+        <source>&amp;Contour</source>
+        <translation>轮廓线(&amp;C)</translation>
+    </message>
+    <message>
+        <source>The observed outline over the inspected views; its colour is its direction</source>
+        <translation>检视视图上观测到的轮廓线；颜色表示其方向</translation>
+    </message>
+    <message>
+        <source>&amp;Rim</source>
+        <translation>边缘(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>手部姿态的边缘点及其法线</translation>
+    </message>
+    <message>
+        <source>&amp;Matches</source>
+        <translation>匹配(&amp;M)</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>从边缘点到其轮廓点，按距离着色；被拒绝的为虚线</translation>
+    </message>
+    <message>
+        <source>&amp;Difference of silhouettes</source>
+        <translation>轮廓差异(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Red is seen but not covered, blue is covered but not seen</source>
+        <translation>红色：可见但未覆盖；蓝色：覆盖但不可见</translation>
+    </message>
+    <message>
+        <source>&amp;Field</source>
+        <translation>场(&amp;F)</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>某一方向的边缘点在每个像素处的代价</translation>
+    </message>
+    <message>
+        <source>&amp;Error</source>
+        <translation>误差(&amp;E)</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>网格，按与记录姿态的距离着色</translation>
+    </message>
+    <message>
+        <source>Save this &amp;comparison...</source>
+        <translation>保存此比较(&amp;V)...</translation>
+    </message>
+    <message>
+        <source>Pair, methods, cameras, layers and iteration, as a small file that opens again</source>
+        <translation>配对、方法、相机、图层和迭代，存为可再次打开的小文件</translation>
+    </message>
+    <message>
+        <source>Open a com&amp;parison...</source>
+        <translation>打开比较(&amp;D)...</translation>
+    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -747,12 +859,12 @@
         <translation>选择位置...</translation>
     </message>
     <message>
-        <source>Everybody&apos;s annotations of this sequence, with their names</source>
-        <translation>此序列中所有人的标注，附姓名</translation>
-    </message>
-    <message>
         <source>Your own annotations of this sequence</source>
         <translation>您自己在此序列中的标注</translation>
+    </message>
+    <message>
+        <source>The annotations of all raters of this sequence, with their names</source>
+        <translation>此序列中所有标注者的标注，附姓名</translation>
     </message>
 </context>
 <context>
@@ -804,10 +916,6 @@
     <message>
         <source>%1 – a new folder (*)</source>
         <translation>%1 – 新文件夹 (*)</translation>
-    </message>
-    <message>
-        <source>3D joints with their uncertainty, every mark with its state and error, everybody&apos;s, and the cameras.</source>
-        <translation>三维关节及其不确定度，每个标记的状态和误差，所有人的标注，以及相机。</translation>
     </message>
     <message>
         <source>Handlens and scripts of your own (JSON)</source>
@@ -902,20 +1010,12 @@
         <translation>为 FreiHAND 或 HanCo 编写的加载程序 (JSON)</translation>
     </message>
     <message>
-        <source>A row per 3D joint: millimetres, uncertainty, error, state, everybody&apos;s.</source>
-        <translation>每个三维关节一行：毫米、不确定度、误差、状态，所有人的。</translation>
-    </message>
-    <message>
         <source>Spreadsheets, R, pandas (CSV)</source>
         <translation>电子表格、R、pandas (CSV)</translation>
     </message>
     <message>
         <source>The marks themselves and the cameras; it cannot be imported again</source>
         <translation>标记本身和相机；无法再导入</translation>
-    </message>
-    <message>
-        <source>A row per mark: pixel, state, how it was placed, everybody&apos;s; proposals, too.</source>
-        <translation>每个标记一行：像素、状态、放置方式，所有人的；也含建议。</translation>
     </message>
     <message>
         <source>Spreadsheets, R, pandas, and Handlens (CSV)</source>
@@ -956,6 +1056,18 @@
     <message>
         <source>Label3D and DANNCE (MATLAB)</source>
         <translation>Label3D 和 DANNCE (MATLAB)</translation>
+    </message>
+    <message>
+        <source>3D joints with their uncertainty, every mark of every rater with its state and error, and the cameras.</source>
+        <translation>三维关节及其不确定度，每位标注者的每个标记及其状态和误差，以及相机。</translation>
+    </message>
+    <message>
+        <source>A row per 3D joint of every rater: millimetres, uncertainty, error, state.</source>
+        <translation>每位标注者的每个三维关节一行：毫米、不确定度、误差、状态。</translation>
+    </message>
+    <message>
+        <source>A row per mark of every rater: pixel, state, how it was placed; proposals, too.</source>
+        <translation>每位标注者的每个标记一行：像素、状态、放置方式；也含建议。</translation>
     </message>
 </context>
 <context>
@@ -1221,10 +1333,6 @@
         <translation>您的姓名：%1</translation>
     </message>
     <message>
-        <source>Nobody else has marks in this sequence.</source>
-        <translation>此序列中没有其他人的标记。</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>显示</translation>
     </message>
@@ -1311,10 +1419,6 @@
         <translation>结束</translation>
     </message>
     <message>
-        <source>Nothing tells yet where the hands are: mark some joints, then frame them.</source>
-        <translation>尚不知道双手的位置：请先标记几个关节，再对准双手。</translation>
-    </message>
-    <message>
         <source>There is no frame %1: sequence &quot;%2&quot; has frames 0-%3. The last one is shown.</source>
         <translation>没有第 %1 帧：序列“%2”的帧为 0-%3。显示最后一帧。</translation>
     </message>
@@ -1333,6 +1437,62 @@
     <message>
         <source>Results saved in %1</source>
         <translation>结果已保存到 %1</translation>
+    </message>
+    <message>
+        <source>Comparisons (*.json)</source>
+        <translation>比较 (*.json)</translation>
+    </message>
+    <message>
+        <source>Fit a pair first.</source>
+        <translation>请先拟合一个配对。</translation>
+    </message>
+    <message>
+        <source>Save this comparison</source>
+        <translation>保存此比较</translation>
+    </message>
+    <message>
+        <source>Open a comparison</source>
+        <translation>打开比较</translation>
+    </message>
+    <message>
+        <source>No other person has marks in this sequence.</source>
+        <translation>此序列中没有其他人的标记。</translation>
+    </message>
+    <message>
+        <source>Refine the calibration</source>
+        <translation>优化标定</translation>
+    </message>
+    <message>
+        <source>Measure this person&apos;s hands</source>
+        <translation>测量此人的双手</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>请先优化标定。</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet.</source>
+        <translation>还没有关节在两台相机中被点击。</translation>
+    </message>
+    <message>
+        <source>The dataset uses %1 now; all joints were reconstructed anew.</source>
+        <translation>数据集现在使用 %1；所有关节已重新重建。</translation>
+    </message>
+    <message>
+        <source>Refining the calibration</source>
+        <translation>正在优化标定</translation>
+    </message>
+    <message>
+        <source>Measuring hands</source>
+        <translation>正在测量双手</translation>
+    </message>
+    <message>
+        <source>Measuring hands: %1</source>
+        <translation>正在测量双手：%1</translation>
+    </message>
+    <message>
+        <source>It is not known yet where the hands are: mark some joints, then frame them.</source>
+        <translation>尚不知道双手的位置：请先标记几个关节，再对准双手。</translation>
     </message>
 </context>
 <context>
@@ -1932,6 +2092,13 @@
     </message>
 </context>
 <context>
+    <name>widgets::CalibrationChoice</name>
+    <message>
+        <source>Wait until the sequence is open.</source>
+        <translation>请等待序列打开。</translation>
+    </message>
+</context>
+<context>
     <name>widgets::CurvePlot</name>
     <message>
         <source>curves</source>
@@ -2073,6 +2240,37 @@
     <message>
         <source>Make a dataset...</source>
         <translation>新建数据集...</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ErrorText</name>
+    <message>
+        <source>this is not possible with the data that is open</source>
+        <translation>当前打开的数据不支持此操作</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>未找到</translation>
+    </message>
+    <message>
+        <source>the content is not valid</source>
+        <translation>内容无效</translation>
+    </message>
+    <message>
+        <source>written by a newer version of Handlens</source>
+        <translation>由更新版本的 Handlens 写入</translation>
+    </message>
+    <message>
+        <source>cannot be read or written: check permissions and space</source>
+        <translation>无法读取或写入：请检查权限和空间</translation>
+    </message>
+    <message>
+        <source>this kind of content is not supported</source>
+        <translation>不支持此类内容</translation>
+    </message>
+    <message>
+        <source>unexpected error</source>
+        <translation>意外错误</translation>
     </message>
 </context>
 <context>
@@ -2327,6 +2525,97 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectLayerBar</name>
+    <message>
+        <source>Contour</source>
+        <translation>轮廓线</translation>
+    </message>
+    <message>
+        <source>The observed outline; its colour is its direction</source>
+        <translation>观测到的轮廓线；颜色表示其方向</translation>
+    </message>
+    <message>
+        <source>Rim</source>
+        <translation>边缘</translation>
+    </message>
+    <message>
+        <source>Rim points of the posed hands with their normals</source>
+        <translation>手部姿态的边缘点及其法线</translation>
+    </message>
+    <message>
+        <source>Matches</source>
+        <translation>匹配</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance; refused ones dashed</source>
+        <translation>从边缘点到其轮廓点，按距离着色；被拒绝的为虚线</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差异</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
+        <translation>轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
+    </message>
+    <message>
+        <source>Field</source>
+        <translation>场</translation>
+    </message>
+    <message>
+        <source>What a rim point of one direction costs at every pixel</source>
+        <translation>某一方向的边缘点在每个像素处的代价</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>The mesh by its distance to the recorded pose</source>
+        <translation>网格，按与记录姿态的距离着色</translation>
+    </message>
+    <message>
+        <source>Direction of the rim point whose field is shown</source>
+        <translation>所显示的场对应的边缘点方向</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>matches 0–%1 px</source>
+        <translation>匹配 0–%1 px</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px</source>
+        <translation>场 0–%1 px</translation>
+    </message>
+    <message>
+        <source>error 0–%1 mm</source>
+        <translation>误差 0–%1 mm</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there.</source>
+        <translation>将指针移到视图上，可查看各方法在该处的匹配。</translation>
+    </message>
+    <message>
+        <source>(%1, %2), direction %3°</source>
+        <translation>(%1, %2)，方向 %3°</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1, refused</source>
+        <translation>%1，被拒绝</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectPage</name>
     <message>
         <source>Cameras: </source>
@@ -2373,10 +2662,6 @@
         <translation>使用“拟合”中选择的方法，从若干帧之前的姿态开始</translation>
     </message>
     <message>
-        <source>There is nothing that the error could be measured against.</source>
-        <translation>没有可用于衡量误差的参照。</translation>
-    </message>
-    <message>
         <source>Fitting...</source>
         <translation>正在拟合...</translation>
     </message>
@@ -2387,6 +2672,14 @@
     <message>
         <source>No picture at this instant.</source>
         <translation>此时刻没有图像。</translation>
+    </message>
+    <message>
+        <source>There is no reference to measure the error against.</source>
+        <translation>没有可用于衡量误差的参照。</translation>
+    </message>
+    <message>
+        <source>%1, IoU %2</source>
+        <translation>%1，IoU %2</translation>
     </message>
 </context>
 <context>
@@ -2479,10 +2772,6 @@
         <translation>接受预先放置的位置</translation>
     </message>
     <message>
-        <source>proposed: nobody&apos;s label yet</source>
-        <translation>建议：尚不属于任何人的标注</translation>
-    </message>
-    <message>
         <source>occluded, estimated</source>
         <translation>遮挡，估计位置</translation>
     </message>
@@ -2497,6 +2786,10 @@
     <message>
         <source>What the marks mean</source>
         <translation>标记的含义</translation>
+    </message>
+    <message>
+        <source>proposed: not a label until it is accepted</source>
+        <translation>建议：接受后才算标注</translation>
     </message>
 </context>
 <context>
@@ -2713,6 +3006,10 @@
             <numerusform>%n 帧有 %1 的标记。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -2782,6 +3079,122 @@
     </message>
 </context>
 <context>
+    <name>widgets::RefinementModel</name>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Clicks</source>
+        <translation>点击</translation>
+    </message>
+    <message>
+        <source>px before</source>
+        <translation>优化前 px</translation>
+    </message>
+    <message>
+        <source>px after</source>
+        <translation>优化后 px</translation>
+    </message>
+    <message>
+        <source>turned, °</source>
+        <translation>旋转，°</translation>
+    </message>
+    <message>
+        <source>moved, mm</source>
+        <translation>移动，mm</translation>
+    </message>
+    <message>
+        <source>focal, %</source>
+        <translation>焦距，%</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the calibration in use</source>
+        <translation>使用当前标定时其点击的 RMS</translation>
+    </message>
+    <message>
+        <source>RMS of its clicks with the refined calibration</source>
+        <translation>使用优化后的标定时其点击的 RMS</translation>
+    </message>
+    <message>
+        <source>By how much the camera turns</source>
+        <translation>相机的旋转量</translation>
+    </message>
+    <message>
+        <source>By how much the camera&apos;s centre moves</source>
+        <translation>相机中心的移动量</translation>
+    </message>
+    <message>
+        <source>By how much its focal length grows</source>
+        <translation>其焦距的增大量</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RefinementPage</name>
+    <message>
+        <source>Refine</source>
+        <translation>优化</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>放弃</translation>
+    </message>
+    <message>
+        <source>Use the refined calibration</source>
+        <translation>使用优化后的标定</translation>
+    </message>
+    <message>
+        <source>Use the chosen one</source>
+        <translation>使用所选标定</translation>
+    </message>
+    <message>
+        <source>Adjusts every camera&apos;s place, direction, focal length and first lens coefficients to all clicks of the dataset</source>
+        <translation>按数据集的所有点击调整每台相机的位置、方向、焦距和前几个镜头系数</translation>
+    </message>
+    <message>
+        <source>Writes a new calibration file beside the one in use, which is kept; all joints are reconstructed anew</source>
+        <translation>在当前标定文件旁写入新文件，原文件保留；所有关节重新重建</translation>
+    </message>
+    <message>
+        <source>The dataset uses that calibration from now on; marks stay as they are</source>
+        <translation>数据集从现在起使用该标定；标记保持不变</translation>
+    </message>
+    <message>
+        <source>Calibrations of this dataset</source>
+        <translation>此数据集的标定</translation>
+    </message>
+    <message>
+        <source>Refine the calibration first.</source>
+        <translation>请先优化标定。</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>正在检查所有序列的点击。</translation>
+    </message>
+    <message>
+        <source>Refined from %1 joints in %2 frames. A click scatters by %3 px per axis about the refined cameras.</source>
+        <translation>由 %2 帧中的 %1 个关节优化得出。点击相对优化后的相机在每个轴上的离散度为 %3 px。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n wrong click(s) took no part.</source>
+        <translation>
+            <numerusform>%n 次错误点击未参与计算。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The adjustment stopped before it had settled.</source>
+        <translation>调整在收敛之前已停止。</translation>
+    </message>
+    <message>
+        <source>%1 (in use)</source>
+        <translation>%1（使用中）</translation>
+    </message>
+</context>
+<context>
     <name>widgets::ResultTableModel</name>
     <message>
         <source>Converged</source>
@@ -2822,6 +3235,181 @@
     <message>
         <source>s</source>
         <translation>秒</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthModel</name>
+    <message numerus="yes">
+        <source>%1: %n click(s) that other cameras confirm are too few to judge it</source>
+        <translation>
+            <numerusform>%1：经其他相机证实的点击仅 %n 次，不足以判断</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: mean %2, %3 ± %4 px; clicks scatter by %5 px about it; %n wrong click(s)</source>
+        <translation>
+            <numerusform>%1：均值 %2, %3 ± %4 px；点击围绕其离散度 %5 px；%n 次错误点击</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>σ</source>
+        <translation>σ</translation>
+    </message>
+    <message>
+        <source>Clicks that other cameras confirm</source>
+        <translation>经其他相机证实的点击</translation>
+    </message>
+    <message>
+        <source>RMS residual, px</source>
+        <translation>RMS 残差，px</translation>
+    </message>
+    <message>
+        <source>Mean residual to the right, px; the joint is made from the other cameras</source>
+        <translation>向右的平均残差，px；关节由其他相机得出</translation>
+    </message>
+    <message>
+        <source>Mean residual downwards, px; the joint is made from the other cameras</source>
+        <translation>向下的平均残差，px；关节由其他相机得出</translation>
+    </message>
+    <message>
+        <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
+        <translation>点击误差与标定误差合计，每个轴，px：即一次点击的精度</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigHealthView</name>
+    <message>
+        <source>Refine calibration...</source>
+        <translation>优化标定...</translation>
+    </message>
+    <message>
+        <source>Adjusts the cameras to the clicks; nothing changes before you use the result</source>
+        <translation>按点击调整相机；在您使用结果之前不会有任何更改</translation>
+    </message>
+    <message>
+        <source>The clicks of all sequences are being looked at.</source>
+        <translation>正在检查所有序列的点击。</translation>
+    </message>
+    <message>
+        <source>No joint is clicked in two cameras yet: the calibration cannot be judged.</source>
+        <translation>还没有关节在两台相机中被点击：无法判断标定质量。</translation>
+    </message>
+    <message>
+        <source>There are too few clicks to judge the calibration.</source>
+        <translation>点击太少，无法判断标定质量。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigText</name>
+    <message>
+        <source>%1 of %2 cameras are %3 to %4 px off in every frame: the calibration as a whole does not fit the clicks.</source>
+        <translation>%2 台相机中有 %1 台在每一帧都偏离 %3 至 %4 px：整体标定与点击不符。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 is %2 px off in the %n sequence(s) %3 only: it stood otherwise there.</source>
+        <translation>
+            <numerusform>%1 仅在 %n 个序列 (%3) 中偏离 %2 px：当时它的摆放不同。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames behind the others: its residuals go with the joints&apos; motion.</source>
+        <translation>%1 比其他相机滞后 %2 帧：其残差随关节运动而变。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 frames ahead of the others: its residuals go with the joints&apos; motion.</source>
+        <translation>%1 比其他相机超前 %2 帧：其残差随关节运动而变。</translation>
+    </message>
+    <message>
+        <source>%1 is %2 px off in every frame: its calibration moved.</source>
+        <translation>%1 在每一帧都偏离 %2 px：其标定已发生偏移。</translation>
+    </message>
+    <message>
+        <source>%1 moved before frame %2 of sequence %3: its picture lies %4 px elsewhere from there on.</source>
+        <translation>%1 在序列 %3 的第 %2 帧之前移动过：此后其图像偏移 %4 px。</translation>
+    </message>
+    <message>
+        <source>%1 drifts by %2 px in 100 frames of sequence %3.</source>
+        <translation>%1 在序列 %3 中每 100 帧漂移 %2 px。</translation>
+    </message>
+    <message>
+        <source>Clicks of %1: too few to know how far they scatter; 1 px is assumed.</source>
+        <translation>%1 的点击太少，离散度未知；假定为 1 px。</translation>
+    </message>
+    <message>
+        <source>Clicks of %1 scatter by %2 px per axis (%3 to %4 by camera).</source>
+        <translation>%1 的点击在每个轴上的离散度为 %2 px（各相机 %3 至 %4）。</translation>
+    </message>
+    <message>
+        <source>Too few clicks that other cameras confirm: %1.</source>
+        <translation>经其他相机证实的点击太少：%1。</translation>
+    </message>
+    <message>
+        <source>The calibration&apos;s own error adds %1 to %2 px.</source>
+        <translation>标定本身的误差另加 %1 至 %2 px。</translation>
+    </message>
+    <message>
+        <source>too few clicks</source>
+        <translation>点击太少</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>偏离</translation>
+    </message>
+    <message>
+        <source>partly off</source>
+        <translation>部分偏离</translation>
+    </message>
+    <message>
+        <source>late</source>
+        <translation>滞后</translation>
+    </message>
+    <message>
+        <source>early</source>
+        <translation>超前</translation>
+    </message>
+    <message>
+        <source>moved</source>
+        <translation>移动过</translation>
+    </message>
+    <message>
+        <source>drifts</source>
+        <translation>漂移</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>吻合</translation>
+    </message>
+    <message>
+        <source>Cameras can be refined from %1 joints on that three cameras or more have clicked (%2 so far).</source>
+        <translation>至少有 %1 个关节在三台或更多相机中被点击时，才能优化相机（目前 %2 个）。</translation>
+    </message>
+    <message>
+        <source>The calibration fits the clicks.</source>
+        <translation>标定与点击吻合。</translation>
+    </message>
+    <message>
+        <source>Refining is worth it from %1 frames and %2 joints on (%3 and %4 so far).</source>
+        <translation>达到 %1 帧和 %2 个关节后才值得优化（目前 %3 和 %4）。</translation>
+    </message>
+    <message>
+        <source>There are enough clicks to refine the calibration.</source>
+        <translation>点击已足够，可优化标定。</translation>
     </message>
 </context>
 <context>
@@ -2918,6 +3506,184 @@
     <message>
         <source>the file is read-only</source>
         <translation>文件为只读</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectModel</name>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>手</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>骨骼</translation>
+    </message>
+    <message>
+        <source>Model, mm</source>
+        <translation>模型，mm</translation>
+    </message>
+    <message>
+        <source>Measured, mm</source>
+        <translation>测量值，mm</translation>
+    </message>
+    <message>
+        <source>Change, %</source>
+        <translation>变化，%</translation>
+    </message>
+    <message>
+        <source>± mm</source>
+        <translation>± mm</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the measured length</source>
+        <translation>测得长度的标准差</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectPage</name>
+    <message>
+        <source>Use masks</source>
+        <translation>使用掩膜</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>测量</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Save as a new dataset...</source>
+        <translation>另存为新数据集...</translation>
+    </message>
+    <message>
+        <source>Saved in %1.</source>
+        <translation>已保存到 %1。</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Evenly drawn from the annotated ones; more than 15 bring little and take long</source>
+        <translation>从已标注帧中均匀抽取；超过 15 帧收益甚微且耗时</translation>
+    </message>
+    <message>
+        <source>Outlines tell the girth; joints alone leave it as the model has it</source>
+        <translation>轮廓可确定粗细；仅有关节时沿用模型的粗细</translation>
+    </message>
+    <message>
+        <source>A dataset with these hands; footage and masks stay where they are, annotations and motion are copied</source>
+        <translation>使用这双手的数据集；素材和掩膜留在原处，标注和运动会被复制</translation>
+    </message>
+    <message>
+        <source>Sequences</source>
+        <translation>序列</translation>
+    </message>
+    <message>
+        <source>Frames at most</source>
+        <translation>最多帧数</translation>
+    </message>
+    <message>
+        <source>Choose a sequence with annotated frames.</source>
+        <translation>请选择有已标注帧的序列。</translation>
+    </message>
+    <message>
+        <source>Bone lengths, scale and girth of this person&apos;s hands are found from annotated frames: at least %1, from 5 on every bone by itself.</source>
+        <translation>由已标注帧得出此人双手的骨骼长度、比例和粗细：至少需 %1 帧，达到 5 帧时每根骨骼单独测量。</translation>
+    </message>
+    <message>
+        <source>A new folder for the dataset</source>
+        <translation>用于数据集的新文件夹</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectStudy</name>
+    <message>
+        <source>reading annotations</source>
+        <translation>正在读取标注</translation>
+    </message>
+    <message>
+        <source>reading masks</source>
+        <translation>正在读取掩膜</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>正在测量</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SubjectText</name>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm. The cameras of the new dataset are in mm.</source>
+        <translation>标定的单位不是 mm，而是 %1 mm。新数据集的相机以 mm 为单位。</translation>
+    </message>
+    <message>
+        <source>The calibration is not in mm: its unit is %1 mm if this hand is as large as the model, so that scale says nothing. The cameras of the new dataset are in mm.</source>
+        <translation>标定的单位不是 mm：若此手与模型一样大，则其单位为 %1 mm，因此比例没有意义。新数据集的相机以 mm 为单位。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 annotated frames were used, evenly drawn.</source>
+        <translation>使用了 %2 个已标注帧中均匀抽取的 %1 个。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s) were used.</source>
+        <translation>
+            <numerusform>使用了 %n 个已标注帧。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Fewer than 3 frames: only the scale is measured.</source>
+        <translation>少于 3 帧：仅测量比例。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Outlines of %n frame(s) fit to %1 mm.</source>
+        <translation>
+            <numerusform>%n 帧的轮廓吻合到 %1 mm。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No masks of frames in which all hands are annotated: the girth stays the model&apos;s.</source>
+        <translation>所有手均已标注的帧没有掩膜：粗细沿用模型。</translation>
+    </message>
+    <message>
+        <source>Left hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>左手：比例 %1 ± %2，粗细 %3 ± %4 mm；关节吻合到 %5 mm。</translation>
+    </message>
+    <message>
+        <source>Right hand: scale %1 ± %2, girth %3 ± %4 mm; joints fit to %5 mm.</source>
+        <translation>右手：比例 %1 ± %2，粗细 %3 ± %4 mm；关节吻合到 %5 mm。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n annotated frame(s)</source>
+        <translation>
+            <numerusform>%n 个已标注帧</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>masks</source>
+        <translation>有掩膜</translation>
+    </message>
+    <message>
+        <source>no masks</source>
+        <translation>无掩膜</translation>
+    </message>
+    <message>
+        <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
+        <translation>少于 5 帧：骨骼保持模型的比例。</translation>
     </message>
 </context>
 <context>
