@@ -3720,6 +3720,10 @@
         <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
         <translation>Weniger als 5 Bilder: Die Knochen behalten die Proportionen des Modells.</translation>
     </message>
+    <message>
+        <source>The calibration does not fit the clicks everywhere (Quality, Cameras): measure again after it is refined.</source>
+        <translation>Die Kalibrierung passt nicht überall zu den Klicks (Qualität, Kameras): nach dem Verfeinern erneut vermessen.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SummaryModel</name>

@@ -3720,6 +3720,10 @@
         <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
         <translation>Λιγότερα από 5 καρέ: τα οστά κρατούν τις αναλογίες του μοντέλου.</translation>
     </message>
+    <message>
+        <source>The calibration does not fit the clicks everywhere (Quality, Cameras): measure again after it is refined.</source>
+        <translation>Η βαθμονόμηση δεν ταιριάζει παντού με τα κλικ (Ποιότητα, Κάμερες): μετρήστε ξανά μετά τη βελτίωσή της.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SummaryModel</name>

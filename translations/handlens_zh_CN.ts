@@ -3685,6 +3685,10 @@
         <source>Fewer than 5 frames: bones keep the model&apos;s proportions.</source>
         <translation>少于 5 帧：骨骼保持模型的比例。</translation>
     </message>
+    <message>
+        <source>The calibration does not fit the clicks everywhere (Quality, Cameras): measure again after it is refined.</source>
+        <translation>标定并非处处与点击吻合（质量、相机）：请在优化后重新测量。</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SummaryModel</name>
