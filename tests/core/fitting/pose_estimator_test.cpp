@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
+#include "core/contour/forearm.h"
 #include "core/error.h"
 #include "core/fitting/method_name.h"
 #include "core/io/import/tzionas_import.h"
