@@ -33,10 +33,10 @@ protected:
                    "}\n{\"do\":\"print\",\"what\":\"matches\",\"camera\":\"cam0\",\"method\":\"" + method +
                    "\"}\n")[1]["matches"];
     }
-    const cv::Mat& mask() const { return session().fits.outcome()->masks.front(); }
+    const cv::Mat& mask() { return session().fits.outcome()->masks.front(); }
 
     /// Distance from a point to the nearest pixel of the silhouette that has a neighbour outside it.
-    double distanceToOutline(double x, double y) const {
+    double distanceToOutline(double x, double y) {
         double nearest = std::numeric_limits<double>::infinity();
         const cv::Mat& seen = mask();
         for (int v = 1; v + 1 < seen.rows; ++v)
