@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/annotation/click_sigmas.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace core {
@@ -10,6 +11,13 @@ const RaterSigma& ClickSigmas::of(const std::string& rater) const {
     const auto found = raters.find(rater);
     return found == raters.end() ? kAssumed : found->second;
 }
+
+namespace {
+
+/// However steady a hand is, a click is not called wrong for less: among thousands, some lie beyond any small gate.
+constexpr double kLeastGatePx = 3;
+
+} // namespace
 
 TriangulationOptions ClickSigmas::optionsFor(const std::string& rater, TriangulationOptions options) const {
     const RaterSigma& sigma = of(rater);
@@ -25,6 +33,7 @@ TriangulationOptions ClickSigmas::optionsFor(const std::string& rater, Triangula
         squares += px * px;
     if (!systematicPx.empty())
         options.systematicPx = std::sqrt(squares / static_cast<double>(systematicPx.size()));
+    options.outlierFactor = std::max(options.outlierFactor, kLeastGatePx / sigma.clickPx);
     return options;
 }
 

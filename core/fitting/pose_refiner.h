@@ -66,7 +66,7 @@ public:
     /// mean distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all
     /// is well.
     double silhouetteDifferencePx(const HandPoses& poses);
-    /// The same of the part that lies farther than depthPx from the observed outlines: next to nothing where only the
+    /// The same of the part that lies farther than depthPx from the observed outlines: almost 0 where only the
     /// contour is noisy, much where a finger is in a wrong place.
     double deepDifferencePx(const HandPoses& poses, int depthPx);
 

@@ -53,8 +53,8 @@ TEST_F(InspectScript, MatchesOfChAreTheNearestPixelsOfTheOutline) {
     fit("\"ch\"");
     for (const int iteration : {0, 3}) {
         const json found = matches("ch", iteration);
-        ASSERT_GT(found.size(), 50u);
-        for (std::size_t i = 0; i < found.size(); i += 40) {
+        ASSERT_GT(found.size(), 15u);
+        for (std::size_t i = 0; i < found.size(); i += 3) {
             const json& match = found[i];
             EXPECT_TRUE(match["kept"].get<bool>());
             EXPECT_NEAR(match["residualPx"].get<double>(), distanceToOutline(match["p"][0], match["p"][1]), 0.75);
@@ -83,7 +83,7 @@ TEST_F(InspectScript, DchThresKeepsWhatPassesItsAngleAndQuantWhatLiesInTheBin) {
         EXPECT_EQ(bins.binOf(match["phiDeg"].get<double>() * std::numbers::pi / 180),
                   bins.binOf(match["contourPhiDeg"].get<double>() * std::numbers::pi / 180));
     }
-    EXPECT_GT(kept, 50);
+    EXPECT_GT(kept, 10);
 }
 
 TEST_F(InspectScript, TheProbeFindsTheNearestOutlineAndItsCost) {
@@ -126,7 +126,7 @@ TEST_F(InspectScript, TheDifferenceSaysHowWellTheSilhouettesAgree) {
     run("{\"do\":\"action\",\"id\":\"compare.lastIteration\"}\n");
     const double atEnd = window->workspaces().inspectPage()->overlays()->iou(0);
     EXPECT_GT(atStart, 0.3);
-    EXPECT_GT(atEnd, 0.97);
+    EXPECT_GT(atEnd, 0.9);
     EXPECT_GT(atEnd, atStart);
 }
 

@@ -52,6 +52,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     m_advice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_progress->setMaximumWidth(140);
     m_progress->setTextVisible(false);
+    m_stop->setObjectName(QStringLiteral("stop"));
     m_notice->setObjectName(QStringLiteral("notice"));
     m_notice->setAutoRaise(true);
     m_notice->setFocusPolicy(Qt::NoFocus);

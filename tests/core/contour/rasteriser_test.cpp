@@ -20,7 +20,7 @@ using core::TriangleMesh;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Camera makeCamera(std::vector<double> distortion = {}) {
+Camera makeRasterCamera(std::vector<double> distortion = {}) {
     Camera camera;
     camera.name = "test";
     camera.size = {120, 90};
@@ -102,7 +102,7 @@ Hit bruteForce(const Camera& camera, const TriangleMesh& mesh, int x, int y) {
 }
 
 TEST(Rasteriser, FindsTheTriangleAndDepthOfBruteForceRays) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRasterCamera();
     const TriangleMesh mesh = randomTriangles(120, "ray casting");
     const DepthImage image = core::renderDepth(camera, {surfaceOf(mesh)});
     ASSERT_EQ(image.depthMm.type(), CV_32F);
@@ -134,7 +134,7 @@ TEST(Rasteriser, FindsTheTriangleAndDepthOfBruteForceRays) {
 
 TEST(Rasteriser, MaskIsWhereThereIsATriangle) {
     for (const char* seed : {"mask a", "mask b", "mask c"}) {
-        for (const Camera& camera : {makeCamera(), makeCamera({-0.2, 0.05, 0.002, -0.001, 0})}) {
+        for (const Camera& camera : {makeRasterCamera(), makeRasterCamera({-0.2, 0.05, 0.002, -0.001, 0})}) {
             const TriangleMesh mesh = randomTriangles(150, seed), other = randomTriangles(30, "more");
             const std::vector<PosedSurface> surfaces{surfaceOf(mesh), surfaceOf(other)};
             const DepthImage image = core::renderDepth(camera, surfaces);
@@ -152,7 +152,7 @@ TEST(Rasteriser, MaskIsWhereThereIsATriangle) {
 TEST(Rasteriser, DepthsOfSliversStayWithinTheirCorners) {
     // Triangles that are seen edge-on and shrink to next to nothing in the image: a pixel's centre that falls into one
     // after rounding must not be extrapolated far away.
-    const Camera camera = makeCamera();
+    const Camera camera = makeRasterCamera();
     const core::RigidMotion worldFromCamera = core::inverse(camera.cameraFromWorld);
     test::RandomValues random("slivers");
     TriangleMesh mesh;
@@ -194,7 +194,7 @@ TEST(Rasteriser, DepthsOfSliversStayWithinTheirCorners) {
 
 TEST(Rasteriser, TheAreaOfABallIsThatOfItsAnalyticSilhouette) {
     // A pixel-centre rule is right on average: a filled polygon of OpenCV would be half a pixel too large all around.
-    Camera camera = makeCamera();
+    Camera camera = makeRasterCamera();
     camera.size = {600, 500};
     camera.intrinsics << 1300, 0, 300.4, 0, 1300, 249.8, 0, 0, 1;
     camera.cameraFromWorld = {Eigen::Matrix3d::Identity(), {0, 0, 400}};
@@ -205,7 +205,7 @@ TEST(Rasteriser, TheAreaOfABallIsThatOfItsAnalyticSilhouette) {
 }
 
 TEST(Rasteriser, TrianglesAreNumberedAcrossSurfaces) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRasterCamera();
     const TriangleMesh near = test::ball({-25, 0, 0}, 20, 12, 24), far = test::ball({25, 0, 0}, 20, 12, 24);
     const DepthImage image = core::renderDepth(camera, {surfaceOf(near), surfaceOf(far)});
     const int first = static_cast<int>(near.triangles.size());
@@ -220,7 +220,7 @@ TEST(Rasteriser, TrianglesAreNumberedAcrossSurfaces) {
 }
 
 TEST(Rasteriser, LeavesOutTrianglesWithAVertexBehindTheCamera) {
-    Camera camera = makeCamera();
+    Camera camera = makeRasterCamera();
     camera.cameraFromWorld = {};
     TriangleMesh mesh;
     mesh.vertices = {{-50, -50, 100}, {50, -50, 100}, {0, 80, -10}};
@@ -239,7 +239,7 @@ TEST(Rasteriser, SilhouetteOfTheHandsIsTheirUnion) {
         poses.push_back(test::somePose(hand.skeleton, random));
         vertices.push_back(core::posedVertices(hand, poses.back()));
     }
-    const Camera camera = makeCamera();
+    const Camera camera = makeRasterCamera();
     const cv::Mat both = core::renderHandsMask(camera, hands, poses);
     const cv::Mat left = core::renderMask(camera, {{&vertices[0], &hands[0].mesh.triangles}});
     const cv::Mat right = core::renderMask(camera, {{&vertices[1], &hands[1].mesh.triangles}});
@@ -249,7 +249,7 @@ TEST(Rasteriser, SilhouetteOfTheHandsIsTheirUnion) {
 }
 
 TEST(Rasteriser, NothingToDrawIsBackground) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRasterCamera();
     EXPECT_EQ(cv::countNonZero(core::renderMask(camera, {})), 0);
     const DepthImage image = core::renderDepth(camera, {});
     EXPECT_EQ(cv::countNonZero(image.triangle != -1), 0);

@@ -22,7 +22,7 @@ using core::RimScratch;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-Camera makeCamera(std::vector<double> distortion = {}, bool fisheye = false) {
+Camera makeRimCamera(std::vector<double> distortion = {}, bool fisheye = false) {
     Camera camera;
     camera.name = "test";
     camera.size = {960, 720};
@@ -146,8 +146,8 @@ double outsidePx(const Camera& camera, const Ball& ball, const Vector2d& px) {
 }
 
 TEST(VisibleRim, OfABallIsItsAnalyticSilhouette) {
-    for (const Camera& camera :
-         {makeCamera(), makeCamera({-0.25, 0.08, 0.002, -0.001, 0.01}), makeCamera({0.02, -0.01, 0, 0}, true)}) {
+    for (const Camera& camera : {makeRimCamera(), makeRimCamera({-0.25, 0.08, 0.002, -0.001, 0.01}),
+                                 makeRimCamera({0.02, -0.01, 0, 0}, true)}) {
         for (const Ball& ball : {Ball{{0, 0, 0}, 60}, Ball{{-150, 70, 20}, 45}, Ball{{170, -90, -60}, 50}}) {
             Scene scene = ballScene({ball});
             const Silhouette silhouette(camera, ball);
@@ -168,7 +168,7 @@ TEST(VisibleRim, OfABallIsItsAnalyticSilhouette) {
 }
 
 TEST(VisibleRim, ImageNormalsHoldForSkewedPixels) {
-    Camera camera = makeCamera({-0.25, 0.08, 0.002, -0.001, 0.01});
+    Camera camera = makeRimCamera({-0.25, 0.08, 0.002, -0.001, 0.01});
     camera.intrinsics(0, 1) = 90;
     const Ball ball{{-120, 60, 20}, 45};
     Scene scene = ballScene({ball});
@@ -181,7 +181,7 @@ TEST(VisibleRim, ImageNormalsHoldForSkewedPixels) {
 }
 
 TEST(VisibleRim, GoesAllTheWayAround) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRimCamera();
     const Ball ball{{0, 0, 0}, 60};
     Scene scene = ballScene({ball});
     const Silhouette silhouette(camera, ball);
@@ -201,7 +201,7 @@ TEST(VisibleRim, GoesAllTheWayAround) {
 TEST(VisibleRim, NamesTheEdgeItLiesOn) {
     Scene scene = ballScene({{{-50, 0, 0}, 30}, {{50, 0, 0}, 30}});
     std::array<int, 2> perHand{0, 0};
-    for (const RimPoint& point : scene.rim(makeCamera())) {
+    for (const RimPoint& point : scene.rim(makeRimCamera())) {
         ++perHand.at(static_cast<std::size_t>(point.hand));
         EXPECT_GE(point.t, 0);
         EXPECT_LE(point.t, 1);
@@ -217,7 +217,7 @@ TEST(VisibleRim, NamesTheEdgeItLiesOn) {
 }
 
 TEST(VisibleRim, OfTwoBallsIsTheOutlineOfTheirUnion) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRimCamera();
     const std::vector<Ball> balls{{{-30, 0, 40}, 60}, {{45, 20, -60}, 45}};
     const std::vector<RimPoint> both = ballScene(balls).rim(camera);
     int hidden = 0, kept = 0;
@@ -243,14 +243,14 @@ TEST(VisibleRim, OfTwoBallsIsTheOutlineOfTheirUnion) {
 }
 
 TEST(VisibleRim, HasNoCreaseInFrontOfAnotherSurface) {
-    const Camera camera = makeCamera();
+    const Camera camera = makeRimCamera();
     const Vector3d between = 0.7 * Vector3d(0, 0, 0) + 0.3 * camera.centreInWorld();
     for (const RimPoint& point : ballScene({{{0, 0, 0}, 80}, {between, 15}}).rim(camera))
         EXPECT_EQ(point.hand, 0);
 }
 
 TEST(VisibleRim, StaysWithinTheImage) {
-    Camera camera = makeCamera();
+    Camera camera = makeRimCamera();
     camera.size = {470, 360}; // cuts the ball in the middle
     const std::vector<RimPoint> rim = ballScene({{{0, 0, 0}, 80}}).rim(camera);
     ASSERT_GT(rim.size(), 20u);
@@ -293,7 +293,7 @@ std::vector<Vector2d> rimPixels(const std::vector<RimPoint>& rim) {
 
 TEST(VisibleRim, OfHandsLiesOnTheOutlineOfTheirSilhouette) {
     test::RandomValues random("rim of hands");
-    const Camera camera = makeCamera({-0.12, 0.05, 0.001, -0.0008, 0});
+    const Camera camera = makeRimCamera({-0.12, 0.05, 0.001, -0.0008, 0});
     const std::vector<core::HandModel> hands = test::twoFingerHands();
     for (int trial = 0; trial < 6; ++trial) {
         core::HandPoses poses;
@@ -321,7 +321,7 @@ TEST(VisibleRim, IsTheSameAgainWithUsedScratch) {
     const std::vector<core::HandModel> hands = test::twoFingerHands();
     Scene scene(hands, {test::somePose(hands[0].skeleton, random), test::somePose(hands[1].skeleton, random)}, 700,
                 700);
-    const Camera camera = makeCamera();
+    const Camera camera = makeRimCamera();
     const std::vector<RimPoint> first = scene.rim(camera, 150);
     Camera elsewhere = camera;
     elsewhere.cameraFromWorld.translation.z() = 350;
@@ -338,13 +338,13 @@ TEST(VisibleRim, IsTheSameAgainWithUsedScratch) {
 TEST(VisibleRim, OfNothingIsEmpty) {
     RimScratch scratch;
     std::vector<RimPoint> rim(3);
-    core::visibleRim(makeCamera(), {}, {}, scratch, rim);
+    core::visibleRim(makeRimCamera(), {}, {}, scratch, rim);
     EXPECT_TRUE(rim.empty());
 }
 
 TEST(SilhouetteDifference, IsTheAreaWhereMasksDisagree) {
     test::RandomValues random("difference");
-    const Camera camera = makeCamera({-0.12, 0.05, 0.001, -0.0008, 0});
+    const Camera camera = makeRimCamera({-0.12, 0.05, 0.001, -0.0008, 0});
     const std::vector<core::HandModel> hands = test::twoFingerHands();
     core::HandPoses poses;
     for (const core::HandModel& hand : hands)

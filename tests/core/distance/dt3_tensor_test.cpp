@@ -18,8 +18,8 @@ using testing::gridContour;
 using testing::randomContour;
 
 /// Oracle: brute force over all points, orientations quantised. Compared by cost: equal costs may have several owners.
-void expectExact(const OrientedContour& contour, const OrientationBins& bins, double lambda, const cv::Rect& region,
-                 int stride = 1) {
+void expectExactTensor(const OrientedContour& contour, const OrientationBins& bins, double lambda,
+                       const cv::Rect& region, int stride = 1) {
     const Dt3Tensor tensor = computeDt3Tensor(contour, bins, lambda, region);
     for (int y = region.y; y < region.br().y; y += stride) {
         for (int x = region.x; x < region.br().x; x += stride) {
@@ -36,9 +36,9 @@ void expectExact(const OrientedContour& contour, const OrientationBins& bins, do
 
 TEST(Dt3Tensor, IsExactOnAContourWithHoles) {
     const OrientedContour contour = gridContour(crossingHandsMask(120, 90));
-    expectExact(contour, OrientationBins(16, true), 25, cv::Rect(0, 0, 120, 90), 3);
-    expectExact(contour, OrientationBins(16, false), 25, cv::Rect(0, 0, 120, 90), 3);
-    expectExact(contour, OrientationBins(5, true), 8, cv::Rect(0, 0, 120, 90), 4);
+    expectExactTensor(contour, OrientationBins(16, true), 25, cv::Rect(0, 0, 120, 90), 3);
+    expectExactTensor(contour, OrientationBins(16, false), 25, cv::Rect(0, 0, 120, 90), 3);
+    expectExactTensor(contour, OrientationBins(5, true), 8, cv::Rect(0, 0, 120, 90), 4);
 }
 
 TEST(Dt3Tensor, RelaxesAroundTheWholeCircle) {
@@ -49,7 +49,7 @@ TEST(Dt3Tensor, RelaxesAroundTheWholeCircle) {
         OrientedContour contour = randomContour(1, 1, 1, 5);
         contour.x[0] = contour.y[0] = 4;
         contour.angleRad[0] = static_cast<float>(bins.centreRad(only)); // every other bin must hear of it both ways
-        expectExact(contour, bins, 2.5, cv::Rect(0, 0, 9, 7));
+        expectExactTensor(contour, bins, 2.5, cv::Rect(0, 0, 9, 7));
     }
 }
 
@@ -60,8 +60,8 @@ TEST(Dt3Tensor, IsExactOnScatteredPointsWithEmptyBins) {
             contour.x[i] = std::clamp(contour.x[i], 0.0F, 19.0F);
             contour.y[i] = std::clamp(contour.y[i], 0.0F, 15.0F);
         }
-        expectExact(contour, OrientationBins(16, seed % 2 == 0), 0.5 * static_cast<double>(seed),
-                    cv::Rect(0, 0, 20, 16));
+        expectExactTensor(contour, OrientationBins(16, seed % 2 == 0), 0.5 * static_cast<double>(seed),
+                          cv::Rect(0, 0, 20, 16));
     }
 }
 

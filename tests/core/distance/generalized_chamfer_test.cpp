@@ -13,7 +13,7 @@
 namespace core {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// Oracle, written from the definitions alone: the terms of one model point.
 std::vector<double> expectedTerms(const OrientedContour& observed, const DirectionalDistance& distance,
@@ -22,14 +22,14 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
     const bool two = distance.kind == DistanceKind::DchQuant2;
     std::vector<double> terms;
     for (int choice = 0; choice < (two ? 2 : 1); ++choice) {
-        double least = kInfinity;
-        double positionPx = kInfinity;
+        double least = kNoLimit;
+        double positionPx = kNoLimit;
         double circ = 0;
         for (std::size_t i = 0; i < observed.size(); ++i) {
             const double d = std::hypot(x - observed.x[i], y - observed.y[i]);
             const int bin = bins.binOf(observed.angleRad[i]);
             const bool binned = distance.kind == DistanceKind::DchQuant || two;
-            double cost = binned && bin != bins.nearestTwo(angle)[static_cast<std::size_t>(choice)] ? kInfinity : d;
+            double cost = binned && bin != bins.nearestTwo(angle)[static_cast<std::size_t>(choice)] ? kNoLimit : d;
             if (distance.kind == DistanceKind::DchDt3)
                 cost += distance.lambdaPxPerRad * bins.distanceRad(bin, bins.binOf(angle));
             if (cost < least) {
@@ -38,7 +38,7 @@ std::vector<double> expectedTerms(const OrientedContour& observed, const Directi
                 circ = circularDistance(angle, observed.angleRad[i], distance.isSigned);
             }
         }
-        const bool kept = least < kInfinity && positionPx <= distance.gatePx &&
+        const bool kept = least < kNoLimit && positionPx <= distance.gatePx &&
                           (distance.kind != DistanceKind::DchThres || circ < distance.tauRad);
         const double squared = penalty.kind == PenaltyKind::Absolute ? least : least * least;
         const double f =

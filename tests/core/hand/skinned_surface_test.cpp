@@ -19,7 +19,7 @@ using core::PosedPoints;
 using core::SkinnedSurface;
 using Eigen::Vector3d;
 
-HandModel makeHand() {
+HandModel makeSurfaceHand() {
     return test::twoFingerHand(core::Side::Left, core::exp({{150, -80, 600}, {0.4, -0.2, 1}}));
 }
 
@@ -46,7 +46,7 @@ double distanceFromTriangle(const Vector3d& p, const std::array<Vector3d, 3>& co
 }
 
 TEST(SkinnedSurface, TheFullLevelIsThePosedMesh) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const SkinnedSurface surface = core::makeSkinnedSurface(hand, 0);
     HandModel compressed = hand;
     compressed.weights = core::compressedWeights(hand.weights, 8, 1e-3);
@@ -66,7 +66,7 @@ TEST(SkinnedSurface, TheFullLevelIsThePosedMesh) {
 }
 
 TEST(SkinnedSurface, NormalsTurnWithTheBones) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const SkinnedSurface surface = core::makeSkinnedSurface(hand, 0);
     Pose pose = hand.skeleton.restPose();
     pose.head<6>() << 20, -30, 5, 0.5, 1.2, -0.4;
@@ -77,7 +77,7 @@ TEST(SkinnedSurface, NormalsTurnWithTheBones) {
 }
 
 TEST(SkinnedSurface, NormalsOfABentHandAreThoseOfItsSkinButNearJoints) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const SkinnedSurface surface = core::makeSkinnedSurface(hand, 0);
     test::RandomValues random("bent normals");
     const Pose pose = test::somePose(hand.skeleton, random);
@@ -92,7 +92,7 @@ TEST(SkinnedSurface, NormalsOfABentHandAreThoseOfItsSkinButNearJoints) {
 }
 
 TEST(SkinnedSurface, CoarserLevelsKeepVerticesOfTheMesh) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const std::vector<Vector3d> normals = core::vertexNormals(hand.mesh);
     for (const int target : {700, 300}) {
         const SkinnedSurface surface = core::makeSkinnedSurface(hand, target);
@@ -111,7 +111,7 @@ TEST(SkinnedSurface, CoarserLevelsKeepVerticesOfTheMesh) {
 }
 
 TEST(SkinnedSurface, CoarserLevelsAreWellFormed) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     for (const int target : {0, 700, 300}) {
         const SkinnedSurface surface = core::makeSkinnedSurface(hand, target);
         ASSERT_EQ(surface.restNormals.size(), surface.vertexCount());
@@ -136,7 +136,7 @@ TEST(SkinnedSurface, CoarserLevelsAreWellFormed) {
 }
 
 TEST(SkinnedSurface, CoarserLevelsStayNearTheMesh) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const SkinnedSurface surface = core::makeSkinnedSurface(hand, 700);
     double sum = 0, most = 0;
     int count = 0;
@@ -157,7 +157,7 @@ TEST(SkinnedSurface, CoarserLevelsStayNearTheMesh) {
 }
 
 TEST(SkinnedSurface, AsManyVerticesAsThereAreOrMoreIsTheFullMesh) {
-    const HandModel hand = makeHand();
+    const HandModel hand = makeSurfaceHand();
     const int all = static_cast<int>(hand.mesh.vertices.size());
     EXPECT_EQ(core::makeSkinnedSurface(hand, all).vertexCount(), hand.mesh.vertices.size());
     EXPECT_EQ(core::makeSkinnedSurface(hand, 10 * all).vertexCount(), hand.mesh.vertices.size());

@@ -21,7 +21,7 @@ struct BoxProblem {
     MatrixXd hessian;
     VectorXd gradient, lower, upper;
 
-    double cost(const VectorXd& step) const { return 0.5 * step.dot(hessian * step) + gradient.dot(step); }
+    double boxCost(const VectorXd& step) const { return 0.5 * step.dot(hessian * step) + gradient.dot(step); }
 };
 
 /// Of `size` unknowns, J^T J of `rows` random rows: the fewer rows, the worse conditioned.
@@ -65,7 +65,7 @@ VectorXd bruteForce(const BoxProblem& problem) {
         }
         const bool inside = (step.array() >= problem.lower.array() - 1e-12).all() &&
                             (step.array() <= problem.upper.array() + 1e-12).all();
-        if (inside && (best.size() == 0 || problem.cost(step) < problem.cost(best)))
+        if (inside && (best.size() == 0 || problem.boxCost(step) < problem.boxCost(best)))
             best = step;
     }
     return best;

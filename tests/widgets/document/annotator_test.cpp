@@ -54,6 +54,7 @@ protected:
 TEST_F(AnnotatorTest, PointsStateWhatTheClicksOfTheRaterAreWorth) {
     for (const int camera : {0, 1, 2, 3})
         click(camera);
+    selection.setJoint(kIndex); // the last click went on to the next joint
     EXPECT_TRUE(reconstructions.options().isSigmaAssumed);
     const Eigen::Matrix3d assumed = reconstructions.selected().result.point->covariance;
     core::ClickSigmas sigmas;

@@ -102,7 +102,7 @@ TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
     QSignalSpy stopped(&line, &widgets::StatusLine::stopRequested);
     line.showWork(QStringLiteral("Fitting"), 0.5);
     EXPECT_TRUE(says("Fitting"));
-    QTest::mouseClick(child<QToolButton>(line), Qt::LeftButton);
+    QTest::mouseClick(line.findChild<QToolButton*>(QStringLiteral("stop")), Qt::LeftButton);
     EXPECT_EQ(stopped.count(), 1);
 }
 
