@@ -215,6 +215,7 @@ TEST_F(RefinementPageTest, JointsFollowTheCalibrationAtOnce) {
     QTest::mouseClick(button(page, "Use the refined calibration"), Qt::LeftButton);
     ASSERT_TRUE(test::waitUntil([this] { return camerasFile() != QLatin1String("cameras.json"); }));
     look();
+    session.selection.setJoint({core::Side::Left, "joint3"}); // it is not in the list of joints
     const core::JointReconstruction& after = session.reconstructions.selected();
     ASSERT_TRUE(after.hasPoint());
     EXPECT_LT(after.result.point->rmsPx, 0.8);
