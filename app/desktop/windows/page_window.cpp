@@ -6,6 +6,12 @@
 
 namespace app {
 
+namespace {
+
+constexpr QSize kRoomForResults(640, 620); // fits 1366 x 768
+
+} // namespace
+
 PageWindow::PageWindow(const QString& title, QWidget* page, QWidget* parent)
     : QDialog(parent) {
     setWindowTitle(title);
@@ -15,6 +21,7 @@ PageWindow::PageWindow(const QString& title, QWidget* page, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    resize(sizeHint().expandedTo(kRoomForResults)); // texts and tables come later
 }
 
 void PageWindow::present() {
