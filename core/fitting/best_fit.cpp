@@ -157,6 +157,27 @@ bool improveByFingers(PoseRefiner& refiner, FitLoop& loop, const BestPhases& pha
     return true;
 }
 
+/// Replaces `best` by an attempt from the start pose in another order of phases, if that explains the masks better and
+/// they are left unexplained by more than the contour's noise. False if the fit is over.
+bool improveFromStart(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const HandPoses& start,
+                      FitAttempt& best) {
+    const double bestScore = refiner.silhouetteDifferencePx(best.poses);
+    if (bestScore <= kUnexplainedPx)
+        return true;
+    const int depthPx = beyondNoisePx(refiner.contourNoise(best.poses).px);
+    if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
+        return true;
+    FitAttempt attempt;
+    attempt.poses = start;
+    if (!loop.run(phases.again, attempt)) {
+        best.termination = attempt.termination;
+        return false;
+    }
+    if (refiner.silhouetteDifferencePx(attempt.poses) < bestScore)
+        best = std::move(attempt);
+    return true;
+}
+
 /// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
 /// the fit is over.
 bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
@@ -206,8 +227,10 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitAttempt attempt;
     attempt.poses = start;
     const auto improved = [&] {
-        return isRelative(options) ? improveByFingers(refiner, loop, phases, attempt)
-                                   : improve(refiner, loop, phases, otherStarts, start, attempt);
+        if (!isRelative(options))
+            return improve(refiner, loop, phases, otherStarts, start, attempt);
+        return improveFromStart(refiner, loop, phases, start, attempt) &&
+               improveByFingers(refiner, loop, phases, attempt);
     };
     if (loop.run(phases.main, attempt) && (!options.restarts || improved())) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
