@@ -115,6 +115,8 @@ TEST_F(InspectScript, LayersAreDrawnOverTheViewsAndTakenAway) {
         run(std::string("{\"do\":\"layer\",\"id\":\"") + id + "\",\"on\":false}\n");
         EXPECT_EQ(grid->view(0)->grabPicture(), before) << id;
     }
+    run("{\"do\":\"layer\",\"id\":\"field\",\"on\":true}\n{\"do\":\"layer\",\"id\":\"difference\",\"on\":true}\n");
+    EXPECT_FALSE(window->workspaces().inspectPage()->overlays()->isShown(widgets::InspectLayer::Field));
     EXPECT_EQ(play("{\"do\":\"layer\",\"id\":\"moon\",\"on\":true}\n"), 1);
     EXPECT_NE(errors.str().find("moon"), std::string::npos);
 }

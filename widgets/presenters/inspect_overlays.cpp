@@ -34,6 +34,10 @@ InspectOverlays::InspectOverlays(CameraGrid& grid, JobPool& pool, QObject* paren
 void InspectOverlays::setShown(InspectLayer layer, bool shown) {
     if (shown == isShown(layer))
         return;
+    if (shown && layer == InspectLayer::Field)
+        m_shown.erase(InspectLayer::Difference); // both are pictures of the whole view
+    if (shown && layer == InspectLayer::Difference)
+        m_shown.erase(InspectLayer::Field);
     if (shown)
         m_shown.insert(layer);
     else

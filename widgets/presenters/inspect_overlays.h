@@ -23,6 +23,7 @@ class InspectOverlays : public QObject {
 public:
     InspectOverlays(CameraGrid& grid, JobPool& pool, QObject* parent = nullptr);
 
+    /// Difference and Field take each other's place.
     void setShown(InspectLayer layer, bool shown);
     bool isShown(InspectLayer layer) const { return m_shown.count(layer) > 0; }
     /// The direction whose field is shown.
