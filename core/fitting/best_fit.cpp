@@ -157,24 +157,30 @@ bool improveByFingers(PoseRefiner& refiner, FitLoop& loop, const BestPhases& pha
     return true;
 }
 
-/// Replaces `best` by an attempt from the start pose in another order of phases, if that explains the masks better and
-/// they are left unexplained by more than the contour's noise. False if the fit is over.
-bool improveFromStart(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const HandPoses& start,
-                      FitAttempt& best) {
-    const double bestScore = refiner.silhouetteDifferencePx(best.poses);
+/// Replaces `best` by an attempt from another start that explains the masks better, as long as they are left
+/// unexplained by more than the contour's noise. False if the fit is over.
+bool improveBeyondNoise(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases,
+                        std::span<const StartKind> otherStarts, const HandPoses& start, FitAttempt& best) {
+    double bestScore = refiner.silhouetteDifferencePx(best.poses);
     if (bestScore <= kUnexplainedPx)
         return true;
     const int depthPx = beyondNoisePx(refiner.contourNoise(best.poses).px);
-    if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
-        return true;
-    FitAttempt attempt;
-    attempt.poses = start;
-    if (!loop.run(phases.again, attempt)) {
-        best.termination = attempt.termination;
-        return false;
+    for (const StartKind kind : otherStarts) {
+        if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
+            return true;
+        const bool again = kind == StartKind::Start;
+        FitAttempt attempt;
+        attempt.poses = again ? start : withFingers(refiner.hands(), best.poses, kind);
+        if (!loop.run(again ? phases.again : phases.fromOtherFingers, attempt)) {
+            best.termination = attempt.termination;
+            return false;
+        }
+        const double score = refiner.silhouetteDifferencePx(attempt.poses);
+        if (score < bestScore) {
+            bestScore = score;
+            best = std::move(attempt);
+        }
     }
-    if (refiner.silhouetteDifferencePx(attempt.poses) < bestScore)
-        best = std::move(attempt);
     return true;
 }
 
@@ -229,7 +235,10 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     const auto improved = [&] {
         if (!isRelative(options))
             return improve(refiner, loop, phases, otherStarts, start, attempt);
-        return improveFromStart(refiner, loop, phases, start, attempt) &&
+        const std::span<const StartKind> all(kOtherStarts);
+        return improveBeyondNoise(refiner, loop, phases, all.first(1), start, attempt) &&
+               improveByFingers(refiner, loop, phases, attempt) &&
+               improveBeyondNoise(refiner, loop, phases, all.subspan(1), start, attempt) &&
                improveByFingers(refiner, loop, phases, attempt);
     };
     if (loop.run(phases.main, attempt) && (!options.restarts || improved())) {

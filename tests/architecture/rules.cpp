@@ -189,7 +189,7 @@ Violations brokenFences(const std::vector<SourceFile>& files) {
 
 Violations wholeSessions(const std::vector<SourceFile>& files) {
     static const std::regex builders("widgets/session/window_session\\.cpp|widgets/workspaces/workspaces\\.(h|cpp)|"
-                                     "widgets/panels/quality_panel\\.h|app/desktop/.*|tests/.*");
+                                     "app/desktop/.*|tests/.*");
     Violations violations;
     for (const SourceFile& file : files)
         for (const Include& include : file.includes)
