@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -61,16 +62,25 @@ double bendShare(StartKind kind) {
     return kind == StartKind::HalfBent ? 0.35 : kind == StartKind::Bent ? 0.7 : 0;
 }
 
+/// Bends of fingers and thumbs, not spreads and twists.
+bool isWide(const DegreeOfFreedom& dof) {
+    constexpr double kWideRad = 1;
+    return dof.maxRad - dof.minRad > kWideRad;
+}
+
+/// Bent by a share of its range from straight, within its limits, rad.
+double bentAngle(const DegreeOfFreedom& dof, double share) {
+    const double bent = -dof.minRad > dof.maxRad ? dof.minRad : dof.maxRad;
+    return std::clamp(share * bent, dof.minRad, dof.maxRad);
+}
+
 /// The same place of the hands with other fingers: wide joints bent by a share of their range, all others straight.
 HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind) {
-    constexpr double kWideRad = 1;
     for (std::size_t h = 0; h < poses.size(); ++h) {
         const std::vector<DegreeOfFreedom>& dofs = hands.models[h].skeleton.dofs;
         for (std::size_t d = 0; d < dofs.size(); ++d) {
-            const DegreeOfFreedom& dof = dofs[d];
-            const double bent = -dof.minRad > dof.maxRad ? dof.minRad : dof.maxRad;
-            const double share = dof.maxRad - dof.minRad > kWideRad ? bendShare(kind) : 0;
-            poses[h][kRigidDofs + static_cast<Eigen::Index>(d)] = std::clamp(share * bent, dof.minRad, dof.maxRad);
+            const double share = isWide(dofs[d]) ? bendShare(kind) : 0;
+            poses[h][kRigidDofs + static_cast<Eigen::Index>(d)] = bentAngle(dofs[d], share);
         }
     }
     return poses;
@@ -78,14 +88,13 @@ HandPoses withFingers(const FittingHands& hands, HandPoses poses, StartKind kind
 
 /// The wide degrees of freedom of each finger, from its base outward: those below one child of the root bone.
 std::vector<std::vector<std::size_t>> wideDofsPerFinger(const Skeleton& skeleton) {
-    constexpr double kWideRad = 1;
     std::map<int, std::vector<std::size_t>> byBase;
     for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
         const DegreeOfFreedom& dof = skeleton.dofs[d];
         int base = dof.bone;
         while (skeleton.bones[static_cast<std::size_t>(base)].parent > 0)
             base = skeleton.bones[static_cast<std::size_t>(base)].parent;
-        if (dof.maxRad - dof.minRad > kWideRad)
+        if (isWide(dof))
             byBase[base].push_back(d);
     }
     std::vector<std::vector<std::size_t>> fingers;
@@ -107,12 +116,9 @@ HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score) {
         for (const std::vector<std::size_t>& finger : wideDofsPerFinger(skeleton)) {
             Pose chosen = poses[h];
             for (const Shape& shape : kShapes) {
-                for (std::size_t k = 0; k < finger.size(); ++k) {
-                    const DegreeOfFreedom& dof = skeleton.dofs[finger[k]];
-                    const double bent = -dof.minRad > dof.maxRad ? dof.minRad : dof.maxRad;
+                for (std::size_t k = 0; k < finger.size(); ++k)
                     poses[h][kRigidDofs + static_cast<Eigen::Index>(finger[k])] =
-                        std::clamp((k == 0 ? shape.base : shape.others) * bent, dof.minRad, dof.maxRad);
-                }
+                        bentAngle(skeleton.dofs[finger[k]], k == 0 ? shape.base : shape.others);
                 const double shapeScore = refiner.silhouetteDifferencePx(poses);
                 if (shapeScore < score) {
                     score = shapeScore;
@@ -125,87 +131,106 @@ HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score) {
     return poses;
 }
 
-/// Replaces `best` by attempts from other shapes of single fingers, as long as the silhouettes differ by more than the
-/// contour's noise explains and a shape is found that is better. False if the fit is over.
-bool improveByFingers(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, FitAttempt& best) {
-    double bestScore = refiner.silhouetteDifferencePx(best.poses);
-    if (bestScore <= kUnexplainedPx)
-        return true;
-    const int depthPx = beyondNoisePx(refiner.contourNoise(best.poses).px);
-    for (int search = 0; search < kFingerSearches; ++search) {
-        if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
-            return true;
-        FitAttempt attempt;
-        double found = bestScore;
-        attempt.poses = searchFingers(refiner, best.poses, found);
-        if (found >= bestScore)
-            return true;
-        if (!loop.run(phases.fromOtherFingers, attempt)) {
-            best.termination = attempt.termination;
-            return false;
-        }
-        const double score = refiner.silhouetteDifferencePx(attempt.poses);
-        const double apartMm = meanJointDistanceMm(refiner.hands().models, best.poses, attempt.poses);
-        const bool better = score < bestScore;
-        const double rivalMm = std::max(score, bestScore) <= kRivalScore * std::min(score, bestScore) ? apartMm : 0;
-        attempt.rivalMm = best.rivalMm = rivalMm;
-        if (!better)
-            return true;
-        bestScore = score;
-        best = std::move(attempt);
-    }
-    return true;
-}
+/// The best attempt so far, and the search for a better one from other starts.
+class OtherStarts {
+public:
+    OtherStarts(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const HandPoses& start, FitAttempt& best)
+        : m_refiner(refiner)
+        , m_loop(loop)
+        , m_phases(phases)
+        , m_start(start)
+        , m_best(best)
+        , m_scorePx(refiner.silhouetteDifferencePx(best.poses)) {}
 
-/// Replaces `best` by an attempt from another start that explains the masks better, as long as they are left
-/// unexplained by more than the contour's noise. False if the fit is over.
-bool improveBeyondNoise(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases,
-                        std::span<const StartKind> otherStarts, const HandPoses& start, FitAttempt& best) {
-    double bestScore = refiner.silhouetteDifferencePx(best.poses);
-    if (bestScore <= kUnexplainedPx)
+    bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
+    /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
+    std::function<bool()> explainedByNoise() {
+        return [this, depthPx = beyondNoisePx(m_refiner.contourNoise(m_best.poses).px)] {
+            return m_refiner.deepDifferencePx(m_best.poses, depthPx) <= kUnexplainedDeepPx;
+        };
+    }
+
+    /// Attempts from whole other starts, until what is left is explained. False if the fit is over.
+    bool tryStarts(std::span<const StartKind> kinds, const std::function<bool()>& explained);
+    /// Attempts from other shapes of single fingers, as long as a shape is found that is better. False if the fit is
+    /// over.
+    bool tryFingers(const std::function<bool()>& explained);
+
+private:
+    bool run(const std::vector<Phase>& phases, FitAttempt& attempt) {
+        const bool goesOn = m_loop.run(phases, attempt);
+        if (!goesOn)
+            m_best.termination = attempt.termination;
+        return goesOn;
+    }
+    /// False if it is not better.
+    bool take(FitAttempt attempt, double scorePx) {
+        if (scorePx >= m_scorePx)
+            return false;
+        m_scorePx = scorePx;
+        m_best = std::move(attempt);
         return true;
-    const int depthPx = beyondNoisePx(refiner.contourNoise(best.poses).px);
-    for (const StartKind kind : otherStarts) {
-        if (refiner.deepDifferencePx(best.poses, depthPx) <= kUnexplainedDeepPx)
+    }
+
+    PoseRefiner& m_refiner;
+    FitLoop& m_loop;
+    const BestPhases& m_phases;
+    const HandPoses& m_start;
+    FitAttempt& m_best;
+    double m_scorePx;
+};
+
+bool OtherStarts::tryStarts(std::span<const StartKind> kinds, const std::function<bool()>& explained) {
+    for (const StartKind kind : kinds) {
+        if (explained())
             return true;
         const bool again = kind == StartKind::Start;
         FitAttempt attempt;
-        attempt.poses = again ? start : withFingers(refiner.hands(), best.poses, kind);
-        if (!loop.run(again ? phases.again : phases.fromOtherFingers, attempt)) {
-            best.termination = attempt.termination;
+        attempt.poses = again ? m_start : withFingers(m_refiner.hands(), m_best.poses, kind);
+        if (!run(again ? m_phases.again : m_phases.fromOtherFingers, attempt))
             return false;
-        }
-        const double score = refiner.silhouetteDifferencePx(attempt.poses);
-        if (score < bestScore) {
-            bestScore = score;
-            best = std::move(attempt);
-        }
+        const double scorePx = m_refiner.silhouetteDifferencePx(attempt.poses);
+        take(std::move(attempt), scorePx);
     }
     return true;
 }
 
-/// Replaces `best` by another attempt that explains the masks better, as long as they are left unexplained. False if
-/// the fit is over.
-bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, std::span<const StartKind> otherStarts,
+bool OtherStarts::tryFingers(const std::function<bool()>& explained) {
+    for (int search = 0; search < kFingerSearches && !explained(); ++search) {
+        FitAttempt attempt;
+        double foundPx = m_scorePx;
+        attempt.poses = searchFingers(m_refiner, m_best.poses, foundPx);
+        if (foundPx >= m_scorePx)
+            return true;
+        if (!run(m_phases.fromOtherFingers, attempt))
+            return false;
+        const double scorePx = m_refiner.silhouetteDifferencePx(attempt.poses);
+        const bool isRival = std::max(scorePx, m_scorePx) <= kRivalScore * std::min(scorePx, m_scorePx);
+        attempt.rivalMm = m_best.rivalMm =
+            isRival ? meanJointDistanceMm(m_refiner.hands().models, m_best.poses, attempt.poses) : 0;
+        if (!take(std::move(attempt), scorePx))
+            return true;
+    }
+    return true;
+}
+
+/// Replaces `best` by attempts that explain the masks better, as long as they are left unexplained. False if the fit is
+/// over.
+bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const BestOptions& options,
              const HandPoses& start, FitAttempt& best) {
-    double bestScore = refiner.silhouetteDifferencePx(best.poses);
-    for (const StartKind kind : otherStarts) {
-        if (bestScore <= kUnexplainedPx)
-            return true;
-        const bool again = kind == StartKind::Start;
-        FitAttempt attempt;
-        attempt.poses = again ? start : withFingers(refiner.hands(), best.poses, kind);
-        if (!loop.run(again ? phases.again : phases.fromOtherFingers, attempt)) {
-            best.termination = attempt.termination;
-            return false;
-        }
-        const double score = refiner.silhouetteDifferencePx(attempt.poses);
-        if (score < bestScore) {
-            bestScore = score;
-            best = std::move(attempt);
-        }
-    }
-    return true;
+    OtherStarts others(refiner, loop, phases, start, best);
+    const std::span<const StartKind> all(kOtherStarts);
+    if (!isRelative(options))
+        return others.tryStarts(
+            options.live ? std::span<const StartKind>(kOtherLiveStarts) : all,
+            [&others] { return others.isExplained(); });
+    const std::array<std::function<bool(const std::function<bool()>&)>, 4> stages{
+        [&](const auto& explained) { return others.tryStarts(all.first(1), explained); },
+        [&](const auto& explained) { return others.tryFingers(explained); },
+        [&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); },
+        [&](const auto& explained) { return others.tryFingers(explained); }};
+    return std::all_of(stages.begin(), stages.end(),
+                       [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); });
 }
 
 /// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
@@ -228,20 +253,10 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     const BestPhases phases = bestPhases(options);
     const int expected = mostIterations(phases.main) + mostIterations(phases.polish);
     FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
-    const std::span<const StartKind> otherStarts =
-        options.live ? std::span<const StartKind>(kOtherLiveStarts) : std::span<const StartKind>(kOtherStarts);
     FitAttempt attempt;
     attempt.poses = start;
-    const auto improved = [&] {
-        if (!isRelative(options))
-            return improve(refiner, loop, phases, otherStarts, start, attempt);
-        const std::span<const StartKind> all(kOtherStarts);
-        return improveBeyondNoise(refiner, loop, phases, all.first(1), start, attempt) &&
-               improveByFingers(refiner, loop, phases, attempt) &&
-               improveBeyondNoise(refiner, loop, phases, all.subspan(1), start, attempt) &&
-               improveByFingers(refiner, loop, phases, attempt);
-    };
-    if (loop.run(phases.main, attempt) && (!options.restarts || improved())) {
+    if (loop.run(phases.main, attempt) &&
+        (!options.restarts || improve(refiner, loop, phases, options, start, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);
     }
