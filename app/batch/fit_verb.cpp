@@ -96,7 +96,8 @@ void fit(const FitArguments& arguments) {
     for (const core::Camera& camera : dataset.cameras)
         masks.push_back(core::renderHandsMask(camera, dataset.hands, truth));
     const core::PoseEstimator estimator(dataset.hands, dataset.cameras);
-    const core::FitResult result = estimator.fit(masks, start, method, interruptToken(), {}, arguments.threads);
+    const core::FitResult result =
+        estimator.fit(masks, start, method, interruptToken(), {}, arguments.threads, {.confidence = true});
     if (result.termination == core::FitTermination::Stopped)
         throw Interrupted(arguments.out + ": stopped; nothing was written");
     const double initialErrorMm = core::meanJointDistanceMm(dataset.hands, start, truth);

@@ -71,11 +71,14 @@ struct FitResult {
     double seconds = 0; ///< from masks in memory to the final pose
     FitProfile profile;
     std::shared_ptr<const FitTrace> trace;   ///< null unless the fit records its matches
-    std::optional<FitConfidence> confidence; ///< not there without matches, nor in the real-time variant
+    std::optional<FitConfidence> confidence; ///< if asked for; not there without matches, nor in the real-time variant
 };
 
-/// Whether a fit keeps what each iteration matched: 32 bytes per rim point, camera and iteration.
-enum class MatchRecording { Off, On };
+/// What a fit returns beyond its poses; poses, counts and seconds are the same with and without.
+struct FitExtras {
+    bool matches = false;    ///< FitResult::trace and the iterations' matches: 32 bytes per rim point and camera
+    bool confidence = false; ///< FitResult::confidence
+};
 
 /// Called after every iteration with its number and the most there can be.
 using FitProgress = std::function<void(int iteration, int maxIterations)>;

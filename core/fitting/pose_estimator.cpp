@@ -76,11 +76,10 @@ PoseEstimator& PoseEstimator::operator=(PoseEstimator&&) noexcept = default;
 
 FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses& start, const Method& method,
                              std::stop_token stop, const FitProgress& progress, int threads,
-                             MatchRecording recording) const {
+                             const FitExtras& extras) const {
     checkInput(m_impl->hands.models, m_impl->cameras, masks, start);
     const Stopwatch total;
     FitResult result;
-    result.poses = start;
     const MatchRule rule = matchRule(method);
     auto trace = std::make_shared<FitTrace>();
     trace->targets = makeFitTargets(m_impl->cameras, masks, targetOptions(method, rule), threads);
@@ -90,26 +89,24 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
         result.profile.transforms += target.secondsTransform;
     }
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
-    refiner.setRecording(recording);
+    refiner.recordMatches(extras.matches);
     if (method.forearm == Forearm::Cut)
         refiner.cutForearms(start);
-    if (targets.empty()) {
-        result.termination = FitTermination::NoMatches;
-    } else {
-        FitAttempt attempt = method.best ? fitBest(refiner, method, start, std::move(stop), progress)
-                                         : fitPaperMethod(refiner, method, rule, start, std::move(stop), progress);
-        result.poses = std::move(attempt.poses);
-        result.history = std::move(attempt.history);
-        result.termination = attempt.termination;
-        result.seconds = total.seconds();
-        const bool isOver =
-            result.termination == FitTermination::Stopped || result.termination == FitTermination::NoMatches;
-        if (!isOver && !(method.best && method.best->live))
-            result.confidence = judgeFit(refiner, start, result.poses, attempt.rivalMm);
-    }
-    if (targets.empty())
-        result.seconds = total.seconds();
-    if (recording == MatchRecording::On) {
+    FitAttempt attempt;
+    attempt.poses = start;
+    attempt.termination = FitTermination::NoMatches;
+    if (!targets.empty())
+        attempt = method.best ? fitBest(refiner, method, start, std::move(stop), progress)
+                              : fitPaperMethod(refiner, method, rule, start, std::move(stop), progress);
+    result.seconds = total.seconds();
+    const bool isOver =
+        attempt.termination == FitTermination::Stopped || attempt.termination == FitTermination::NoMatches;
+    if (extras.confidence && !isOver && !(method.best && method.best->live))
+        result.confidence = judgeFit(refiner, start, attempt.poses, attempt.rivalMm);
+    result.poses = std::move(attempt.poses);
+    result.history = std::move(attempt.history);
+    result.termination = attempt.termination;
+    if (extras.matches) {
         trace->finalMatches = refiner.matchesAt(result.poses);
         result.trace = std::move(trace);
     }

@@ -24,11 +24,10 @@ public:
     PoseEstimator& operator=(PoseEstimator&&) noexcept;
 
     /// masks: one per camera, CV_8U of the camera's size, 0 = background; an empty Mat leaves that camera out.
-    /// start: one pose per hand. With MatchRecording::On the result holds its trace and the matches of every iteration;
-    /// poses and counts are the same. Throws Error(BadInput) if the sizes do not agree.
+    /// start: one pose per hand. Throws Error(BadInput) if the sizes do not agree.
     FitResult fit(const std::vector<cv::Mat>& masks, const HandPoses& start, const Method& method,
                   std::stop_token stop = {}, const FitProgress& progress = {}, int threads = 1,
-                  MatchRecording recording = MatchRecording::Off) const;
+                  const FitExtras& extras = {}) const;
 
 private:
     struct Impl;

@@ -117,9 +117,9 @@ void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail deta
     view.secondsRim += watch.seconds();
 }
 
-void PoseRefiner::setRecording(MatchRecording recording) {
+void PoseRefiner::recordMatches(bool on) {
     for (View& view : m_views)
-        view.matched.recording = recording == MatchRecording::On;
+        view.matched.recording = on;
 }
 
 /// Null unless the iteration recorded.

@@ -41,7 +41,7 @@ public:
     FitIteration iterate(HandPoses& poses, const IterationSettings& settings);
 
     /// From now on, iterations record their matches, or no longer.
-    void setRecording(MatchRecording recording);
+    void recordMatches(bool on);
     /// The matches that another iteration with the last one's settings would step from; none before the first.
     IterationMatches matchesAt(const HandPoses& poses);
 

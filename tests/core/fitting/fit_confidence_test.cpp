@@ -70,7 +70,8 @@ TEST(FitConfidence, JointCovariancesAreThoseOfSteppedJoints) {
 TEST(FitConfidence, DoubtsAPoseThatLeavesTheSilhouettesUnexplained) {
     test::FittingScene scene("doubt", 5);
     const core::PoseEstimator estimator(scene.hands, scene.cameras);
-    const core::FitResult good = estimator.fit(scene.masks, scene.start, core::parseMethod("best"));
+    const core::FitResult good =
+        estimator.fit(scene.masks, scene.start, core::parseMethod("best"), {}, {}, 1, {.confidence = true});
     ASSERT_LT(scene.errorMm(good.poses), 0.8);
     ASSERT_TRUE(good.confidence);
     EXPECT_LT(good.confidence->doubt, core::kTrustedDoubt);
@@ -92,9 +93,12 @@ TEST(FitConfidence, DoubtsAPoseThatLeavesTheSilhouettesUnexplained) {
 TEST(FitConfidence, TheRealTimeVariantAndEmptyMasksHaveNone) {
     test::FittingScene scene("doubt", 5);
     const core::PoseEstimator estimator(scene.hands, scene.cameras);
-    EXPECT_FALSE(estimator.fit(scene.masks, scene.start, core::parseMethod("best:live=1")).confidence);
+    EXPECT_FALSE(
+        estimator.fit(scene.masks, scene.start, core::parseMethod("best:live=1"), {}, {}, 1, {.confidence = true})
+            .confidence);
     const std::vector<cv::Mat> none(scene.masks.size());
-    EXPECT_FALSE(estimator.fit(none, scene.start, core::parseMethod("best")).confidence);
+    EXPECT_FALSE(
+        estimator.fit(none, scene.start, core::parseMethod("best"), {}, {}, 1, {.confidence = true}).confidence);
 }
 
 } // namespace

@@ -19,8 +19,9 @@ using core::MatchVerdict;
 
 class Trace : public testing::Test {
 protected:
-    FitResult fit(const std::string& method, core::MatchRecording recording, int threads = 1) const {
-        return m_estimator.fit(m_scene.masks, m_scene.start, core::parseMethod(method), {}, {}, threads, recording);
+    FitResult fit(const std::string& method, bool matches, int threads = 1) const {
+        return m_estimator.fit(m_scene.masks, m_scene.start, core::parseMethod(method), {}, {}, threads,
+                               {.matches = matches});
     }
 
     test::FittingScene m_scene{"fit trace"};
@@ -45,8 +46,8 @@ void forEveryMatch(const FitResult& result, Check&& check) {
 
 TEST_F(Trace, RecordingChangesNothing) {
     for (const char* const method : {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3", "best"}) {
-        const FitResult plain = fit(method, core::MatchRecording::Off);
-        const FitResult recorded = fit(method, core::MatchRecording::On, 2);
+        const FitResult plain = fit(method, false);
+        const FitResult recorded = fit(method, true, 2);
         EXPECT_EQ(plain.trace, nullptr);
         EXPECT_EQ(plain.history.front().matchRecords, nullptr);
         ASSERT_EQ(plain.history.size(), recorded.history.size()) << method;
@@ -59,7 +60,7 @@ TEST_F(Trace, RecordingChangesNothing) {
 
 TEST_F(Trace, HoldsAsManyMatchesAsTheIterationCounted) {
     for (const char* const method : {"ch", "dch-thres", "dch-quant2", "best", "best:both=1"}) {
-        const FitResult result = fit(method, core::MatchRecording::On);
+        const FitResult result = fit(method, true);
         for (const core::FitIteration& iteration : result.history) {
             ASSERT_NE(iteration.matchRecords, nullptr) << method;
             EXPECT_EQ(count(*iteration.matchRecords, true), iteration.matches) << method;
@@ -71,31 +72,29 @@ TEST_F(Trace, HoldsAsManyMatchesAsTheIterationCounted) {
 
 TEST_F(Trace, MatchesOfChAreTheNearestContourPoints) {
     int seen = 0;
-    forEveryMatch(
-        fit("ch", core::MatchRecording::On), [&](const MatchRecord& match, const core::OrientedContour& contour) {
-            if (seen++ % 37 != 0) // every 37th is enough for a search through all contour points
-                return;
-            float nearest = std::numeric_limits<float>::infinity();
-            for (std::size_t q = 0; q < contour.size(); ++q)
-                nearest = std::min(nearest, std::hypot(contour.x[q] - match.rimPx.x(), contour.y[q] - match.rimPx.y()));
-            EXPECT_NEAR(core::matchGeometry(match, contour).residualPx, nearest, 1e-3f);
-            EXPECT_EQ(match.verdict, MatchVerdict::Kept);
-        });
+    forEveryMatch(fit("ch", true), [&](const MatchRecord& match, const core::OrientedContour& contour) {
+        if (seen++ % 37 != 0) // every 37th is enough for a search through all contour points
+            return;
+        float nearest = std::numeric_limits<float>::infinity();
+        for (std::size_t q = 0; q < contour.size(); ++q)
+            nearest = std::min(nearest, std::hypot(contour.x[q] - match.rimPx.x(), contour.y[q] - match.rimPx.y()));
+        EXPECT_NEAR(core::matchGeometry(match, contour).residualPx, nearest, 1e-3f);
+        EXPECT_EQ(match.verdict, MatchVerdict::Kept);
+    });
     EXPECT_GT(seen, 1000);
 }
 
 TEST_F(Trace, DchThresKeepsWhatPassesTheAngleTest) {
     int kept = 0, refused = 0;
-    forEveryMatch(fit("dch-thres:tau=15", core::MatchRecording::On),
-                  [&](const MatchRecord& match, const core::OrientedContour& contour) {
-                      const core::MatchGeometry geometry = core::matchGeometry(match, contour);
-                      const double apart = core::signedCircularDistance(static_cast<double>(match.rimAngleRad),
-                                                                        static_cast<double>(geometry.contourAngleRad));
-                      const bool isKept = match.verdict == MatchVerdict::Kept;
-                      EXPECT_EQ(isKept, apart < 15 * std::numbers::pi / 180);
-                      EXPECT_EQ(core::matchVerdictName(match.verdict), isKept ? "" : "orientation");
-                      ++(isKept ? kept : refused);
-                  });
+    forEveryMatch(fit("dch-thres:tau=15", true), [&](const MatchRecord& match, const core::OrientedContour& contour) {
+        const core::MatchGeometry geometry = core::matchGeometry(match, contour);
+        const double apart = core::signedCircularDistance(static_cast<double>(match.rimAngleRad),
+                                                          static_cast<double>(geometry.contourAngleRad));
+        const bool isKept = match.verdict == MatchVerdict::Kept;
+        EXPECT_EQ(isKept, apart < 15 * std::numbers::pi / 180);
+        EXPECT_EQ(core::matchVerdictName(match.verdict), isKept ? "" : "orientation");
+        ++(isKept ? kept : refused);
+    });
     EXPECT_GT(kept, 1000);
     EXPECT_GT(refused, 100);
 }
