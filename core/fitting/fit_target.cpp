@@ -32,14 +32,7 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
         kept.angleRad.push_back(found.angleRad[i]);
         directions.push_back((worldFromCamera * normalised->homogeneous()).normalized());
     }
-    OrientedContour searched = kept;
-    if (options.wholePixels) {
-        for (std::size_t i = 0; i < searched.size(); ++i) {
-            searched.x[i] = std::round(searched.x[i]);
-            searched.y[i] = std::round(searched.y[i]);
-        }
-    }
-    ContourIndex contourIndex(searched, options.bins);
+    ContourIndex searched = contourIndex(kept, options.bins, options.wholePixels);
     std::optional<Dt3Tensor> tensor;
     if (options.tensorLambdaPxPerRad >= 0) {
         const cv::Rect region =
@@ -52,13 +45,24 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
             std::move(kept),
             std::move(directions),
             camera.centreInWorld(),
-            std::move(contourIndex),
+            std::move(searched),
             std::move(tensor),
             0,
             watch.seconds()};
 }
 
 } // namespace
+
+ContourIndex contourIndex(const OrientedContour& contour, const OrientationBins& bins, bool wholePixels) {
+    if (!wholePixels)
+        return {contour, bins};
+    OrientedContour searched = contour;
+    for (std::size_t i = 0; i < searched.size(); ++i) {
+        searched.x[i] = std::round(searched.x[i]);
+        searched.y[i] = std::round(searched.y[i]);
+    }
+    return {searched, bins};
+}
 
 std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& masks,
                                          const FitTargetOptions& options, int threads) {

@@ -33,6 +33,9 @@ inline Eigen::Vector2f contourPx(const CameraTarget& target, int point) {
     return {target.contour.x[q], target.contour.y[q]};
 }
 
+/// Prepares a contour for searching. wholePixels: at pixel centres, as a distance transform does.
+ContourIndex contourIndex(const OrientedContour& contour, const OrientationBins& bins, bool wholePixels);
+
 struct FitTargetOptions {
     ContourOptions contour;
     OrientationBins bins{16, true};

@@ -216,20 +216,14 @@ ContourProbe probeContour(const CameraTarget& target, const MatchRule& rule, con
 }
 
 CameraTarget targetForRule(const CameraTarget& target, const MatchRule& rule) {
-    OrientedContour searched = target.contour;
-    for (std::size_t i = 0; rule.wholePixels && i < searched.size(); ++i) {
-        searched.x[i] = std::round(searched.x[i]);
-        searched.y[i] = std::round(searched.y[i]);
-    }
-    CameraTarget result{target.camera,
-                        target.mask,
-                        target.maskBounds,
-                        target.contour,
-                        {},
-                        target.centre,
-                        ContourIndex(searched, rule.bins),
-                        std::nullopt};
-    return result;
+    return {target.camera,
+            target.mask,
+            target.maskBounds,
+            target.contour,
+            {},
+            target.centre,
+            contourIndex(target.contour, rule.bins, rule.wholePixels),
+            std::nullopt};
 }
 
 } // namespace core

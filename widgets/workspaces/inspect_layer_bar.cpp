@@ -142,7 +142,9 @@ void InspectLayerBar::showProbe(const std::string& method, const ShownMatches& s
             names.emplace_back(name);
     for (const std::string& name : names) {
         const core::MatchRule rule = core::matchRule(core::parseMethod(name));
-        const core::ContourProbe probe = core::probeContour(core::targetForRule(*shown.target, rule), rule, p, *angle);
+        const core::ContourProbe probe =
+            name == method ? core::probeContour(*shown.target, rule, p, *angle)
+                           : core::probeContour(core::targetForRule(*shown.target, rule), rule, p, *angle);
         const QString text = probe.contourPoint < 0 ? tr("none") : tr("%1 px").arg(number(probe.cost, 1));
         const bool isRefused = probe.contourPoint >= 0 && probe.verdict != core::MatchVerdict::Kept;
         parts << QStringLiteral("%1 %2").arg(QString::fromStdString(name),

@@ -112,7 +112,7 @@ QJsonObject probeAt(MainWindow& window, const QJsonObject& step) {
         throw impossible("camera", QStringLiteral("the method has no rim points there"));
     const core::MatchRule rule = core::matchRule(core::parseMethod(textField(step, "method").toStdString()));
     const Eigen::Vector2f p(static_cast<float>(px.x()), static_cast<float>(px.y()));
-    const core::ContourProbe probe = core::probeContour(core::targetForRule(*shown.target, rule), rule, p, *angle);
+    const core::ContourProbe probe = core::probeContour(*shown.target, rule, p, *angle);
     QJsonObject answer;
     const bool isFound = probe.contourPoint >= 0;
     answer[QStringLiteral("nearest")] =
