@@ -16,15 +16,19 @@ namespace {
 
 using nlohmann::json;
 
-/// Of two pictures' pixels, those that differ; 1 if their sizes do.
-double differingShare(const QImage& a, const QImage& b) {
+/// The largest difference of two pictures in any channel of any pixel; 256 if their sizes differ.
+int largestDifference(const QImage& a, const QImage& b) {
     if (a.isNull() || a.size() != b.size())
-        return 1;
-    int different = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            different += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
-    return static_cast<double>(different) / (a.width() * a.height());
+        return 256;
+    int largest = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            largest = std::max(
+                {largest, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
+        }
+    }
+    return largest;
 }
 
 /// Scripts about a fitted pair: what is printed is checked against the silhouettes that the fit was to meet.
@@ -163,8 +167,8 @@ TEST_F(InspectScript, AWorkspaceFileBringsTheSameViewsBack) {
     app::restoreWorkspace(*window, saved);
     EXPECT_EQ(app::saveWorkspacePictures(*window, second), names);
     for (const QString& name : names)
-        EXPECT_LT(differingShare(QImage(first.filePath(name)), QImage(second.filePath(name))), 0.02)
-            << name.toStdString() << ": edges may lie a fraction of a pixel elsewhere after other layouts";
+        EXPECT_LE(largestDifference(QImage(first.filePath(name)), QImage(second.filePath(name))), 3)
+            << name.toStdString() << ": Qt rounds blends by where an image lies in memory, one level per layer";
     app::Workspace lost = saved;
     lost.camera = "cam77";
     EXPECT_THROW(app::restoreWorkspace(*window, lost), core::Error);
