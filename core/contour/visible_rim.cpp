@@ -68,10 +68,6 @@ void Coverage::markIgnored(int row, std::span<const ConvexRegion> ignored,
     }
 }
 
-double Coverage::differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored) const {
-    return compare(mask, {}, ignored).differencePx2;
-}
-
 SilhouetteComparison Coverage::compare(const cv::Mat& mask, const cv::Mat& unsure,
                                        std::span<const ConvexRegion> ignored) const {
     std::size_t different = 0, deep = 0, either = 0;
@@ -238,12 +234,6 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
 }
 
 } // namespace
-
-double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
-                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
-                               std::span<const ConvexRegion> ignored) {
-    return compareSilhouettes(camera, hands, options, mask, {}, maskBounds, scratch, ignored).differencePx2;
-}
 
 SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<RimSource>& hands,
                                         const RimOptions& options, const cv::Mat& mask, const cv::Mat& unsure,

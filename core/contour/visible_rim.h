@@ -42,11 +42,9 @@ public:
     void add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c);
     /// True if the cell under the pixel is covered; false outside.
     bool covers(const Eigen::Vector2f& px) const;
-    /// Area (px^2) where the coverage and the mask disagree, sampled at the cells' centres. mask: CV_8U. What lies in
-    /// an `ignored` region does not count.
-    double differencePx2(const cv::Mat& mask, std::span<const ConvexRegion> ignored = {}) const;
-    /// The same with all areas. unsure: CV_8U of the mask's size, not 0 where the mask may be wrong (near its outline);
-    /// empty if it is sure everywhere.
+    /// Compares the coverage with a mask (CV_8U), sampled at the cells' centres. What lies in an `ignored` region does
+    /// not count. unsure: CV_8U of the mask's size, not 0 where the mask may be wrong (near its outline); empty if it
+    /// is sure everywhere.
     SilhouetteComparison compare(const cv::Mat& mask, const cv::Mat& unsure,
                                  std::span<const ConvexRegion> ignored = {}) const;
     int width() const { return m_width; }
@@ -85,12 +83,8 @@ struct RimScratch {
     std::vector<RimPoint> candidates;
 };
 
-/// Area in px^2 of the symmetric difference between the hands' silhouette (of their coverage level, in cells of
-/// options.cellPx) and an observed mask, outside the `ignored` regions; maskBounds holds all of the mask's foreground.
-double silhouetteDifferencePx2(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
-                               const cv::Mat& mask, const cv::Rect& maskBounds, RimScratch& scratch,
-                               std::span<const ConvexRegion> ignored = {});
-/// The same with all areas, see Coverage::compare.
+/// Compares the hands' silhouette (of their coverage level, in cells of options.cellPx) with an observed mask, outside
+/// the `ignored` regions; maskBounds holds all of the mask's foreground. unsure: see Coverage::compare.
 SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<RimSource>& hands,
                                         const RimOptions& options, const cv::Mat& mask, const cv::Mat& unsure,
                                         const cv::Rect& maskBounds, RimScratch& scratch,

@@ -42,8 +42,8 @@ TEST(Coverage, LeavesIgnoredRegionsOutOfTheDifference) {
         for (int x = 0; x <= 40; ++x)
             inside += kDiamond.contains({static_cast<float>(x), static_cast<float>(y)});
     const std::vector<ConvexRegion> ignored{kDiamond};
-    EXPECT_EQ(coverage.differencePx2(mask), 41 * 41);
-    EXPECT_EQ(coverage.differencePx2(mask, ignored), 41 * 41 - inside);
+    EXPECT_EQ(coverage.compare(mask, {}).differencePx2, 41 * 41);
+    EXPECT_EQ(coverage.compare(mask, {}, ignored).differencePx2, 41 * 41 - inside);
 }
 
 TEST(Coverage, TellsDeepDifferencesFromThoseNearTheOutline) {

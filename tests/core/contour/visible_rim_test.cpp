@@ -64,7 +64,8 @@ public:
     double differencePx2(const Camera& camera, const cv::Mat& mask, float cellPx) {
         RimOptions options;
         options.cellPx = cellPx;
-        return core::silhouetteDifferencePx2(camera, sources(), options, mask, core::maskBounds(mask), m_scratch);
+        return core::compareSilhouettes(camera, sources(), options, mask, {}, core::maskBounds(mask), m_scratch)
+            .differencePx2;
     }
 
     const core::SkinnedSurface& level(std::size_t hand) const { return m_levels[hand]; }
