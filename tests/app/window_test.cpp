@@ -22,7 +22,7 @@ namespace {
 using core::Side;
 using nlohmann::json;
 
-const core::JointId kIndex{Side::Left, "index_mcp"};
+using test::kIndex;
 
 class WindowClicks : public test::WindowTest {
 protected:
