@@ -34,7 +34,7 @@ struct RaterSummary {
     HandCoverage joints;            ///< over both hands and all frames
     std::map<int, int> doneByFrame; ///< finished joints of both hands, for frames with marks
     std::optional<ClickNoise> noise;
-    std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; nothing without them
+    std::optional<RaterSigma> sigma;      ///< how far the dataset says that clicks scatter; empty if not known
     std::vector<QualityFinding> findings; ///< by frame
 };
 

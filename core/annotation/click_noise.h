@@ -22,7 +22,7 @@ struct ClickNoise {
 
 /// Estimates the scatter of one rater's clicks from the residuals of all joints that three or more views agree on:
 /// sigma^2 = sum r^2 / (2 clicks - 3 joints); per camera each residual is weighed by its leverage, tr(I - J C J^T /
-/// sigma^2). The outlier gate follows the estimate (from `startSigmaPx` down) until it stays. Nothing with fewer than
+/// sigma^2). The outlier gate follows the estimate (from `startSigmaPx` down) until it stays. Empty with fewer than
 /// `leastJoints` such joints.
 std::optional<ClickNoise> estimateClickNoise(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                              const std::string& rater, const TriangulationOptions& options = {},

@@ -23,7 +23,7 @@ struct RigRefinementOptions {
     double functionTolerance = 1e-7; ///< ends when |cost change| < it * cost
 };
 
-/// What became of one camera.
+/// How one camera was changed.
 struct CameraRefinement {
     std::string camera;
     int clicks = 0;

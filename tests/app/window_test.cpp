@@ -14,8 +14,8 @@
 
 #include "app/desktop/script/real_input.h"
 #include "core/io/dataset/frames.h"
+#include "tests/app/no_room.h"
 #include "tests/app/window_fixture.h"
-#include "tests/support/no_room.h"
 
 namespace {
 

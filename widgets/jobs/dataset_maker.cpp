@@ -9,6 +9,7 @@
 
 #include "core/error.h"
 #include "core/io/calibration/calibration.h"
+#include "widgets/text/footage_text.h"
 
 namespace widgets {
 
@@ -78,11 +79,8 @@ void DatasetMaker::make(const NewDatasetRequest& request) {
             core::makeSequence(request.sequence, dataset.cameras, request.footage, request.folder);
         dataset.sequences.push_back(made.sequence);
         core::writeDataset(dataset, {}, request.folder);
-        QStringList notes;
-        for (const std::string& note : made.notes)
-            notes << QString::fromStdString(note);
-        return [this, folder = QString::fromStdString(request.folder.string()), notes] {
-            emit this->made(folder, notes.join(QLatin1Char('\n')));
+        return [this, folder = QString::fromStdString(request.folder.string()), notes = made.notes] {
+            emit this->made(folder, footageNotesInWords(notes).join(QLatin1Char('\n')));
         };
     });
 }

@@ -18,7 +18,7 @@ namespace widgets {
 /// What a dataset is made of.
 struct NewDatasetRequest {
     std::filesystem::path calibration;
-    std::optional<double> mmPerUnit; ///< of the calibration; nothing: what is usual for its kind
+    std::optional<double> mmPerUnit; ///< of the calibration; empty: what is usual for its kind
     std::vector<core::Footage> footage;
     std::string sequence = "1";
     std::filesystem::path folder; ///< of the dataset; does not exist yet, or is empty

@@ -32,7 +32,7 @@ public:
 
     /// By frame.
     const std::vector<core::QualityFinding>& findings() const { return m_findings; }
-    /// Nothing with too few joints that three views agree on.
+    /// Empty with too few joints that three views agree on.
     const std::optional<core::ClickNoise>& clickNoise() const { return m_noise; }
     /// What the clicks of the open sequence are worth; changes when many clicks are new.
     const core::ClickSigmas& clickSigmas() const { return m_sigmas; }

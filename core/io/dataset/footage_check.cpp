@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/dataset/footage_notes.h"
 #include "core/io/dataset/footage_presence.h"
 #include "core/io/dataset/instants.h"
 #include "core/io/dataset/measured_footage.h"
@@ -77,10 +78,12 @@ std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& s
             findings.push_back({false, error.what()});
         }
     }
-    std::vector<std::string> notes = sequence.notes;
-    for (const std::string& note : footageNotes(sequence, measured))
-        if (std::find(notes.begin(), notes.end(), note) == notes.end())
+    std::vector<std::string> notes = notesInWords(sequence);
+    for (const FootageNote& found : footageNotes(sequence, measured)) {
+        const std::string note = footageNoteText(found);
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) // by its words: old datasets hold text alone
             notes.push_back(note);
+    }
     for (const std::string& note : notes) {
         findings.push_back(
             {true, (dataset.folder / "dataset.json").string() + ": sequence \"" + sequence.name + "\": " + note});

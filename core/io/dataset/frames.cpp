@@ -110,7 +110,7 @@ int FrameSource::Impl::threadsPerVideo() const {
     return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, videoCount()), 1, 4);
 }
 
-/// Where it is next used, so that whoever changes the budget need not wait for a video.
+/// Where it is next used, so that a change of the budget does not wait for a video.
 void FrameSource::Impl::applyBudget(View& view) const {
     const std::int64_t share = budget / std::max(1, videoCount());
     if (share > 0 && share != view.budget)

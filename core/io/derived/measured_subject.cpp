@@ -166,7 +166,7 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
         progress(SubjectStage::ReadingAnnotations, -1);
     std::vector<AnnotatedFrame> annotated = annotatedFramesOf(measured.dataset, request);
     addAnnotatedTips(measured.dataset.hands, annotated);
-    measured.rigFindings = datasetRigFindings(original);
+    measured.rigHealth = judgeRig(original.cameras, readRigJoints(original));
     if (makeMetric(measured, annotated))
         annotated = annotatedFramesOf(measured.dataset, request);
     const std::vector<SubjectFrame> frames = chosenFrames(std::move(annotated), request, measured, progress, stop);

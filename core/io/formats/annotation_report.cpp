@@ -38,7 +38,7 @@ std::string tableHead(std::initializer_list<const char*> columns) {
     return text + "</tr></thead>\n<tbody>\n";
 }
 
-/// A number that says nothing without at least that many values behind it.
+/// A number that needs at least that many values behind it to mean anything.
 std::string numberCell(double value, int digits, int values, int least = 1) {
     return htmlNumberCell(values < least ? std::nan("") : value, digits);
 }
