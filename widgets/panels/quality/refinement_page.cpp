@@ -128,7 +128,11 @@ void RefinementPage::showProposal() {
         (refinement.wrongClicks > 0
              ? QLatin1Char(' ') + tr("%n wrong click(s) took no part.", nullptr, refinement.wrongClicks)
              : QString()) +
-        (refinement.converged ? QString() : QLatin1Char(' ') + tr("The adjustment stopped before it had settled.")));
+        (refinement.converged ? QString() : QLatin1Char(' ') + tr("The adjustment stopped before it had settled.")) +
+        (proposal->worldSigmaMm ? QLatin1Char(' ') + tr("Distances and shapes will be as good as the clicks; the world "
+                                                        "as a whole stays where it was, known to %1 mm.")
+                                                         .arg(localNumber(*proposal->worldSigmaMm, 1))
+                                : QString()));
 }
 
 void RefinementPage::showRunning() {
