@@ -85,7 +85,7 @@ void RigHealthView::refresh() {
         texts << tr("There are too few clicks to judge the calibration.");
     m_findings->setText(texts.join(QLatin1Char('\n')));
     m_findings->setVisible(!texts.isEmpty());
-    m_hint->setText(any ? clickSigmaText(state->sigmas) + QLatin1Char('\n') +
+    m_hint->setText(any ? clickSigmaText(m_rig.clickSigmas()) + QLatin1Char('\n') +
                               refinementNeedsText(state->health, state->needs)
                         : QString());
 }
