@@ -187,6 +187,10 @@ void printRefinement(const core::RigRefinement& refinement, const std::optional<
 
 /// Whether refining is worth it, and what it still needs.
 void printAdvice(const core::RigHealth& health, const std::vector<core::RigJoint>& joints, bool isPossible) {
+    if (health.cameras.size() < 3) {
+        std::printf("two cameras cannot tell which of them is off: a refinement needs three\n");
+        return;
+    }
     const core::RefinementNeeds needs = core::adviseRefinement(health, joints);
     switch (isPossible ? needs.advice : core::RefinementAdvice::NeedsMoreJoints) {
     case core::RefinementAdvice::NeedsMoreJoints:

@@ -132,6 +132,11 @@ void RigStudy::look() {
         });
 }
 
+void RigStudy::lookNow() {
+    if (m_wait.isActive() && !m_job.isRunning())
+        look();
+}
+
 void RigStudy::take(const std::shared_ptr<const RigState>& state) {
     m_state = state;
     if (!core::areAlike(state->sigmas, m_sigmas))
@@ -155,8 +160,7 @@ void RigStudy::refine() {
         return;
     }
     m_refiningWanted = true;
-    if (m_wait.isActive())
-        look();
+    lookNow();
     emit refiningChanged();
 }
 

@@ -57,6 +57,9 @@ public:
     /// True when every edit has been looked at.
     bool isUpToDate() const { return !m_job.isRunning() && !m_wait.isActive(); }
 
+    /// Looks at the last edits without waiting for a pause.
+    void lookNow();
+
     /// Refines the calibration from all clicks as they stand now; proposalChanged() or failed() follows.
     void refine();
     void stop();

@@ -60,6 +60,7 @@ void RefinementPage::build() {
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_table->setModel(m_model);
     styleTable(*m_table);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(RefinementModel::Camera, QHeaderView::ResizeToContents);
     m_table->setMinimumSize(560, 200);
     m_progress->setRange(0, 0);
@@ -70,6 +71,8 @@ void RefinementPage::build() {
                            "reconstructed anew"));
     m_files->setMaximumHeight(4 * fontMetrics().lineSpacing() + 2 * kSpacing);
     m_use->setToolTip(tr("The dataset uses that calibration from now on; marks stay as they are"));
+    for (QPushButton* button : {m_refine, m_stop, m_discard, m_use})
+        button->setAutoDefault(false); // Enter must not throw a result away
     auto* title = new QLabel(tr("Calibrations of this dataset"), this);
     title->setBuddy(m_files);
     auto* fileRow = new QHBoxLayout;
