@@ -17,27 +17,21 @@ namespace app {
 
 namespace {
 
-/// True for the folder of a run in both setups.
-bool holdsBothSetups(const std::filesystem::path& folder) {
-    return !std::filesystem::exists(folder / "run.json") && std::filesystem::exists(folder / "synthetic/run.json") &&
-           std::filesystem::exists(folder / "realistic/run.json");
-}
-
 void merge(const std::vector<std::string>& folders, const std::string& out) {
     const std::vector<std::filesystem::path> paths(folders.begin(), folders.end());
-    if (!std::all_of(paths.begin(), paths.end(), holdsBothSetups)) {
+    if (!std::all_of(paths.begin(), paths.end(), core::holdsBothSetups)) {
         const core::BenchmarkFolder merged = core::mergedBenchmarkFolders(paths);
         core::writeBenchmarkFolder(out, merged);
         std::printf("%s", core::markdownTable(core::resultTable(merged.results, merged.info.setup)).c_str());
         return;
     }
     std::vector<core::BenchmarkFolder> merged;
-    for (const char* setup : {"synthetic", "realistic"}) {
+    for (const core::BenchmarkSetup setup : {core::BenchmarkSetup::Synthetic, core::BenchmarkSetup::Realistic}) {
         std::vector<std::filesystem::path> parts;
         for (const std::filesystem::path& path : paths)
-            parts.push_back(path / setup);
+            parts.push_back(core::setupFolder(path, setup));
         merged.push_back(core::mergedBenchmarkFolders(parts));
-        core::writeBenchmarkFolder(std::filesystem::path(out) / setup, merged.back());
+        core::writeBenchmarkFolder(core::setupFolder(out, setup), merged.back());
     }
     core::writeSetupTables(out, merged);
     std::printf("%s", core::markdownTable(core::setupsTable(core::setupResults(merged))).c_str());

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "core/annotation/click_noise.h"
 #include "core/annotation/reconstruction.h"
 #include "core/annotation/sequence_points.h"
 #include "core/error.h"
@@ -29,12 +28,12 @@ struct AnnotatedFrame {
 };
 
 /// The rater with most joints in 3D.
-std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& cameras) {
+std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& cameras, const ClickSigmas& sigmas) {
     std::string busiest;
     std::size_t most = 0;
     for (const std::string& rater : ratersOf(set)) {
         std::size_t count = 0;
-        for (const auto& [frame, points] : sequencePoints(set, cameras, rater))
+        for (const auto& [frame, points] : sequencePoints(set, cameras, rater, sigmas.optionsFor(rater)))
             count += points.size();
         if (count > most) {
             most = count;
@@ -44,24 +43,33 @@ std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& ca
     return busiest;
 }
 
-/// Everything annotated in a sequence, with covariances of clicks as they scatter.
+/// The share of the hand in the variance of a click, the rest being the calibration's.
+double handShareOf(const TriangulationOptions& options) {
+    const double hand = options.sigmaPx * options.sigmaPx;
+    return hand / (hand + options.systematicPx * options.systematicPx);
+}
+
+/// Everything annotated in a sequence, with covariances of clicks as they scatter. What the calibration adds moves
+/// neighbouring joints alike: it is left out, and what of it bends a hand is found with `SubjectResult::modelSigmaMm`.
 std::vector<AnnotatedFrame> annotatedFramesOf(const Dataset& dataset, const Sequence& sequence,
-                                              const std::string& wantedRater) {
+                                              const std::string& wantedRater, const ClickSigmas& sigmas) {
     std::vector<AnnotatedFrame> frames;
     const AnnotationSet set = readAnnotations(dataset, sequence);
-    const std::string rater = wantedRater.empty() ? busiestRater(set, dataset.cameras) : wantedRater;
-    TriangulationOptions options;
-    if (const auto noise = estimateClickNoise(set, dataset.cameras, rater, options))
-        options.sigmaPx = std::max(0.2, noise->sigmaPx);
-    for (const auto& [frame, points] : sequencePoints(set, dataset.cameras, rater, options))
-        frames.push_back({{sequence.name, frame}, points});
+    const std::string rater = wantedRater.empty() ? busiestRater(set, dataset.cameras, sigmas) : wantedRater;
+    const TriangulationOptions options = sigmas.optionsFor(rater);
+    for (auto& [frame, points] : sequencePoints(set, dataset.cameras, rater, options)) {
+        for (auto& [joint, point] : points)
+            point.covariance *= handShareOf(options);
+        frames.push_back({{sequence.name, frame}, std::move(points)});
+    }
     return frames;
 }
 
 std::vector<AnnotatedFrame> annotatedFramesOf(const Dataset& dataset, const SubjectRequest& request) {
     std::vector<AnnotatedFrame> frames;
+    const ClickSigmas sigmas = datasetClickSigmas(dataset);
     for (const std::string& name : request.sequences)
-        for (AnnotatedFrame& frame : annotatedFramesOf(dataset, dataset.sequence(name), request.rater))
+        for (AnnotatedFrame& frame : annotatedFramesOf(dataset, dataset.sequence(name), request.rater, sigmas))
             frames.push_back(std::move(frame));
     return frames;
 }
@@ -115,15 +123,16 @@ std::vector<SubjectFrame> chosenFrames(std::vector<AnnotatedFrame> useful, const
 }
 
 bool isUsualUnit(double mm) {
-    return mm == 1 || mm == 10 || mm == 1000 || mm == 25.4;
+    return mm == 1 || mm == 10 || mm == 1000;
 }
 
-/// Millimetres of the calibration's unit as the hands tell it: 1, 10, 1000 or 25.4, else what makes the hand as large
-/// as the model. `ratio` is annotated over model length.
+/// Millimetres of the calibration's unit as the hands tell it: 1, 10 or 1000, else what makes the hand as large as the
+/// model: hands differ too much to tell an inch from the squares of chess boards. `ratio` is annotated over model
+/// length.
 double unitMmOf(double ratio) {
     if (ratio <= 0 || (ratio > kLeastRatio && ratio < kMostRatio))
         return 1;
-    for (const double known : {10.0, 1000.0, 25.4})
+    for (const double known : {10.0, 1000.0})
         if (ratio * known > 0.75 && ratio * known < 1.33)
             return known;
     return 1 / ratio;
@@ -190,7 +199,7 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
 }
 
 int countSubjectFrames(const Dataset& dataset, const Sequence& sequence, const std::string& rater) {
-    const auto frames = annotatedFramesOf(dataset, sequence, rater);
+    const auto frames = annotatedFramesOf(dataset, sequence, rater, {}); // how many does not depend on sigmas
     return static_cast<int>(std::count_if(frames.begin(), frames.end(), [&](const AnnotatedFrame& annotated) {
         return isUseful(subjectFrame(dataset, annotated));
     }));
