@@ -173,6 +173,7 @@ std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequen
         throw Error(ErrorCode::Usage, "", "masks", "no pattern and no folder is given");
     const auto index = static_cast<std::size_t>(&dataset.sequence(sequenceName) - dataset.sequences.data());
     Sequence sequence = dataset.sequences[index];
+    sequence.masksMadeBy.clear();
     std::vector<std::string> notes;
     for (const MaskSource& source : sources)
         setFrom(dataset, sequence, source, notes);

@@ -86,6 +86,7 @@ Sequence sequenceFromJson(const json& value) {
     for (const json& view : value["views"])
         sequence.views.push_back(viewFromJson(view));
     sequence.notes = value.value("notes", std::vector<std::string>());
+    sequence.masksMadeBy = value.value("masksMadeBy", "");
     return sequence;
 }
 
@@ -100,6 +101,8 @@ ordered_json toJson(const Sequence& sequence) {
                        {"annotations", sequence.annotations},
                        {"masks", sequence.masks},
                        {"views", views}};
+    if (!sequence.masksMadeBy.empty())
+        value["masksMadeBy"] = sequence.masksMadeBy;
     if (!sequence.notes.empty())
         value["notes"] = sequence.notes;
     return value;
