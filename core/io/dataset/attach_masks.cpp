@@ -176,6 +176,7 @@ std::vector<MaskNote> attachMasks(Dataset& dataset, const std::string& sequenceN
         throw Error(ErrorCode::Usage, "", "masks", "no pattern and no folder is given");
     const auto index = static_cast<std::size_t>(&dataset.sequence(sequenceName) - dataset.sequences.data());
     Sequence sequence = dataset.sequences[index];
+    sequence.masksMadeBy.clear();
     std::vector<MaskNote> notes;
     for (const MaskSource& source : sources)
         setFrom(dataset, sequence, source, notes);

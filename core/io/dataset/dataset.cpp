@@ -111,6 +111,7 @@ Sequence sequenceFromJson(const json& value) {
     for (const json& view : value["views"])
         sequence.views.push_back(viewFromJson(view));
     sequence.notes = notesFromJson(value);
+    sequence.masksMadeBy = value.value("masksMadeBy", "");
     return sequence;
 }
 
@@ -125,6 +126,8 @@ ordered_json toJson(const Sequence& sequence) {
                        {"annotations", sequence.annotations},
                        {"masks", sequence.masks},
                        {"views", views}};
+    if (!sequence.masksMadeBy.empty())
+        value["masksMadeBy"] = sequence.masksMadeBy;
     for (const FootageNote& note : sequence.notes)
         if (note.kind == FootageNoteKind::Text)
             value["notes"].push_back(note.text);

@@ -24,6 +24,7 @@ struct Sequence {
     std::string motion;      ///< relative path of the recorded poses; empty if there are none
     std::string annotations; ///< relative path of the SQLite file; it may not exist yet
     std::vector<FootageNote> notes{}; ///< what a person should know about the footage, said when the sequence was made
+    std::string masksMadeBy{};        ///< how the masks were made, in one line for people; empty if that is not known
 };
 
 /// A dataset folder, opened: cameras and hands are read, motions and pictures are read on demand.
