@@ -16,12 +16,12 @@ constexpr std::size_t kMostFunctionLines = 60;
 
 // Lowest first: a folder may include those before it.
 const std::vector<std::string> kCoreFolders{
-    "core/numeric",    "core/text",       "core/geometry",       "core/hand",       "core/demo_hand",
-    "core/contour",    "core/distance",   "core/fitting",        "core/detection",  "core/subject",
-    "core/annotation", "core/rig",        "core/simulation",     "core/benchmark",  "core/io/files",
-    "core/io/hdf5",    "core/io/matlab",  "core/io/calibration", "core/io/hands",   "core/io/store",
-    "core/io/footage", "core/io/dataset", "core/io/derived",     "core/io/formats", "core/io/detector",
-    "core/io/demo",    "core/io/import",  "core/io/benchmark"};
+    "core/numeric",     "core/text",       "core/geometry",   "core/hand",           "core/demo_hand",
+    "core/contour",     "core/distance",   "core/fitting",    "core/detection",      "core/subject",
+    "core/annotation",  "core/rig",        "core/labelling",  "core/simulation",     "core/benchmark",
+    "core/io/files",    "core/io/hdf5",    "core/io/matlab",  "core/io/calibration", "core/io/hands",
+    "core/io/store",    "core/io/footage", "core/io/dataset", "core/io/derived",     "core/io/formats",
+    "core/io/detector", "core/io/demo",    "core/io/import",  "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",       "widgets/jobs",
                                               "widgets/session",      "widgets/models",         "widgets/views",
                                               "widgets/views/camera", "widgets/views/scene",    "widgets/presenters",
@@ -43,7 +43,8 @@ const std::vector<Fence>& fences() {
          std::regex("(widgets/views/(scene/|curve|private_display)|app/desktop/main|tests/).*")},
         {"assimp", std::regex("assimp/.*"), std::regex("core/io/(hands/off_mesh|import/gltf)[a-z_]*\\.cpp|tests/.*")},
         {"OpenCV", std::regex("opencv2?/.*"),
-         std::regex("(core/(contour|distance|fitting|detection|simulation|benchmark|io)/|widgets/|app/|tests/).*")},
+         std::regex(
+             "(core/(contour|distance|fitting|detection|labelling|simulation|benchmark|io)/|widgets/|app/|tests/).*")},
         {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/store/|tests/).*")},
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
