@@ -9,14 +9,13 @@
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/frames.h"
+#include "core/subject/calibration_unit.h"
 #include "core/subject/hand_tips.h"
 
 namespace core {
 
 namespace {
 
-/// Hands are never this much smaller or larger than a model: the calibration's unit is another one.
-constexpr double kLeastRatio = 0.6, kMostRatio = 1.6;
 /// How far people's and detectors' tips are from a model's, mm per axis.
 constexpr double kTipSigmaMm = 2;
 /// Boundary pixels lie 0.5 px inside an upright outline and 0.35 px inside a diagonal one.
@@ -120,22 +119,6 @@ std::vector<SubjectFrame> chosenFrames(std::vector<AnnotatedFrame> useful, const
         }
     }
     return frames;
-}
-
-bool isUsualUnit(double mm) {
-    return mm == 1 || mm == 10 || mm == 1000;
-}
-
-/// Millimetres of the calibration's unit as the hands tell it: 1, 10 or 1000, else what makes the hand as large as the
-/// model: hands differ too much to tell an inch from the squares of chess boards. `ratio` is annotated over model
-/// length.
-double unitMmOf(double ratio) {
-    if (ratio <= 0 || (ratio > kLeastRatio && ratio < kMostRatio))
-        return 1;
-    for (const double known : {10.0, 1000.0})
-        if (ratio * known > 0.75 && ratio * known < 1.33)
-            return known;
-    return 1 / ratio;
 }
 
 /// Brings the cameras to mm if the hands say that they are not. True if it changed them.
