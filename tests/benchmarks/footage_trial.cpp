@@ -18,6 +18,7 @@
 
 #include "core/io/dataset/dataset.h"
 #include "core/io/footage/video_file.h"
+#include "tests/support/temporary_folder.h"
 #include "widgets/jobs/frame_loader.h"
 #include "widgets/presenters/playback.h"
 
@@ -44,6 +45,7 @@ public:
         : m_loader(m_pool) {
         const core::VideoInfo info = core::VideoFile(video, {}).info();
         auto dataset = std::make_shared<core::Dataset>();
+        dataset->folder = m_folder.path();
         core::Sequence sequence;
         sequence.name = "trial";
         sequence.frameCount = m_frames = info.frames;
@@ -72,6 +74,9 @@ public:
                              if (camera == 0 && !picture.isDraft())
                                  m_times.firstWhole = nowMs() - m_start;
                          });
+        QObject::connect(&m_loader, &widgets::FrameLoader::pictureFailed, [](int camera, const QString& message) {
+            std::fprintf(stderr, "cam%d: %s\n", camera, qPrintable(message));
+        });
         QObject::connect(&m_loader, &widgets::FrameLoader::frameCompleted, [this] { ++m_completed; });
     }
 
@@ -91,6 +96,7 @@ public:
     }
 
 private:
+    test::TemporaryFolder m_folder; ///< of the videos' indices
     widgets::JobPool m_pool;
     widgets::FrameLoader m_loader;
     std::shared_ptr<const core::Dataset> m_dataset;

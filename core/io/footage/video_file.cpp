@@ -163,6 +163,11 @@ bool VideoFile::isKept(int frame) const {
     return m_handle->reader.isKept(frame);
 }
 
+ImageSize readVideoSize(const fs::path& file) {
+    const VideoDemuxer demuxer(file);
+    return {demuxer.stream().codecpar->width, demuxer.stream().codecpar->height};
+}
+
 VideoInfo readVideoInfo(const fs::path& file, const fs::path& indexFile) {
     return infoOf(indexOf(file, indexFile));
 }

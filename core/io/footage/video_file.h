@@ -71,4 +71,7 @@ private:
 /// video.
 VideoInfo readVideoInfo(const std::filesystem::path& file, const std::filesystem::path& indexFile = {});
 
+/// The size of the pictures as the file's header says, which takes no time. Throws Error if it is not a readable video.
+ImageSize readVideoSize(const std::filesystem::path& file);
+
 } // namespace core
