@@ -178,7 +178,7 @@ ViewSource viewOf(const Measured& measured, const std::string& camera, int frame
 std::optional<ImageSize> footageSize(const std::vector<Footage>& footage) {
     for (const Footage& one : footage) {
         try {
-            const ImageSize size = fs::is_regular_file(one.path) ? readVideoInfo(one.path).size : measure(one).size;
+            const ImageSize size = fs::is_regular_file(one.path) ? readVideoSize(one.path) : measure(one).size;
             const bool isTurned = one.pictures.rotateDegrees.value_or(0) % 180 != 0;
             return isTurned ? ImageSize{size.height, size.width} : size;
         } catch (const Error&) { // what is wrong with it is said when the sequence is made
