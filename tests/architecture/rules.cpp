@@ -18,14 +18,14 @@ constexpr std::size_t kMostFunctionLines = 60;
 const std::vector<std::string> kCoreFolders{
     "core/numeric",    "core/text",       "core/geometry",       "core/hand",       "core/demo_hand",
     "core/contour",    "core/distance",   "core/fitting",        "core/detection",  "core/subject",
-    "core/annotation", "core/rig",        "core/simulation",     "core/benchmark",  "core/io/files",
+    "core/annotation", "core/rig",        "core/labelling",      "core/simulation",     "core/benchmark",  "core/io/files",
     "core/io/hdf5",    "core/io/matlab",  "core/io/calibration", "core/io/hands",   "core/io/store",
     "core/io/footage", "core/io/dataset", "core/io/derived",     "core/io/formats", "core/io/detector",
     "core/io/demo",    "core/io/import",  "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",       "widgets/jobs",
                                               "widgets/session",      "widgets/models",         "widgets/views",
                                               "widgets/views/camera", "widgets/views/scene",    "widgets/presenters",
-                                              "widgets/panels",       "widgets/panels/quality", "widgets/workspaces"};
+                                              "widgets/panels",       "widgets/panels/quality", "widgets/panels/review", "widgets/workspaces"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 
 /// A library: how its headers look, and the paths that may include them.
