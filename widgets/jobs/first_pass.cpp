@@ -6,21 +6,10 @@
 
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/detector/auto_label_file.h"
-#include "core/io/detector/detector_files.h"
 
 namespace widgets {
 
 namespace {
-
-FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token stop,
-                                   const std::function<void(int, int)>& progress) {
-    const core::DetectorNetworks networks = core::readDetector();
-    core::DetectionJournal journal(work.journal, core::firstPassWork(*work.dataset, work.sequence, networks),
-                                   work.dataset->cameras.size());
-    const bool isFinished =
-        core::detectFrames(*work.dataset, work.sequence, networks, work.frames, journal, stop, progress);
-    return {core::labelsOf(*work.dataset, work.sequence, journal.frames(), work.frames), isFinished};
-}
 
 void keepHands(core::AutoLabels& labels, const std::set<core::Side>& hands) {
     for (auto& [frame, list] : labels)
@@ -36,13 +25,6 @@ void keepCurrent(core::Edit& edit, const core::AnnotationSet& set) {
 }
 
 } // namespace
-
-FirstPassProgram detectorFirstPass() {
-    return {[] { return core::isDetectorInstalled(); },
-            [](const std::filesystem::path& package) { return core::installDetector(package); },
-            labelWithDetector,
-            {}};
-}
 
 FirstPass::FirstPass(AnnotationDocument& document, JobPool& pool, FirstPassProgram program, QObject* parent)
     : QObject(parent)

@@ -52,8 +52,6 @@ struct FirstPassProgram {
                                    int frame, std::stop_token stop)>
         follow = {};
 };
-/// The hand detector of core.
-FirstPassProgram detectorFirstPass();
 
 /// How a run of the first pass ended.
 struct FirstPassResult {
@@ -70,8 +68,7 @@ class FirstPass : public QObject {
     Q_OBJECT
 
 public:
-    FirstPass(AnnotationDocument& document, JobPool& pool, FirstPassProgram program = detectorFirstPass(),
-              QObject* parent = nullptr);
+    FirstPass(AnnotationDocument& document, JobPool& pool, FirstPassProgram program, QObject* parent = nullptr);
 
     void setProgram(FirstPassProgram program);
     /// The open sequence; null: none is open.

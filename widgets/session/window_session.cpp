@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/io/dataset/sequence_pictures.h"
+#include "widgets/jobs/detector_first_pass.h"
 
 namespace widgets {
 
@@ -53,7 +54,7 @@ WindowSession::WindowSession(QObject* parent)
     , raters(document, selection, pool)
     , rig(document, pool)
     , subject(pool)
-    , firstPass(document, pool)
+    , firstPass(document, pool, detectorFirstPass())
     , review(document, pool)
     , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);

@@ -72,6 +72,7 @@ FirstPassForm::FirstPassForm(FirstPass& pass, DatasetSession& datasets, JointLis
     connect(&pass, &FirstPass::finished, this, &FirstPassForm::listProposed);
     connect(&pass, &FirstPass::installed, this, [this](const QString& title) {
         m_message->offer(tr("The hand detector of %1 is installed.").arg(title), {});
+        m_saysMissing = false;
         showRunning();
     });
     showSequences();
@@ -239,8 +240,11 @@ void FirstPassForm::showRunning() {
     if (!runs)
         m_progress->setRange(0, 0);
     m_close->setVisible(m_isClosable && !runs);
-    if (!m_pass.isInstalled() && m_message->message().isEmpty())
+    const bool isMissing = !m_pass.isInstalled();
+    if (isMissing && !m_saysMissing)
         showMissing();
+    else if (!isMissing && std::exchange(m_saysMissing, false))
+        m_message->setMessage({});
 }
 
 void FirstPassForm::setClosable(bool closable) {
@@ -249,6 +253,7 @@ void FirstPassForm::setClosable(bool closable) {
 }
 
 void FirstPassForm::showMissing() {
+    m_saysMissing = true;
     m_message->offer(tr("The hand detector is not installed: get it with \"npm pack @mediapipe/hands\" (11 MB, "
                         "Apache-2.0) and choose the file, or run \"handlens-batch detector install FILE\"."),
                      {{tr("Choose the file..."), [this] { askForPackage(); }}}, MessageBar::Tone::Warning);

@@ -65,6 +65,7 @@ private:
     QPushButton* m_close;
     QProgressBar* m_progress;
     bool m_isClosable = false;
+    bool m_saysMissing = false;    ///< that the detector is not installed
     bool m_startsWhenOpen = false; ///< as soon as the chosen sequence is open
 };
 
