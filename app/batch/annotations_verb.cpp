@@ -41,7 +41,7 @@ void printCheck(const core::Dataset& dataset, const core::AnnotationSet& set) {
         for (const std::string& rater : core::ratersOf(set, frame)) {
             for (const auto& [id, joint] :
                  core::reconstructFrame(set, dataset.cameras, frame, rater, {{}, false, std::nullopt})) {
-                if (joint.hasPoint()) {
+                if (joint.hasPoint() && !joint.isAccepted) {
                     sum += joint.result.point->rmsPx;
                     ++joints;
                 } else if (joint.manualViews >= 2) {

@@ -58,13 +58,16 @@ struct Mark {
     Eigen::Vector2d px = Eigen::Vector2d::Zero();
     Placement placement = Placement::Manual;
     MarkState state = MarkState::Visible;
-    /// How sure the program that guessed it was, usually 0..1; empty for what a person placed or accepted.
+    /// How sure the program that guessed it was, usually 0..1; a proposal that was accepted keeps it. Empty for what a
+    /// person placed, and for accepted reprojections.
     std::optional<double> likelihood = std::nullopt;
 
     /// px means something.
     bool hasPlace() const { return state != MarkState::Unplaceable; }
     /// A guess that has not been checked yet: neither evidence nor progress, and not exported.
     bool isProposal() const { return hasPlace() && placement == Placement::Proposed; }
+    /// A program's guess that a person has accepted where it was.
+    bool isAcceptedGuess() const { return hasPlace() && placement == Placement::Auto && likelihood.has_value(); }
     /// A person decided: placed, or cannot be placed.
     bool isSettled() const { return !isProposal(); }
     /// A person placed the joint: by hand, or by accepting its reprojection.

@@ -33,6 +33,8 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
 void addPoints(const SequencePoints& points, std::map<JointId, JointSummary>& joints, AnnotationSummary& summary) {
     for (const auto& [frame, frameJoints] : points) {
         for (const auto& [id, point] : frameJoints) {
+            if (point.inlier.empty()) // accepted, not clicked
+                continue;
             JointSummary& joint = joints[id];
             joint.joint = id;
             ++joint.points;

@@ -30,6 +30,7 @@ constexpr std::array kFrameWordings = {
     Wording{EditKind::SwapHands, "swap left and right in frames ", " to "},
     Wording{EditKind::SwapHands, "swap left and right from frame "},
     Wording{EditKind::DeleteRange, "delete frames ", " to "},
+    Wording{EditKind::FirstPass, "first pass over frames ", " to "},
 };
 constexpr std::string_view kPropose = "propose joints of the hand model";
 constexpr std::string_view kImport = "import";

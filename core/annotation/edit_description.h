@@ -20,6 +20,7 @@ enum class EditKind {
     AcceptJoint, ///< joint, camera (empty: in every view)
     AcceptFrame, ///< firstFrame
     Propose,     ///< proposals of the hand model
+    FirstPass,   ///< firstFrame, lastFrame: proposals of the hand detector
     CopyPose,    ///< firstFrame (copied from), lastFrame (copied to)
     Interpolate, ///< firstFrame, lastFrame
     SwapHands,   ///< firstFrame, lastFrame (empty: to the last annotated one)

@@ -118,6 +118,22 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
     return edit;
 }
 
+Edit acceptProposalsEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                         const std::string& rater, const TriangulationOptions& options) {
+    Edit edit = acceptFrameEdit(set, cameras, frame, rater, options);
+    std::set<MarkKey> accepted;
+    for (const MarkChange& change : edit.marks)
+        accepted.insert(change.key);
+    for (const auto& [key, mark] : marksOfFrame(set, frame, rater)) {
+        if (!mark.isProposal() || accepted.contains(key))
+            continue;
+        Mark looked = mark;
+        looked.placement = Placement::Auto;
+        edit.marks.push_back({key, mark, looked});
+    }
+    return edit;
+}
+
 Edit proposeEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                  const std::vector<JointPoint>& joints) {
     Edit edit{{.kind = EditKind::Propose}, {}, {}};

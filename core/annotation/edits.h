@@ -35,6 +35,11 @@ Edit acceptEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, in
 Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const std::string& rater,
                      const TriangulationOptions& options = {});
 
+/// acceptFrameEdit for joints that have a point; where a joint has proposals alone, they become auto marks where they
+/// are and keep their likelihoods: a person has looked at them.
+Edit acceptProposalsEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                         const std::string& rater, const TriangulationOptions& options = {});
+
 /// A joint with a place in the world, mm.
 struct JointPoint {
     JointId joint;

@@ -68,6 +68,27 @@ Evidence collect(const std::vector<ViewReconstruction>& views, bool withGuesses)
     return evidence;
 }
 
+/// How far off a proposal may be that looks right, px.
+constexpr double kLookSigmaPx = 3;
+
+/// The point that accepted proposals show, if two views do. The views repeat one point, so they are worth one look.
+std::optional<TriangulatedPoint> acceptedPoint(const std::vector<ViewReconstruction>& views,
+                                               const std::vector<Camera>& cameras, TriangulationOptions options) {
+    std::vector<Observation> guesses;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        if (views[i].mark && !views[i].outside && views[i].mark->isAcceptedGuess())
+            guesses.push_back({static_cast<int>(i), views[i].mark->px, kLookSigmaPx});
+    options.isSigmaAssumed = false;
+    auto point = triangulate(cameras, guesses, options).point;
+    if (!point)
+        return std::nullopt;
+    point->covariance *= static_cast<double>(guesses.size());
+    point->rmsPx = 0;
+    point->residualPx.clear();
+    point->inlier.clear();
+    return point;
+}
+
 std::vector<ViewReconstruction> viewsOf(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                                         const std::string& rater, const JointId& joint) {
     std::vector<ViewReconstruction> views(cameras.size());
@@ -238,6 +259,11 @@ JointReconstruction reconstruct(const AnnotationSet& set, const std::vector<Came
     countViews(joint);
     const Evidence evidence = collect(joint.views, false);
     joint.result = triangulate(cameras, evidence.observations, options.triangulation);
+    if (evidence.observations.empty())
+        if (auto accepted = acceptedPoint(joint.views, cameras, options.triangulation)) {
+            joint.result = {std::move(accepted), TriangulationFailure::None};
+            joint.isAccepted = true;
+        }
     if (!joint.result.point) {
         const Evidence withGuesses = collect(joint.views, true);
         if (withGuesses.views.size() > evidence.views.size()) {

@@ -58,13 +58,18 @@ bool isEvidenceIn(const Mark& mark, const Camera& camera);
 
 /// One joint of one frame from the marks of one rater.
 struct JointReconstruction {
-    TriangulationResult result;            ///< from the manual marks only; `reason` when there is no point
+    /// From the manual marks only; `reason` when there is no point. A joint without any that was proposed by a program
+    /// and accepted as it stood has the point that was accepted (isAccepted).
+    TriangulationResult result;
     std::vector<ViewReconstruction> views; ///< one per camera, in the cameras' order
     JointStatus status = JointStatus::None;
     std::vector<NextView> nextViews; ///< views without a click that would see the point, the most useful one first
     std::string suspect;             ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
     /// Where auto and proposed marks put the joint while manual ones give no point; never exported.
     std::optional<Eigen::Vector3d> proposal;
+    /// Nobody clicked the joint: the point is that of accepted proposals. No residuals and no inliers; the covariance is
+    /// that of one look, since all views show the same point.
+    bool isAccepted = false;
     int manualViews = 0;
     int placedViews = 0;  ///< manual and auto
     int countedViews = 0; ///< views with a picture: those that a mark is expected in

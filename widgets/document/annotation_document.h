@@ -45,6 +45,7 @@ public:
     /// All marks and notes, with the preview applied.
     const core::AnnotationSet& annotations() const { return m_set; }
     QUndoStack* undoStack() { return &m_undoStack; }
+    const QUndoStack* undoStack() const { return &m_undoStack; }
     const core::AnnotationStore* store() const { return m_store.get(); }
 
     bool isReadOnly() const { return m_store && m_store->isReadOnly(); }

@@ -191,6 +191,19 @@ void Annotator::acceptFrame() {
     pushAndAdvance(edit);
 }
 
+bool Annotator::acceptProposals() {
+    if (!m_dataset)
+        return false;
+    const core::Edit edit = whereThereArePictures(
+        core::acceptProposalsEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
+                                  m_document.rater(), m_reconstructions.options()));
+    if (edit.empty())
+        emit nothingDone(tr("Nothing waits to be accepted in this frame."));
+    m_nudged.reset();
+    m_document.push(edit);
+    return !edit.empty();
+}
+
 void Annotator::remove() {
     const core::Edit edit = core::removeEdit(m_document.annotations(), currentKey());
     if (edit.empty())

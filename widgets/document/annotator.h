@@ -49,6 +49,9 @@ public:
     void accept();
     void acceptAllViews();
     void acceptFrame();
+    /// Accepts every joint of the frame as it stands: clicked ones in the views that are left, proposed ones where they
+    /// are. False, and why is said, if there is nothing to accept.
+    bool acceptProposals();
     void remove();
     /// Deletes the selected joint's marks in all views of the frame.
     void removeInAllViews();

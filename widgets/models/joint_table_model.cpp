@@ -119,7 +119,7 @@ QVariant JointTableModel::value(const core::JointReconstruction* found, int colu
         };
         return found ? static_cast<int>(std::count_if(found->views.begin(), found->views.end(), counts)) : 0;
     }
-    if (!found || !found->hasPoint())
+    if (!found || !found->hasPoint() || (column == ErrorPx && found->isAccepted))
         return {};
     if (column == ErrorPx)
         return found->result.point->rmsPx;

@@ -34,6 +34,10 @@ public:
     void setSequence(const QString& name);
     /// Frames that the benchmark draws, marked below the timeline.
     void setTestFrames(const std::set<int>& frames) { m_timeline->setTestFrames(frames); }
+    /// Hands that wait for a look, with their doubts.
+    void setProposedHands(const std::map<int, std::map<core::Side, double>>& frames) {
+        m_timeline->setProposedHands(frames);
+    }
     /// The keyboard goes to the frame number.
     void askForFrame();
 

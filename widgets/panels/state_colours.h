@@ -11,6 +11,8 @@ inline const QColor kDoneColour(0x3D, 0xA3, 0x7A);
 inline const QColor kPartialColour(0xC9, 0x9A, 0x2E);
 inline const QColor kBadColour(0xE5, 0x5B, 0x5B);
 inline const QColor kOccludedColour(0x7A, 0x8C, 0xB8);
+inline const QColor kProposedColour(0x8F, 0xB4, 0xE6);
+inline const QColor kDoubtfulColour(0xF0, 0x7F, 0xC8);
 
 /// One unit of space between things, logical pixels.
 inline constexpr int kSpacing = 6;

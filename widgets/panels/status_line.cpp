@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/status_line.h"
 
+#include <cmath>
+
 #include <QFontMetrics>
 #include <QHBoxLayout>
 
@@ -157,7 +159,10 @@ void StatusLine::showWork(const QString& name, double fraction) {
     QString text = name;
     if (fraction > 0.05) {
         const double secondsLeft = static_cast<double>(m_workTime.elapsed()) / 1000 * (1 - fraction) / fraction;
-        text += tr(", %n s left", nullptr, static_cast<int>(secondsLeft + 0.5));
+        constexpr double kManySeconds = 120;
+        text += secondsLeft < kManySeconds
+                    ? tr(", %n s left", nullptr, static_cast<int>(secondsLeft + 0.5))
+                    : tr(", %n min left", nullptr, static_cast<int>(std::lround(secondsLeft / 60)));
     }
     m_work->setText(text);
     m_progress->setRange(0, fraction < 0 ? 0 : 1000);

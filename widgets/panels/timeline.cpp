@@ -21,6 +21,7 @@ constexpr double kLaneHeight = 8;
 constexpr double kLaneGap = 3;
 constexpr double kTickHeight = 4;
 constexpr double kSidePad = 6;
+constexpr double kDoubtfulFrom = 0.2; ///< as the review queue has it
 
 QColor stateColour(const core::HandCoverage& hand, int joints) {
     if (hand.bad > 0)
@@ -51,6 +52,11 @@ void Timeline::setCoverage(const FrameCoverage& frames, int leftJoints, int righ
     m_coverage = frames;
     m_leftJoints = leftJoints;
     m_rightJoints = rightJoints;
+    update();
+}
+
+void Timeline::setProposedHands(const std::map<int, std::map<core::Side, double>>& frames) {
+    m_proposed = frames;
     update();
 }
 
@@ -113,6 +119,20 @@ void Timeline::paintLane(QPainter& painter, core::Side hand, const QRectF& lane)
     }
 }
 
+/// Stripes across the lane: they show in bars of two pixels, too.
+void Timeline::paintProposals(QPainter& painter, core::Side hand, const QRectF& lane) const {
+    const double step = m_frames > 0 ? lane.width() / m_frames : 0;
+    for (const auto& [frame, hands] : m_proposed) {
+        const auto found = hands.find(hand);
+        if (found == hands.end())
+            continue;
+        const QColor& colour = found->second >= kDoubtfulFrom ? kDoubtfulColour : kProposedColour;
+        for (double y = lane.top(); y < lane.bottom(); y += 2)
+            painter.fillRect(QRectF(lane.left() + frame * step, y, std::max(2.0, step - (step > 4 ? 1 : 0)), 1),
+                             colour);
+    }
+}
+
 void Timeline::paintTicks(QPainter& painter) const {
     const QRectF area = track();
     const double step = m_frames > 0 ? area.width() / m_frames : 0;
@@ -130,8 +150,13 @@ void Timeline::paintTicks(QPainter& painter) const {
 void Timeline::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRectF area = track();
-    paintLane(painter, core::Side::Left, {area.left(), area.top(), area.width(), kLaneHeight});
-    paintLane(painter, core::Side::Right, {area.left(), area.bottom() - kLaneHeight, area.width(), kLaneHeight});
+    const std::pair<core::Side, QRectF> lanes[] = {
+        {core::Side::Left, {area.left(), area.top(), area.width(), kLaneHeight}},
+        {core::Side::Right, {area.left(), area.bottom() - kLaneHeight, area.width(), kLaneHeight}}};
+    for (const auto& [hand, lane] : lanes) {
+        paintLane(painter, hand, lane);
+        paintProposals(painter, hand, lane);
+    }
     paintTicks(painter);
     if (m_frames == 0)
         return;
@@ -158,6 +183,10 @@ QString Timeline::describe(int frame) const {
     QString text = tr("Frame %1").arg(frame);
     if (const auto others = m_others.find(frame); others != m_others.end())
         text += QLatin1Char('\n') + tr("Marks of %1").arg(others->second);
+    if (const auto proposed = m_proposed.find(frame); proposed != m_proposed.end())
+        for (const auto& [hand, doubt] : proposed->second)
+            text += QLatin1Char('\n') +
+                    tr("%1: proposed, doubt %2 %").arg(sideText(hand)).arg(static_cast<int>(100 * doubt + 0.5));
     const auto found = m_coverage.find(frame);
     if (found == m_coverage.end())
         return text;

@@ -11,7 +11,7 @@
 namespace widgets {
 
 /// All frames in one line, a lane per hand: done, partial, bad, occluded; a click or drag goes there. Frames with notes
-/// have a tick above, test frames one below.
+/// have a tick above, test frames one below; stripes stand for proposals that wait for a look.
 class Timeline : public QWidget {
     Q_OBJECT
 
@@ -22,6 +22,8 @@ public:
     void setFrame(int frame);
     /// `joints` per hand is what "done" is measured against.
     void setCoverage(const FrameCoverage& frames, int leftJoints, int rightJoints);
+    /// Hands that a program has placed and nobody has looked at, with their doubts, 0 .. 1.
+    void setProposedHands(const std::map<int, std::map<core::Side, double>>& frames);
     void setNotedFrames(const std::set<int>& frames);
     void setTestFrames(const std::set<int>& frames);
     /// Frames in which other people have marks, and whose: a muted line between the lanes.
@@ -47,10 +49,12 @@ private:
     double xOf(int frame) const;
     int frameAt(double x) const;
     void paintLane(QPainter& painter, core::Side hand, const QRectF& lane) const;
+    void paintProposals(QPainter& painter, core::Side hand, const QRectF& lane) const;
     void paintTicks(QPainter& painter) const;
     QString describe(int frame) const;
 
     FrameCoverage m_coverage;
+    std::map<int, std::map<core::Side, double>> m_proposed;
     std::set<int> m_noted;
     std::set<int> m_tests;
     std::map<int, QString> m_others;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/io/dataset/sequence_pictures.h"
+#include "widgets/jobs/detector_first_pass.h"
 
 namespace widgets {
 
@@ -53,6 +54,8 @@ WindowSession::WindowSession(QObject* parent)
     , raters(document, selection, pool)
     , rig(document, pool)
     , subject(pool)
+    , firstPass(document, pool, detectorFirstPass())
+    , review(document, pool)
     , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
@@ -90,11 +93,13 @@ void WindowSession::takeDataset() {
     model.setDataset(opened.dataset());
     raters.setDataset(opened.dataset());
     subject.setDataset(opened.dataset());
+    review.setDataset(opened.dataset());
 }
 
 void WindowSession::takeSequence(int frame) {
     const core::Sequence& sequence = *opened.sequence();
     rig.setSequence(opened.dataset(), sequence.name);
+    firstPass.setSequence(opened.dataset(), &sequence);
     frames.setSequence(opened.dataset(), &sequence, opened.motion());
     fits.setSequence(opened.dataset(), &sequence, opened.motion());
     const core::PictureGaps gaps = core::pictureGaps(*opened.dataset(), sequence);

@@ -10,12 +10,14 @@
 #include "widgets/document/selection.h"
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/benchmark_runner.h"
+#include "widgets/jobs/first_pass.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"
 #include "widgets/jobs/hand_model_fit.h"
 #include "widgets/jobs/job.h"
 #include "widgets/jobs/quality_checks.h"
 #include "widgets/jobs/rater_study.h"
+#include "widgets/jobs/review_queue.h"
 #include "widgets/jobs/rig_study.h"
 #include "widgets/jobs/subject_study.h"
 #include "widgets/session/annotation_files.h"
@@ -53,10 +55,14 @@ public:
     RaterStudy raters;
     RigStudy rig;
     SubjectStudy subject;
+    FirstPass firstPass;
+    ReviewQueue review;
     CalibrationChoice calibrations;
 
-    /// True when no background work is running and all pictures of the frame have come.
-    bool isIdle() const { return pool.isIdle() && frames.isComplete() && !rig.isRefining(); }
+    /// True when no background work that a person waits for is running and all pictures of the frame have come.
+    bool isIdle() const {
+        return pool.isIdle() && frames.isComplete() && !rig.isRefining() && review.isUpToDate();
+    }
 
 signals:
     /// A sequence is open and everything above knows it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/advice.h"
 
+#include <algorithm>
+
 #include <QLocale>
 #include <QStringList>
 
@@ -55,6 +57,11 @@ PlacedCount countPlaced(const core::JointReconstruction& found) {
     return count;
 }
 
+bool hasOpenProposal(const core::JointReconstruction& found) {
+    return std::any_of(found.views.begin(), found.views.end(),
+                       [](const core::ViewReconstruction& view) { return view.mark && view.mark->isProposal(); });
+}
+
 /// Two clicks that give no point: how far they are off each other's curves.
 QString disagreementText(const core::JointReconstruction& found) {
     const core::CurveGap& first = found.gaps.front();
@@ -92,7 +99,9 @@ QString summaryText(const core::JointId& joint, const core::JointReconstruction&
     QStringList parts{
         jointText(joint),
         text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
-    if (found.hasPoint()) {
+    if (found.isAccepted) {
+        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "as proposed"));
+    } else if (found.hasPoint()) {
         parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(localNumber(found.result.point->rmsPx, 2))
               << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm"))
                      .arg(localNumber(core::sigmaMm(found.result.point->covariance), 2));
@@ -107,6 +116,13 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Choose a joint on the left."));
     if (found.countedViews < 2)
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "A joint needs at least two cameras with a picture."));
+    if (found.isAccepted)
+        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accepted as proposed; click %1 in two views to correct it."))
+            .arg(name);
+    if (found.manualViews == 0 && found.proposal && hasOpenProposal(found))
+        return text(QT_TRANSLATE_NOOP("widgets::Advice",
+                                      "Proposed by a program: click %1 in two views if it is wrong."))
+            .arg(name);
     if (found.manualViews == 0)
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in any view.")).arg(name);
     if (!found.suspect.empty())

@@ -61,6 +61,8 @@ QString countedText(core::EditKind kind, int count) {
         return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "import %n mark(s)"), count);
     case core::EditKind::Propose:
         return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "propose %n mark(s)"), count);
+    case core::EditKind::FirstPass:
+        return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "first pass (%n proposed mark(s))"), count);
     default:
         return text(QT_TRANSLATE_N_NOOP("widgets::EditText", "change %n mark(s)"), count);
     }

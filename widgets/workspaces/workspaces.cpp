@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <QDataStream>
 #include <QScrollArea>
@@ -53,6 +54,8 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
                                   session.coverage, session.checks, session.raters, session.rig},
                                  this))
     , m_raters(new RatersPanel(session.raters, session.selection, session.reconstructions, session.opened, this))
+    , m_review(new ReviewPanel(
+          {session.review, session.selection, session.firstPass, session.opened, session.joints}, this))
     , m_viewPanel(new ViewPanel(session.selection, session.opened, session.shownCameras, *m_layers, *m_options, this))
     , m_inspect(
           new InspectPage(session.fits, session.opened, session.selection, session.shownCameras, session.pool, this))
@@ -89,6 +92,7 @@ void Workspaces::build() {
     m_middle->addWidget(scrolled(m_inspect, this));
     m_middle->addWidget(scrolled(m_benchmark, this));
     m_tabs->addTab(scrolled(m_quality, this), tr("Quality"));
+    m_tabs->addTab(scrolled(m_review, this), tr("Review"));
     m_tabs->addTab(scrolled(m_fitting, this), tr("Fit"));
     m_tabs->addTab(scrolled(m_viewPanel, this), tr("View"));
     m_tabs->addTab(scrolled(m_raters, this), tr("Raters"));
@@ -291,14 +295,12 @@ void Workspaces::showTabs() {
     const bool annotates = m_kind == Kind::Annotate;
     if (!annotates && !m_annotationTab)
         m_annotationTab = m_tabs->currentWidget();
-    for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_raters})
+    for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_review, m_raters})
         m_tabs->setTabVisible(tabOf(panel), annotates);
     if (!annotates)
         m_tabs->setCurrentIndex(tabOf(m_fitting));
-    else if (m_annotationTab)
-        m_tabs->setCurrentWidget(m_annotationTab);
-    if (annotates)
-        m_annotationTab = nullptr;
+    else if (QWidget* tab = std::exchange(m_annotationTab, nullptr))
+        m_tabs->setCurrentWidget(tab);
 }
 
 void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
@@ -321,7 +323,7 @@ void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
 }
 
 void Workspaces::raisePanel(QWidget* panel) {
-    const bool isOfAnnotating = panel == m_quality || panel == m_raters;
+    const bool isOfAnnotating = panel == m_quality || panel == m_review || panel == m_raters;
     if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
         setCurrent(Kind::Annotate);
     m_tabs->setCurrentIndex(tabOf(panel));
@@ -341,6 +343,7 @@ QWidget* Workspaces::part(const QString& name) const {
                                             {QStringLiteral("diagram"), m_joints->diagram()},
                                             {QStringLiteral("fit"), m_fitting},
                                             {QStringLiteral("quality"), m_quality},
+                                            {QStringLiteral("review"), m_review},
                                             {QStringLiteral("raters"), m_raters},
                                             {QStringLiteral("view"), m_viewPanel},
                                             {QStringLiteral("inspect"), m_inspect},

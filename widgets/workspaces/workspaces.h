@@ -11,6 +11,7 @@
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/quality/quality_panel.h"
 #include "widgets/panels/raters_panel.h"
+#include "widgets/panels/review/review_panel.h"
 #include "widgets/panels/scene_panel.h"
 #include "widgets/panels/view_panel.h"
 #include "widgets/presenters/frame_pictures.h"
@@ -55,6 +56,7 @@ public:
     ViewOptions* options() const { return m_options; }
     QualityPanel* qualityPanel() const { return m_quality; }
     RatersPanel* ratersPanel() const { return m_raters; }
+    ReviewPanel* reviewPanel() const { return m_review; }
     ViewPanel* viewPanel() const { return m_viewPanel; }
     InspectPage* inspectPage() const { return m_inspect; }
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
@@ -64,7 +66,7 @@ public:
     WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
-    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "raters", "view",
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "review", "raters", "view",
     /// "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
@@ -119,6 +121,7 @@ private:
     HandFraming* m_framing;
     QualityPanel* m_quality;
     RatersPanel* m_raters;
+    ReviewPanel* m_review;
     ViewPanel* m_viewPanel;
     InspectPage* m_inspect;
     BenchmarkPage* m_benchmark;

@@ -23,6 +23,7 @@ constexpr const char* kLayers = QT_TRANSLATE_NOOP("app::ActionTable", "&Layers o
 constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
 constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
 constexpr const char* kNudge = QT_TRANSLATE_NOOP("app::ActionTable", "&Nudge");
+constexpr const char* kReview = QT_TRANSLATE_NOOP("app::ActionTable", "Re&view of proposals");
 constexpr const char* kJoints = QT_TRANSLATE_NOOP("app::ActionTable", "Li&st of joints");
 
 constexpr auto kPlain = ActionKind::Plain;
@@ -97,6 +98,12 @@ const std::vector<ActionRow> kRows = {
     {"annotation.acceptAll", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Accept in all &views"), "Shift+Space", "", ""},
     {"annotation.acceptFrame", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Accept all joints of the &frame"), "Ctrl+Space", "", ""},
     {"annotation.propose", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Propose the &rest from the hand model"), "R", "tools-wizard", QT_TRANSLATE_NOOP("app::ActionTable", "Fits the hand model to the 3D joints of this frame and places the others, to be checked")},
+    {"annotation.firstPass", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "First &pass..."), "Ctrl+Alt+F", "media-seek-forward", QT_TRANSLATE_NOOP("app::ActionTable", "Finds the joints of both hands in many frames without a click, as proposals to be checked")},
+    {"firstPass.run", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Start the first pass now"), "Ctrl+Alt+R", "media-playback-start", QT_TRANSLATE_NOOP("app::ActionTable", "With what is chosen for the first pass"), kPlain, false, false},
+    {"review.accept", kReview, QT_TRANSLATE_NOOP("app::ActionTable", "&Accept the frame, go on to the next"), "Shift+E", "dialog-ok-apply", QT_TRANSLATE_NOOP("app::ActionTable", "Accepts all proposed joints of the frame as they stand")},
+    {"review.correct", kReview, QT_TRANSLATE_NOOP("app::ActionTable", "&Correct the most doubtful joint"), "Shift+C", "document-edit", QT_TRANSLATE_NOOP("app::ActionTable", "Selects it: click it in two views, then accept the frame")},
+    {"review.next", kReview, QT_TRANSLATE_NOOP("app::ActionTable", "&Next frame to review"), "Shift+W", "go-next", QT_TRANSLATE_NOOP("app::ActionTable", "Frames whose look teaches most come first")},
+    {"review.show", kReview, QT_TRANSLATE_NOOP("app::ActionTable", "&Show the review queue"), "Ctrl+Alt+Q", "view-list-details", ""},
     {"annotation.occluded", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Occluded, estimated"), "O", "view-hidden", QT_TRANSLATE_NOOP("app::ActionTable", "The joint is hidden here; its place is a guess"), kPlain, true},
     {"annotation.unplaceable", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Cannot be placed here"), "U", "dialog-cancel", ""},
     {"annotation.remove", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "&Delete the mark"), "X", "edit-delete", QT_TRANSLATE_NOOP("app::ActionTable", "Of the selected joint in the current view")},
@@ -185,7 +192,7 @@ const std::vector<ActionRow> kRows = {
 const std::vector<MenuRow> kMenus = {
     {kFile, nullptr},     {kEdit, nullptr},   {kView, nullptr},    {kMaximise, kView},
     {kMarks, kView},      {kLayers, kFit},    {kMesh, kView},      {kScene, kView},
-    {kAnnotate, nullptr}, {kStep, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate},
+    {kAnnotate, nullptr}, {kStep, kAnnotate}, {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate},
     {kGo, nullptr},       {kFit, nullptr},    {kRaters, nullptr},  {kHelp, nullptr}};
 
 } // namespace

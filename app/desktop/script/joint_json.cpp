@@ -46,7 +46,7 @@ QJsonObject jointJson(const core::JointReconstruction& found) {
         point ? QJsonValue(QJsonArray{point->pointInWorld.x(), point->pointInWorld.y(), point->pointInWorld.z()})
               : QJsonValue();
     object[QStringLiteral("covariance")] = point ? QJsonValue(rows(point->covariance)) : QJsonValue();
-    object[QStringLiteral("rmsPx")] = point ? QJsonValue(point->rmsPx) : QJsonValue();
+    object[QStringLiteral("rmsPx")] = point && !found.isAccepted ? QJsonValue(point->rmsPx) : QJsonValue();
     object[QStringLiteral("views")] = views;
     object[QStringLiteral("unplaceable")] = unplaceable;
     object[QStringLiteral("status")] = widgets::toQString(core::statusName(found.status));

@@ -14,6 +14,7 @@
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
+#include "app/desktop/script/review_steps.h"
 #include "app/desktop/script/step_fields.h"
 #include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
@@ -67,7 +68,8 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("iteration"), &ScriptSteps::iteration},
                                                          {QStringLiteral("layer"), &ScriptSteps::layer},
                                                          {QStringLiteral("probe"), &ScriptSteps::probe},
-                                                         {QStringLiteral("workspace"), &ScriptSteps::workspace}};
+                                                         {QStringLiteral("workspace"), &ScriptSteps::workspace},
+                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -226,7 +228,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printResults();
     if (what == QLatin1String("matches"))
         return printMatches(m_window, step);
-    throw refused("what", QStringLiteral("expected \"joint\", \"results\" or \"matches\""));
+    if (what == QLatin1String("review"))
+        return printReview(m_window);
+    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\" or \"review\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -272,6 +276,10 @@ QJsonObject ScriptSteps::layer(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::probe(const QJsonObject& step) {
     return probeAt(m_window, step);
+}
+
+QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {
+    return runFirstPass(m_window, step);
 }
 
 QJsonObject ScriptSteps::workspace(const QJsonObject& step) {

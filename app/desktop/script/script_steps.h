@@ -42,6 +42,7 @@ private:
     QJsonObject layer(const QJsonObject& step);
     QJsonObject probe(const QJsonObject& step);
     QJsonObject workspace(const QJsonObject& step);
+    QJsonObject firstPass(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();

@@ -65,7 +65,7 @@ ordered_json groundTruthJoint(const JointReconstruction& joint) {
     const auto& point = joint.result.point;
     return {{"xyz", point ? jsonOf(point->pointInWorld) : ordered_json()},
             {"covariance", point ? jsonOf(point->covariance) : ordered_json()},
-            {"rmsPx", point ? ordered_json(point->rmsPx) : ordered_json()},
+            {"rmsPx", point && !joint.isAccepted ? ordered_json(point->rmsPx) : ordered_json()},
             {"views", views},
             {"unplaceable", unplaceable},
             {"status", statusName(joint.status)}};

@@ -33,7 +33,7 @@ CsvRow pointRow(const ExportRequest& job, int frame, const std::string& rater, c
     if (const auto& point = joint.result.point) {
         for (int axis = 0; axis < 3; ++axis)
             row.push_back(exactText(point->pointInWorld[axis]));
-        row.insert(row.end(), {exactText(sigmaMm(point->covariance)), exactText(point->rmsPx)});
+        row.insert(row.end(), {exactText(sigmaMm(point->covariance)), joint.isAccepted ? "" : exactText(point->rmsPx)});
     } else {
         row.insert(row.end(), 5, "");
     }

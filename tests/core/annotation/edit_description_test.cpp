@@ -31,6 +31,7 @@ const std::vector<Known> kKnown = {
     {"swap left and right in frames 1 to 2", {.kind = EditKind::SwapHands, .firstFrame = 1, .lastFrame = 2}},
     {"swap left and right from frame 3", {.kind = EditKind::SwapHands, .firstFrame = 3}},
     {"delete frames 0 to 0", {.kind = EditKind::DeleteRange, .firstFrame = 0, .lastFrame = 0}},
+    {"first pass over frames 0 to 590", {.kind = EditKind::FirstPass, .firstFrame = 0, .lastFrame = 590}},
     {"import", {.kind = EditKind::Import}},
     {"import place left x in y.csv", {.kind = EditKind::Import, .text = "place left x in y.csv"}},
 };

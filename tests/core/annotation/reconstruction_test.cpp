@@ -55,6 +55,37 @@ TEST_F(Reconstruction, TwoClicksGiveThePointAndItsReprojectionInEveryView) {
     }
 }
 
+TEST_F(Reconstruction, AcceptedProposalsGiveThePointThatWasAcceptedUntilSomebodyClicks) {
+    click({0, 1, 2, 3, 4, 5, 6, 7});
+    for (auto& [key, seen] : m_set.marks) {
+        seen.placement = Placement::Auto;
+        seen.likelihood = 0.8;
+    }
+    const JointReconstruction joint = look();
+    ASSERT_TRUE(joint.hasPoint());
+    EXPECT_TRUE(joint.isAccepted);
+    EXPECT_LT((joint.result.point->pointInWorld - kTruth).norm(), 1e-6);
+    EXPECT_EQ(joint.status, core::JointStatus::Done);
+    EXPECT_EQ(joint.manualViews, 0);
+    EXPECT_FALSE(core::isBad(joint, 0.5));
+    for (const core::ViewReconstruction& view : joint.views)
+        EXPECT_FALSE(view.errorPx) << "it is no evidence";
+    EXPECT_GT(core::sigmaMm(joint.result.point->covariance), 1.5) << "eight views of one point are one look";
+    click({0});
+    EXPECT_FALSE(look().hasPoint()) << "one click contradicts it, and gives no point";
+    click({2});
+    EXPECT_TRUE(look().hasPoint());
+    EXPECT_FALSE(look().isAccepted);
+}
+
+TEST_F(Reconstruction, AcceptedReprojectionsAloneGiveNoPoint) {
+    click({0, 1, 2, 3});
+    for (auto& [key, seen] : m_set.marks)
+        seen.placement = Placement::Auto;
+    EXPECT_FALSE(look().hasPoint());
+    EXPECT_FALSE(look().isAccepted);
+}
+
 TEST_F(Reconstruction, OnlyManualPlacedMarksAreEvidence) {
     click({0, 2, 3, 5, 6});
     mark(3).px += Vector2d(300, 0);

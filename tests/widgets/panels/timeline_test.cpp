@@ -46,6 +46,20 @@ TEST_F(TimelineTest, ShowsEachHandInItsLane) {
     EXPECT_EQ(laneAt(60, core::Side::Left), laneAt(70, core::Side::Right)) << "nothing there";
 }
 
+TEST_F(TimelineTest, StripesHandsThatWaitForALook) {
+    timeline.setFrame(99);
+    timeline.setProposedHands({{20, {{core::Side::Left, 0.05}}}, {30, {{core::Side::Left, 0.1}, {core::Side::Right, 0.9}}}});
+    const QImage picture = timeline.grab().toImage();
+    const int top = (timeline.height() - 19) / 2;
+    const auto at = [&](int frame, int y) { return picture.pixelColor(6 + frame * 8 + 3, top + y); };
+    EXPECT_EQ(at(20, 4), widgets::kProposedColour);
+    EXPECT_NE(at(20, 5), widgets::kProposedColour) << "stripes, not a bar";
+    EXPECT_NE(at(20, 15), widgets::kProposedColour) << "the other hand does not wait";
+    EXPECT_EQ(at(30, 4), widgets::kProposedColour);
+    EXPECT_EQ(at(30, 15), widgets::kDoubtfulColour);
+    EXPECT_TRUE(timeline.toolTipOf(30).contains(QStringLiteral("doubt 90 %")));
+}
+
 TEST_F(TimelineTest, MarksTestFramesBelow) {
     const QImage before = timeline.grab().toImage();
     timeline.setTestFrames({50});
@@ -78,7 +92,8 @@ TEST_F(TimelineTest, TheLegendExplainsTheColoursThatArePainted) {
     frames[50][core::Side::Left].occluded = frames[50][core::Side::Left].done = 14;
     timeline.setCoverage(frames, 14, 14);
     for (const QColor& painted :
-         {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour})
+         {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour,
+          widgets::kProposedColour, widgets::kDoubtfulColour})
         EXPECT_TRUE(explained.count(painted.rgb()));
     const QString tip = timeline.toolTipOf(20);
     EXPECT_TRUE(tip.contains(QStringLiteral("Frame 20")));

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include <QObject>
+#include <QString>
+
+#include "core/io/dataset/dataset.h"
+#include "core/io/detector/first_pass.h"
+#include "widgets/document/annotation_document.h"
+#include "widgets/jobs/job.h"
+
+namespace widgets {
+
+/// What a person wants the first pass to label.
+struct FirstPassRequest {
+    std::vector<int> frames; ///< ascending
+    std::set<core::Side> hands{core::Side::Left, core::Side::Right};
+    std::set<core::JointId> joints{}; ///< empty: every joint that it finds
+};
+
+/// The frames of a sequence that labels are wanted for, and the file that keeps what is done.
+struct FirstPassWork {
+    std::shared_ptr<const core::Dataset> dataset;
+    core::Sequence sequence;
+    std::vector<int> frames;
+    std::filesystem::path journal;
+};
+
+/// What was labelled.
+struct FirstPassLabels {
+    core::AutoLabels labels;
+    bool isFinished = false; ///< false: it was stopped, and the journal has what is done
+};
+
+/// What labels frames; tests put something else in its place. All run on a worker's thread but isInstalled.
+struct FirstPassProgram {
+    std::function<bool()> isInstalled;
+    /// Installs the detector's networks; returns what they are.
+    std::function<std::string(const std::filesystem::path& package)> install;
+    /// Labels what it can before `stop`. `progress` counts steps.
+    std::function<FirstPassLabels(const FirstPassWork& work, std::stop_token stop,
+                                  const std::function<void(int done, int total)>& progress)>
+        label;
+    /// Labels the frames around one that a person has corrected anew, following the hands from there; empty: it cannot.
+    std::function<core::AutoLabels(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                                   int frame, std::stop_token stop)>
+        follow = {};
+};
+
+/// How a run of the first pass ended.
+struct FirstPassResult {
+    int wanted = 0;                    ///< frames
+    int frames = 0;                    ///< with a hand
+    int proposed = 0;                  ///< marks
+    std::set<core::JointId> joints{}; ///< that were proposed
+    bool isFinished = false;           ///< false: it was stopped
+};
+
+/// Labels the frames of the open sequence without a click, in the background: proposals for the document's rater, one
+/// undo step a run. What is done is kept beside the annotations, and the next run goes on from there.
+class FirstPass : public QObject {
+    Q_OBJECT
+
+public:
+    FirstPass(AnnotationDocument& document, JobPool& pool, FirstPassProgram program, QObject* parent = nullptr);
+
+    void setProgram(FirstPassProgram program);
+    /// The open sequence; null: none is open.
+    void setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence);
+
+    bool isInstalled() const { return m_program.isInstalled(); }
+    /// Takes the networks out of a package (its folder or .tgz); installed() or failed() follows.
+    void install(const QString& package);
+
+    /// finished() or failed() follows.
+    void run(const FirstPassRequest& request);
+    /// Ends the run after the frame at work: the frames that are done become proposals.
+    void stop();
+    bool isRunning() const { return m_job.isRunning(); }
+    /// Proposes the frames around a corrected one anew, in the background, if the program can; one undo step.
+    void followFrom(int frame);
+    bool isInstalling() const { return m_installing.isRunning(); }
+
+signals:
+    void runningChanged();
+    void progressed(int done, int total);
+    void finished(const widgets::FirstPassResult& result);
+    /// The frames around a corrected one have new proposals.
+    void followed(int frame, int proposed);
+    void installed(const QString& title);
+    void failed(const QString& message);
+
+private:
+    void deliver(core::Edit edit, FirstPassResult result, const std::filesystem::path& journal);
+    FirstPassWork workOn(std::vector<int> frames) const;
+
+    AnnotationDocument& m_document;
+    FirstPassProgram m_program;
+    Job m_job;
+    Job m_installing;
+    Job m_following;
+    std::shared_ptr<const core::Dataset> m_dataset;
+    std::optional<core::Sequence> m_sequence;
+};
+
+} // namespace widgets
