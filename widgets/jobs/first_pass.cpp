@@ -13,7 +13,7 @@ namespace {
 
 void keepHands(core::AutoLabels& labels, const std::set<core::Side>& hands) {
     for (auto& [frame, list] : labels)
-        std::erase_if(list, [&hands](const core::AutoHand& label) { return !hands.contains(label.hand.side); });
+        std::erase_if(list, [&hands](const core::AutoHand& label) { return !hands.contains(label.side); });
     std::erase_if(labels, [](const auto& item) { return item.second.empty(); });
 }
 
