@@ -43,6 +43,7 @@ void addVerbs(CLI::App& program) {
     app::addRenderVerb(program);
     app::addReportVerb(program);
     app::addRigVerb(program);
+    app::addSegmentVerb(program);
     app::addSubjectVerb(program);
     app::addTriangulateVerb(program);
 }

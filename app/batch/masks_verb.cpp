@@ -24,10 +24,10 @@ void attach(const MasksArguments& arguments) {
         sources.push_back(core::parseMaskSource(dataset, text));
         sources.back().offset = arguments.offset;
     }
-    const std::vector<std::string> notes = core::attachMasks(dataset, arguments.sequence, sources);
+    const std::vector<core::MaskNote> notes = core::attachMasks(dataset, arguments.sequence, sources);
     core::rewriteDatasetFile(dataset);
-    for (const std::string& note : notes)
-        std::printf("%s\n", note.c_str());
+    for (const core::MaskNote& note : notes)
+        std::printf("%s\n", core::maskNoteText(note).c_str());
 }
 
 } // namespace

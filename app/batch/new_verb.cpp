@@ -55,7 +55,11 @@ std::vector<std::string> addMasks(core::Dataset& dataset, const NewArguments& ar
     std::vector<core::MaskSource> sources;
     for (const std::string& text : arguments.masks)
         sources.push_back(core::parseMaskSource(dataset, text));
-    return sources.empty() ? std::vector<std::string>() : core::attachMasks(dataset, arguments.sequence, sources);
+    std::vector<std::string> notes;
+    if (!sources.empty())
+        for (const core::MaskNote& note : core::attachMasks(dataset, arguments.sequence, sources))
+            notes.push_back(core::maskNoteText(note));
+    return notes;
 }
 
 void print(const std::vector<std::string>& notes) {
@@ -106,7 +110,7 @@ void makeDataset(const NewArguments& arguments) {
     } else {
         core::rewriteDatasetFile(dataset);
     }
-    print(made.notes);
+    print(core::notesInWords(made.sequence));
     print(maskNotes);
     std::printf("%s: sequence \"%s\" with %d frames, %d of %zu cameras have footage\n", folder.c_str(),
                 made.sequence.name.c_str(), made.sequence.frameCount, core::countViews(made.sequence),

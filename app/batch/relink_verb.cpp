@@ -23,8 +23,8 @@ void printFindings(const std::vector<core::RelinkFinding>& findings, const char*
         const bool hasMoved = !finding.to.empty() && finding.to != finding.from;
         std::printf("%s: %s: %s%s\n", whatOf(finding).c_str(), what, finding.from.c_str(),
                     hasMoved ? (" -> " + finding.to).c_str() : "");
-        if (!finding.note.empty())
-            std::printf("note: %s: %s\n", whatOf(finding).c_str(), finding.note.c_str());
+        if (const std::string note = core::relinkNoteText(finding); !note.empty())
+            std::printf("note: %s: %s\n", whatOf(finding).c_str(), note.c_str());
     }
 }
 

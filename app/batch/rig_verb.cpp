@@ -9,6 +9,7 @@
 
 #include "app/batch/interrupt.h"
 #include "app/batch/verbs.h"
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/calibration/cameras_file.h"
 #include "core/io/dataset/dataset.h"
@@ -54,7 +55,7 @@ ordered_json cameraJson(const core::CameraHealth& camera) {
     return item;
 }
 
-ordered_json refinementJson(const core::RigRefinement& refinement) {
+ordered_json refinementJson(const core::RigRefinement& refinement, const std::optional<double>& worldSigmaMm) {
     ordered_json cameras = ordered_json::array();
     for (const core::CameraRefinement& change : refinement.changes) {
         ordered_json item{{"name", change.camera},           {"turnDeg", change.turnDeg}, {"shiftMm", change.shiftMm},
@@ -65,8 +66,12 @@ ordered_json refinementJson(const core::RigRefinement& refinement) {
             item["afterRmsPx"] = change.afterRmsPx;
         cameras.push_back(item);
     }
-    return {{"sigmaPx", refinement.sigmaPx},         {"joints", refinement.joints},       {"frames", refinement.frames},
-            {"wrongClicks", refinement.wrongClicks}, {"converged", refinement.converged}, {"cameras", cameras}};
+    ordered_json item{{"sigmaPx", refinement.sigmaPx},         {"joints", refinement.joints},
+                      {"frames", refinement.frames},           {"wrongClicks", refinement.wrongClicks},
+                      {"converged", refinement.converged},     {"cameras", cameras}};
+    if (worldSigmaMm)
+        item["worldSigmaMm"] = *worldSigmaMm;
+    return item;
 }
 
 /// What the verb found; the names of the sequences are for the sentences.
@@ -75,6 +80,7 @@ struct RigVerdict {
     core::RigHealth health;
     core::ClickSigmas sigmas;
     std::optional<core::RigRefinement> refinement;
+    std::optional<double> worldSigmaMm; ///< of the refined world as a whole
 };
 
 ordered_json raterJson(const core::RigHealth& health, const std::string& rater, const core::RaterSigma& sigma) {
@@ -106,7 +112,7 @@ ordered_json sequenceJson(const core::SequenceHealth& sequence, const std::vecto
 }
 
 void writeJson(const std::string& file, const RigVerdict& verdict) {
-    const auto& [sequences, health, sigmas, refinement] = verdict;
+    const auto& [sequences, health, sigmas, refinement, worldSigmaMm] = verdict;
     ordered_json document;
     document["sigmaPx"] = refinement ? ordered_json(refinement->sigmaPx) : ordered_json(nullptr);
     document["joints"] = health.joints;
@@ -125,7 +131,7 @@ void writeJson(const std::string& file, const RigVerdict& verdict) {
         document["raters"].push_back(raterJson(health, rater, sigma));
     document["findings"] = core::rigFindings(health, sequences);
     if (refinement)
-        document["refinement"] = refinementJson(*refinement);
+        document["refinement"] = refinementJson(*refinement, worldSigmaMm);
     core::checkSchema(nlohmann::json(document), "rig-health", file);
     core::writeJsonFile(file, document);
 }
@@ -164,7 +170,7 @@ void printHealth(const core::RigHealth& health, const std::vector<std::string>& 
         std::printf("%s\n", sentence.c_str());
 }
 
-void printRefinement(const core::RigRefinement& refinement) {
+void printRefinement(const core::RigRefinement& refinement, const std::optional<double>& worldSigmaMm) {
     std::printf("refined from %d joints in %d frames; a click scatters by %.2f px per axis; %d wrong clicks\n",
                 refinement.joints, refinement.frames, refinement.sigmaPx, refinement.wrongClicks);
     std::printf("%-12s %10s %10s %10s %10s %10s\n", "camera", "rms before", "rms after", "turned deg", "moved mm",
@@ -173,10 +179,18 @@ void printRefinement(const core::RigRefinement& refinement) {
         std::printf("%-12s %10.2f %10.2f %10.3f %10.2f %+10.3f\n", change.camera.c_str(), change.beforeRmsPx,
                     change.afterRmsPx, change.turnDeg, change.shiftMm, 100 * change.focalShare);
     }
+    if (worldSigmaMm)
+        std::printf("distances and shapes are as good as the clicks; the world as a whole lies where the calibration "
+                    "as given had it, +- %.2f mm\n",
+                    *worldSigmaMm);
 }
 
 /// Whether refining is worth it, and what it still needs.
 void printAdvice(const core::RigHealth& health, const std::vector<core::RigJoint>& joints, bool isPossible) {
+    if (health.cameras.size() < 3) {
+        std::printf("two cameras cannot tell which of them is off: a refinement needs three\n");
+        return;
+    }
     const core::RefinementNeeds needs = core::adviseRefinement(health, joints);
     switch (isPossible ? needs.advice : core::RefinementAdvice::NeedsMoreJoints) {
     case core::RefinementAdvice::NeedsMoreJoints:
@@ -209,14 +223,18 @@ void rig(const RigArguments& arguments) {
     const auto refinement = core::refineRig(dataset.cameras, joints, residuals, {}, interruptToken());
     if (interruptToken().stop_requested())
         throw Interrupted(arguments.dataset + ": stopped; nothing was written");
+    std::optional<double> worldSigmaMm;
+    if (const auto world = refinement ? core::worldCovariance(dataset.cameras, sigmas, refinement->middleInWorld)
+                                      : std::nullopt)
+        worldSigmaMm = core::sigmaMm(*world);
     printHealth(health, sequences);
     printSigmas(sigmas);
     if (refinement && arguments.refine)
-        printRefinement(*refinement);
+        printRefinement(*refinement, worldSigmaMm);
     if (!arguments.refine)
         printAdvice(health, joints, refinement.has_value());
     if (!arguments.json.empty())
-        writeJson(arguments.json, {sequences, health, sigmas, refinement});
+        writeJson(arguments.json, {sequences, health, sigmas, refinement, worldSigmaMm});
     if (!arguments.refine)
         return;
     if (!refinement) {

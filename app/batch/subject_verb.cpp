@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -7,9 +8,11 @@
 
 #include "app/batch/interrupt.h"
 #include "app/batch/verbs.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/derived_dataset.h"
 #include "core/io/derived/measured_subject.h"
 #include "core/io/derived/subject_file.h"
+#include "core/rig/rig_findings.h"
 
 namespace app {
 
@@ -35,12 +38,10 @@ void printCalibration(const core::MeasuredSubject& measured) {
             measured.unitMm,
             measured.isUnitKnown ? ""
                                  : " if this hand is as large as the model: the scale cannot be told from the unit");
-    bool isOff = false;
-    for (const std::string& finding : measured.rigFindings) {
+    for (const std::string& finding : core::rigFindings(measured.rigHealth, core::sequenceNames(measured.dataset)))
         std::printf("warning: %s\n", finding.c_str());
-        isOff = isOff || finding.find(" px off ") != std::string::npos;
-    }
-    if (isOff)
+    const std::vector<core::RigFinding> faults = core::findRigFaults(measured.rigHealth);
+    if (std::any_of(faults.begin(), faults.end(), [](const auto& fault) { return core::isOffFinding(fault.kind); }))
         std::printf(
             "warning: lengths and girth cannot be better than the calibration: refine it first (rig --refine)\n");
 }

@@ -27,6 +27,7 @@ void addRelinkVerb(CLI::App& program);
 void addRenderVerb(CLI::App& program);
 void addReportVerb(CLI::App& program);
 void addRigVerb(CLI::App& program);
+void addSegmentVerb(CLI::App& program);
 void addSubjectVerb(CLI::App& program);
 void addTriangulateVerb(CLI::App& program);
 

@@ -4,8 +4,10 @@
 
 #include <utility>
 
+#include <QDesktopServices>
 #include <QDir>
 #include <QFileInfo>
+#include <QUrl>
 
 #include "widgets/text/store_text.h"
 
@@ -127,6 +129,8 @@ void MainWindow::connectWork() {
         [this](const QString& folder) {
             m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
         });
+    connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::reportWanted, this,
+            [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
     connect(&benchmarks, &widgets::BenchmarkRunner::opened, this,
             [this] { m_workspaces->setCurrent(Workspaces::Kind::Benchmark); });
     connect(m_workspaces->masks(), &widgets::MaskAttacher::attached, m_statusLine, &widgets::StatusLine::sayBriefly);

@@ -26,10 +26,6 @@ RaterSummary summaryOf(const std::string& rater, const AnnotationSet& set, const
             summary.joints.occluded += coverage.occluded;
         }
     }
-    TriangulationOptions ofAll = options; // the noise is what is asked
-    ofAll.sigmaPxByCamera.clear();
-    ofAll.isSigmaAssumed = false;
-    summary.noise = estimateClickNoise(set, cameras, rater, ofAll);
     return summary;
 }
 

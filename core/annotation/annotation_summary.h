@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/annotation/click_noise.h"
 #include "core/annotation/click_sigmas.h"
 #include "core/annotation/quality.h"
 #include "core/annotation/raters.h"
@@ -33,7 +32,6 @@ struct RaterSummary {
     int accepted = 0;               ///< accepted reprojections
     HandCoverage joints;            ///< over both hands and all frames
     std::map<int, int> doneByFrame; ///< finished joints of both hands, for frames with marks
-    std::optional<ClickNoise> noise;
     std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; nothing without them
     std::vector<QualityFinding> findings; ///< by frame
 };

@@ -42,7 +42,7 @@ namespace {
 bool areAlike(const TriangulationOptions& a, const TriangulationOptions& b) {
     if (a.isSigmaAssumed != b.isSigmaAssumed || a.sigmaPxByCamera.size() != b.sigmaPxByCamera.size())
         return false;
-    constexpr double kHardlyNoticed = 0.1;
+    constexpr double kHardlyNoticed = 0.02;
     for (std::size_t c = 0; c < a.sigmaPxByCamera.size(); ++c)
         if (std::abs(std::log(a.sigmaPxByCamera[c] / b.sigmaPxByCamera[c])) > kHardlyNoticed)
             return false;

@@ -35,7 +35,7 @@ struct ClickSigmas {
     bool operator==(const ClickSigmas&) const = default;
 };
 
-/// True if a triangulation would hardly notice: the same raters are known, and no sigma differs by more than a tenth.
+/// True if a triangulation would hardly notice: the same raters are known, and no sigma differs by more than 2 %.
 bool areAlike(const ClickSigmas& a, const ClickSigmas& b);
 
 } // namespace core

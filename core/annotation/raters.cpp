@@ -82,10 +82,10 @@ std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std
 }
 
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
-                                              const TriangulationOptions& options) {
+                                              const ClickSigmas& sigmas) {
     std::map<std::string, SequencePoints> points;
     for (const std::string& rater : ratersOf(set))
-        points[rater] = sequencePoints(set, cameras, rater, options);
+        points[rater] = sequencePoints(set, cameras, rater, sigmas.optionsFor(rater));
     return compareAllRaters(set, points);
 }
 
@@ -102,21 +102,42 @@ std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set,
     return comparisons;
 }
 
+namespace {
+
+/// Clicks of one camera share its systematic error q: k of them, each with the variance s^2 + k q^2, have a mean with
+/// the variance s^2 / k + q^2.
+void shareSystematicError(std::vector<Observation>& observations, const ClickSigmas& sigmas) {
+    std::map<int, int> clicks;
+    for (const Observation& observation : observations)
+        ++clicks[observation.camera];
+    for (Observation& observation : observations) {
+        const auto camera = static_cast<std::size_t>(observation.camera);
+        if (camera < sigmas.systematicPx.size())
+            observation.sigmaPx = std::hypot(
+                observation.sigmaPx, std::sqrt(clicks[observation.camera] - 1.0) * sigmas.systematicPx[camera]);
+    }
+}
+
+} // namespace
+
 Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const JointId& joint,
-                    const std::map<std::string, double>& sigmaPx, const TriangulationOptions& options) {
+                    const ClickSigmas& sigmas, const TriangulationOptions& options) {
     Consensus result;
     std::vector<Observation> observations;
+    TriangulationOptions together = options;
     for (const auto& [key, mark] : marksOfFrame(set, frame)) {
         const auto camera = std::find_if(cameras.begin(), cameras.end(),
                                          [&name = key.camera](const Camera& c) { return c.name == name; });
         if (key.joint != joint || camera == cameras.end() || !isEvidenceIn(mark, *camera))
             continue;
-        const auto sigma = sigmaPx.find(key.rater);
-        observations.push_back(
-            {static_cast<int>(camera - cameras.begin()), mark.px, sigma == sigmaPx.end() ? 0 : sigma->second});
+        const auto index = static_cast<int>(camera - cameras.begin());
+        const TriangulationOptions own = sigmas.optionsFor(key.rater, options);
+        observations.push_back({index, mark.px, own.sigmaOf(index)});
+        together.isSigmaAssumed = together.isSigmaAssumed || own.isSigmaAssumed;
         result.clicks.push_back({key.rater, key.camera, mark.px, 0, false});
     }
-    result.result = triangulate(cameras, observations, options);
+    shareSystematicError(observations, sigmas);
+    result.result = triangulate(cameras, observations, together);
     for (std::size_t k = 0; result.result.point && k < result.clicks.size(); ++k) {
         result.clicks[k].errorPx = result.result.point->residualPx[k];
         result.clicks[k].outlier = !result.result.point->inlier[k];

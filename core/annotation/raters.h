@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/sequence_points.h"
 
 namespace core {
@@ -42,9 +43,9 @@ struct RaterComparison {
 std::optional<RaterComparison> compareRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
                                              const std::string& first, const std::string& second,
                                              const TriangulationOptions& options = {});
-/// Every pair of raters that share something, in order.
+/// Every pair of raters that share something, in order; each one's clicks count by their sigmas.
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set, const std::vector<Camera>& cameras,
-                                              const TriangulationOptions& options = {});
+                                              const ClickSigmas& sigmas = {});
 /// The same where the points of each rater are known already.
 std::vector<RaterComparison> compareAllRaters(const AnnotationSet& set,
                                               const std::map<std::string, SequencePoints>& points);
@@ -61,10 +62,11 @@ struct Consensus {
     TriangulationResult result;
     std::vector<ConsensusClick> clicks;
 };
-/// Triangulates all raters' manual marks of one joint at once, each weighed by its rater's sigma (px per axis; raters
-/// that are not in `sigmaPx` get that of the options). Marks of several raters in one view all count.
+/// Triangulates all raters' manual marks of one joint at once, each weighed by its rater's sigma (raters whose sigma is
+/// not known have that of the options). Marks of several raters in one view all count, but share the view's systematic
+/// error: k of them count as k measurements of the hand and one of the calibration.
 Consensus consensus(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame, const JointId& joint,
-                    const std::map<std::string, double>& sigmaPx = {}, const TriangulationOptions& options = {});
+                    const ClickSigmas& sigmas = {}, const TriangulationOptions& options = {});
 
 /// A joint of a frame that is to be annotated again.
 struct RepeatTask {

@@ -15,9 +15,10 @@ SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera
 }
 
 std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras,
-                                                   int frame, const TriangulationOptions& options) {
+                                                   int frame, const ClickSigmas& sigmas) {
     std::map<JointId, std::vector<Eigen::Vector3d>> points;
     for (const std::string& rater : ratersOf(set, frame)) {
+        const TriangulationOptions options = sigmas.optionsFor(rater);
         for (const auto& [joint, found] : reconstructFrame(set, cameras, frame, rater, {options, false, std::nullopt}))
             if (found.hasPoint())
                 points[joint].push_back(found.result.point->pointInWorld);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/annotation/annotation_set.h"
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/reconstruction.h"
 
 namespace core {
@@ -19,8 +20,8 @@ using SequencePoints = std::map<int, JointPoints>;
 SequencePoints sequencePoints(const AnnotationSet& set, const std::vector<Camera>& cameras, const std::string& rater,
                               const TriangulationOptions& options = {});
 
-/// Where the joints of a frame are, mm: the mean over the points that its raters' marks give.
+/// Where the joints of a frame are, mm: the mean over the points that its raters' marks give, each by its sigmas.
 std::map<JointId, Eigen::Vector3d> meanJointPoints(const AnnotationSet& set, const std::vector<Camera>& cameras,
-                                                   int frame, const TriangulationOptions& options = {});
+                                                   int frame, const ClickSigmas& sigmas = {});
 
 } // namespace core

@@ -21,10 +21,6 @@ namespace core {
 
 namespace {
 
-double rounded(double value) {
-    return std::round(value * 1e6) / 1e6;
-}
-
 /// The model's annotated joints, in the model's order.
 std::vector<JointId> annotatedJoints(const BenchmarkScene& scene) {
     std::set<JointId> annotated;
@@ -205,7 +201,7 @@ private:
         const JointErrors end = jointErrors(m_results.joints, namedJointPositions(m_scene.hands, fit.poses), reference);
         const int iterations = static_cast<int>(fit.history.size());
         return {pair,       method,         start.meanMm,         end.meanMm,
-                iterations, costRises(fit), rounded(fit.seconds), end.perJointMm};
+                iterations, costRises(fit), toMillionths(fit.seconds), end.perJointMm};
     }
 
     void add(PairResult row) {

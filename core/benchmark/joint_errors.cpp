@@ -6,13 +6,9 @@
 
 namespace core {
 
-namespace {
-
-double rounded(double lengthMm) {
-    return std::round(lengthMm * 1e6) / 1e6;
+double toMillionths(double value) {
+    return std::round(value * 1e6) / 1e6;
 }
-
-} // namespace
 
 std::vector<JointId> jointNames(const std::vector<HandModel>& hands) {
     std::vector<JointId> joints;
@@ -45,11 +41,11 @@ JointErrors jointErrors(const std::vector<JointId>& joints, const JointPositions
             continue;
         }
         const double errorMm = (found->second - truth->second).norm();
-        errors.perJointMm.push_back(rounded(errorMm));
+        errors.perJointMm.push_back(toMillionths(errorMm));
         sum += errorMm;
         ++count;
     }
-    errors.meanMm = count > 0 ? rounded(sum / count) : std::numeric_limits<double>::quiet_NaN();
+    errors.meanMm = count > 0 ? toMillionths(sum / count) : std::numeric_limits<double>::quiet_NaN();
     return errors;
 }
 

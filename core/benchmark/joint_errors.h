@@ -19,6 +19,9 @@ std::vector<JointId> jointNames(const std::vector<HandModel>& hands);
 /// All joints of the hands in the given poses.
 JointPositions namedJointPositions(const std::vector<HandModel>& hands, const HandPoses& poses);
 
+/// As results are kept: rounded to six decimals.
+double toMillionths(double value);
+
 /// Euclidean distances between two sets of joints, mm, rounded to 1e-6 mm.
 struct JointErrors {
     double meanMm = 0;              ///< over the joints that both have; NaN if there are none

@@ -17,7 +17,7 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kWorstPairs = 3; ///< listed per setting, of the last method
+constexpr std::size_t kWorstPairsOfSetting = 3; ///< listed per setting, of the last method
 
 const RealismResult* cleanOf(const std::vector<RealismResult>& results) {
     const auto found = std::find_if(results.begin(), results.end(),
@@ -112,7 +112,7 @@ std::string worstHtml(const std::string& dataset, const std::vector<RealismResul
                        "</h2>\n<table>\n<thead><tr><th>setting</th><th>sequence</th><th>start</th><th>test</th>"
                        "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
     for (const RealismResult& one : results) {
-        for (const PairResult& row : worstPairs(one.results, method, kWorstPairs)) {
+        for (const PairResult& row : worstPairs(one.results, method, kWorstPairsOfSetting)) {
             text += "<tr>" + htmlTextCell(one.setting.title) + htmlTextCell(row.pair.sequence) + "<td>" +
                     std::to_string(row.pair.start) + "</td><td>" + std::to_string(row.pair.test) + "</td>" +
                     htmlNumberCell(row.initialErrorMm, 2) + htmlNumberCell(row.errorMm, 2) +

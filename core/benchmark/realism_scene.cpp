@@ -9,6 +9,7 @@
 
 #include "core/annotation/sequence_points.h"
 #include "core/error.h"
+#include "core/rig/click_sigma_estimate.h"
 #include "core/rig/rig_refinement.h"
 #include "core/simulation/simulated_clicks.h"
 #include "core/subject/subject_estimate.h"
@@ -57,9 +58,10 @@ public:
                 if (pair.sequence == sequence.name)
                     m_scene.sequences.back().annotatedJoints[pair.test];
         }
-        for (BenchmarkSequence& sequence : m_scene.sequences)
-            for (auto& [frame, joints] : sequence.annotatedJoints)
-                joints = m_setting.isClicked ? clickedJoints(sequence, frame) : trueJoints(sequence, frame);
+        if (m_setting.isClicked)
+            findClickedJoints();
+        else
+            findTrueJoints();
         if (!m_setting.isClicked && m_setting.world.rig != RigError{})
             moveToScene();
         return std::move(m_scene);
@@ -80,8 +82,27 @@ private:
         return set;
     }
 
-    JointPositions clickedJoints(const BenchmarkSequence& sequence, int frame) const {
-        return meanJointPoints(clicks(sequence, frame), m_scene.cameras, frame);
+    /// What a lab takes for the truth: points of clicks, which count by the sigmas that all of them show.
+    void findClickedJoints() {
+        std::vector<std::map<int, AnnotationSet>> sets;
+        std::vector<RigJoint> joints;
+        for (std::size_t s = 0; s < m_scene.sequences.size(); ++s) {
+            sets.emplace_back();
+            for (const auto& [frame, none] : m_scene.sequences[s].annotatedJoints) {
+                const auto& added = sets.back()[frame] = clicks(m_scene.sequences[s], frame);
+                addRigJoints(joints, added, m_scene.cameras, static_cast<int>(s));
+            }
+        }
+        const ClickSigmas sigmas = estimateClickSigmas(m_scene.cameras, joints);
+        for (std::size_t s = 0; s < sets.size(); ++s)
+            for (const auto& [frame, set] : sets[s])
+                m_scene.sequences[s].annotatedJoints[frame] = meanJointPoints(set, m_scene.cameras, frame, sigmas);
+    }
+
+    void findTrueJoints() {
+        for (BenchmarkSequence& sequence : m_scene.sequences)
+            for (auto& [frame, joints] : sequence.annotatedJoints)
+                joints = trueJoints(sequence, frame);
     }
 
     JointPositions trueJoints(const BenchmarkSequence& sequence, int frame) const {
@@ -135,11 +156,10 @@ private:
             sets.push_back(clicks(m_clean.sequences[s], frame));
             addRigJoints(joints, sets.back(), m_clean.cameras, static_cast<int>(s));
         }
-        TriangulationOptions options;
-        if (const auto refined = refineRig(m_clean.cameras, joints, {}, stop)) {
+        if (const auto refined = refineRig(m_clean.cameras, joints, {}, stop))
             m_scene.cameras = refined->cameras;
-            options.sigmaPx = std::max(0.2, refined->sigmaPx);
-        }
+        const TriangulationOptions options =
+            estimateClickSigmas(m_scene.cameras, joints).optionsFor(AnnotatorOptions{}.rater);
         std::vector<SubjectFrame> known;
         for (std::size_t i = 0; i < frames.size(); ++i)
             known.push_back(subjectFrame(m_clean.sequences[frames[i].first], frames[i].second, sets[i], options));

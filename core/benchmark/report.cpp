@@ -16,7 +16,7 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kWorstPairs = 5; ///< listed per method
+constexpr std::size_t kWorstPairsOfMethod = 5; ///< listed per method
 
 std::string introduction(const ReportContent& content) {
     const BenchmarkResults& results = *content.results;
@@ -116,7 +116,7 @@ std::string worstHtml(const ReportContent& content) {
         "<h2>Worst pairs</h2>\n<table>\n<thead><tr><th>method</th><th>sequence</th><th>start</th><th>test</th>"
         "<th>before, mm</th><th>after, mm</th><th>open it</th></tr></thead>\n<tbody>\n";
     for (const std::string& method : headlineMethods(*content.results)) {
-        for (const PairResult& row : worstPairs(*content.results, method, kWorstPairs)) {
+        for (const PairResult& row : worstPairs(*content.results, method, kWorstPairsOfMethod)) {
             text += "<tr>" + htmlTextCell(method) + htmlTextCell(row.pair.sequence) + "<td>" +
                     std::to_string(row.pair.start) + "</td><td>" + std::to_string(row.pair.test) + "</td>" +
                     htmlNumberCell(row.initialErrorMm, 2) + htmlNumberCell(row.errorMm, 2) +

@@ -6,7 +6,6 @@
 
 #include "core/benchmark/metrics.h"
 #include "core/benchmark/paper_results.h"
-#include "core/benchmark/rank_agreement.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
 
@@ -93,13 +92,22 @@ ResultTable setupsTable(const std::vector<SetupResults>& setups) {
     return all;
 }
 
-std::string setupsAgreement(const std::vector<SetupResults>& setups) {
+std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>& setups) {
     if (setups.size() < 2)
+        return std::nullopt;
+    const std::vector<std::string> methods = commonMethods(setups);
+    if (methods.size() < 2)
+        return std::nullopt;
+    const RankAgreement agreement = rankAgreement(*setups[0].results, *setups[1].results, methods);
+    return std::isnan(agreement.tau) ? std::nullopt : std::optional(agreement);
+}
+
+std::string setupsAgreement(const std::vector<SetupResults>& setups) {
+    const auto found = setupsRankAgreement(setups);
+    if (!found)
         return "";
     const std::vector<std::string> methods = commonMethods(setups);
-    const RankAgreement agreement = rankAgreement(*setups[0].results, *setups[1].results, methods);
-    if (methods.size() < 2 || std::isnan(agreement.tau))
-        return "";
+    const RankAgreement& agreement = *found;
     std::string text = "Does the order on " + setupName(setups[0].setup) + " data predict the order on " +
                        setupName(setups[1].setup) + " data? Kendall's tau is " + fixedText(agreement.tau, 2) +
                        " (95 % of it between " + fixedText(agreement.low, 2) + " and " + fixedText(agreement.high, 2) +

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/benchmark/rank_agreement.h"
 #include "core/benchmark/report.h"
 #include "core/benchmark/result_table.h"
 
@@ -19,6 +21,9 @@ struct SetupResults {
 /// paper stands below it; the paper's full tracker, which has no method of ours, last, and only for the paper's hands.
 ResultTable setupsTable(const std::vector<SetupResults>& setups);
 
+/// How far the order of the methods in the first setup is that of the second; nothing with fewer than two setups or two
+/// methods that both have.
+std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>& setups);
 /// Whether the order of the methods in the first setup predicts that of the second: one sentence with Kendall's tau.
 /// Empty with fewer than two setups or two methods.
 std::string setupsAgreement(const std::vector<SetupResults>& setups);

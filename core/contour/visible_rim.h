@@ -91,7 +91,7 @@ SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<
                                         std::span<const ConvexRegion> ignored = {});
 
 /// The visible outer rim of the union of all hands as seen by `camera`: no interior creases, no rim hidden by another
-/// hand, nothing outside the image. Deterministic. (method: P(theta, c))
+/// hand, no points outside the image. Deterministic. (method: P(theta, c))
 void visibleRim(const Camera& camera, const std::vector<RimSource>& hands, const RimOptions& options,
                 RimScratch& scratch, std::vector<RimPoint>& rim);
 

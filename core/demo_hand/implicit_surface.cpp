@@ -7,6 +7,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "core/demo_hand/edge_key.h"
+
 namespace core {
 
 double smoothMin(double a, double b, double widthMm) {
@@ -15,10 +17,6 @@ double smoothMin(double a, double b, double widthMm) {
 }
 
 namespace {
-
-std::uint64_t edgeKey(int a, int b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
-}
 
 /// The field on a regular grid, sampled where it is needed, and the surface that grows while its cubes are visited.
 class TetrahedraMarcher {

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <unordered_set>
 
+#include "core/demo_hand/edge_key.h"
+
 namespace core {
 
 namespace {
@@ -118,10 +120,6 @@ private:
     std::vector<bool> m_touched;
     std::vector<bool> m_isGone;
 };
-
-std::uint64_t edgeKey(int a, int b) {
-    return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint64_t>(std::max(a, b));
-}
 
 /// Edge flips on a mesh whose edges and valences are known; a triangle takes part in one flip at most.
 class Flipper {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMostHands = 2;
 constexpr std::size_t kViewsAtOnce = 2;   ///< that are searched before their agreement is asked for
+constexpr double kAroundShare = 0.9;      ///< of a hand's square, that hands which were known are searched around
 constexpr double kSettledResidual = 0.03; ///< median, share of the square's side
 
 /// An order of the views in which neighbours of a ring come late: they tell least of each other.
@@ -64,6 +65,18 @@ void forEachView(std::size_t count, std::vector<HandDetector>& detectors, Body b
         total);
 }
 
+/// The part of a picture around where hands were; empty if they are not seen there.
+cv::Rect windowAround(const Camera& camera, const std::vector<SpatialHand>& hands, cv::Size picture) {
+    cv::Rect2d box;
+    for (const SpatialHand& hand : hands)
+        if (const auto px = projectHand(camera, hand)) {
+            const HandPlace place = placeOf(*px);
+            const double reach = kAroundShare * place.sidePx;
+            box |= cv::Rect2d(place.centrePx.x() - reach, place.centrePx.y() - reach, 2 * reach, 2 * reach);
+        }
+    return cv::Rect(box) & cv::Rect({0, 0}, picture);
+}
+
 } // namespace
 
 FrameDetector::FrameDetector(const DetectorNetworks& networks, std::vector<Camera> cameras, DetectorOptions options)
@@ -102,37 +115,48 @@ void FrameDetector::lookFor(const std::vector<SpatialHand>& hands, const Picture
         });
 }
 
-void FrameDetector::search(const std::vector<std::size_t>& views, const Pictures& pictures, ViewDetections& found) {
+void FrameDetector::search(const std::vector<std::size_t>& views, const Pictures& pictures,
+                           const std::vector<SpatialHand>& around, ViewDetections& found) {
     forEachView(
         views.size(), m_detectors,
         [&](std::size_t i, HandDetector& detector) {
             const std::size_t view = views[i];
             if (pictures[view].empty())
                 return;
-            for (DetectedHand& hand : detector.search(pictures[view], true))
+            const cv::Rect window = windowAround(m_cameras[view], around, pictures[view].size());
+            if (window.empty() && !around.empty())
+                return;
+            for (DetectedHand& hand :
+                 around.empty() ? detector.search(pictures[view], true) : detector.searchIn(pictures[view], window))
                 found[view].push_back(hand);
             found[view] = withoutDuplicates(std::move(found[view]));
         });
 }
 
-ViewDetections FrameDetector::detect(const std::vector<cv::Mat>& pictures, const std::vector<SpatialHand>& near,
-                                     bool searchAnyway) {
-    ViewDetections found(pictures.size());
-    if (!near.empty()) {
-        lookFor(near, pictures, 1, found);
-        if (!searchAnyway && isSettled(groupDetections(m_cameras, found), pictures, near.size()))
-            return found;
-    }
+bool FrameDetector::searchViews(const Pictures& pictures, const std::vector<SpatialHand>& around,
+                                ViewDetections& found) {
     const std::vector<std::size_t> order = searchOrder(pictures.size());
     for (std::size_t begin = 0; begin < order.size(); begin += kViewsAtOnce) {
         const std::vector<std::size_t> views(
             order.begin() + static_cast<std::ptrdiff_t>(begin),
             order.begin() + static_cast<std::ptrdiff_t>(std::min(begin + kViewsAtOnce, order.size())));
-        search(views, pictures, found);
+        search(views, pictures, around, found);
         lookFor(groupDetections(m_cameras, found), pictures, 2, found);
         if (isSettled(groupDetections(m_cameras, found), pictures, kMostHands))
-            break;
+            return true;
     }
+    return false;
+}
+
+ViewDetections FrameDetector::detect(const std::vector<cv::Mat>& pictures, const KnownHands& known, bool searchAnyway) {
+    ViewDetections found(pictures.size());
+    if (!known.hands.empty() && known.isRecent) {
+        lookFor(known.hands, pictures, 1, found);
+        if (!searchAnyway && isSettled(groupDetections(m_cameras, found), pictures, known.hands.size()))
+            return found;
+    }
+    if (known.hands.size() < kMostHands || searchAnyway || !searchViews(pictures, known.hands, found))
+        searchViews(pictures, {}, found);
     return found;
 }
 

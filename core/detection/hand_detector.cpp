@@ -56,6 +56,10 @@ std::vector<Palm> HandDetector::findPalms(const cv::Mat& bgr, bool tiles) {
     if (tiles)
         for (const cv::Rect& tile : searchTiles(bgr.size(), m_options.tileSidePx))
             windows.push_back(tile);
+    return palmsIn(bgr, windows);
+}
+
+std::vector<Palm> HandDetector::palmsIn(const cv::Mat& bgr, const std::vector<cv::Rect>& windows) {
     std::vector<Palm> palms;
     for (const cv::Rect& window : windows) {
         const Letterbox input = letterbox(bgr, window);
@@ -129,15 +133,22 @@ std::vector<DetectedHand> withoutDuplicates(std::vector<DetectedHand> hands) {
     return kept;
 }
 
-std::vector<DetectedHand> HandDetector::search(const cv::Mat& bgr, bool tiles) {
+std::vector<DetectedHand> HandDetector::handsOf(const cv::Mat& bgr, const std::vector<Palm>& palms) {
     std::vector<DetectedHand> hands;
-    const std::vector<Palm> palms = findPalms(bgr, tiles);
     for (std::size_t i = 0; i < std::min(palms.size(), 2 * m_options.mostHands); ++i)
         if (const auto hand = findLandmarks(bgr, placeOf(palms[i]), 2))
             hands.push_back(*hand);
     hands = withoutDuplicates(std::move(hands));
     hands.resize(std::min(hands.size(), m_options.mostHands));
     return hands;
+}
+
+std::vector<DetectedHand> HandDetector::search(const cv::Mat& bgr, bool tiles) {
+    return handsOf(bgr, findPalms(bgr, tiles));
+}
+
+std::vector<DetectedHand> HandDetector::searchIn(const cv::Mat& bgr, const cv::Rect& window) {
+    return handsOf(bgr, palmsIn(bgr, {window}));
 }
 
 } // namespace core

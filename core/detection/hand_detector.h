@@ -42,8 +42,13 @@ public:
     std::optional<DetectedHand> findLandmarks(const cv::Mat& bgr, HandPlace place, int passes);
     /// All hands of a picture, without knowing where they are; the surest first.
     std::vector<DetectedHand> search(const cv::Mat& bgr, bool tiles);
+    /// The same of a window of the picture.
+    std::vector<DetectedHand> searchIn(const cv::Mat& bgr, const cv::Rect& window);
 
 private:
+    std::vector<Palm> palmsIn(const cv::Mat& bgr, const std::vector<cv::Rect>& windows);
+    std::vector<DetectedHand> handsOf(const cv::Mat& bgr, const std::vector<Palm>& palms);
+
     DetectorOptions m_options;
     Network m_palms, m_landmarks;
 };

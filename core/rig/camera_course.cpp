@@ -64,7 +64,7 @@ struct FrameSum {
 };
 
 /// The frame from which the rest differs most from what it was before: the largest squared difference of both means
-/// over its variance. Nothing with too few clicks on either side.
+/// over its variance. Empty with too few clicks on either side.
 std::optional<std::pair<int, int>> bestSplit(const std::map<int, FrameSum>& frames, int leastClicks) {
     FrameSum before, after;
     for (const auto& [frame, sum] : frames)

@@ -8,21 +8,21 @@
 
 namespace core {
 
-/// A camera that stood still, and then stood otherwise.
+/// A camera that moved once, between two annotated frames.
 struct CameraStep {
-    int lastFrameBefore = 0;                            ///< the last annotated frame that sees it as it was
-    int frame = 0;                                      ///< the first that does not
+    int lastFrameBefore = 0;                            ///< the last annotated frame before the move
+    int frame = 0;                                      ///< the first one after it
     Eigen::Vector2d beforePx = Eigen::Vector2d::Zero(); ///< mean residual before
     Eigen::Vector2d afterPx = Eigen::Vector2d::Zero();  ///< and from `frame` on
     double sigmaPx = 0;                                 ///< standard deviation of each coordinate of the change
     double changePx() const { return (afterPx - beforePx).norm(); }
 };
 
-/// What the clicks of one sequence say of a camera.
+/// How one camera stands in one sequence, as its clicks show it.
 struct SequenceHealth {
     int sequence = 0; ///< as the clicks number it
     int clicks = 0;
-    int firstFrame = 0, lastFrame = 0;                ///< that show it
+    int firstFrame = 0, lastFrame = 0;                ///< with clicks of it
     Eigen::Vector2d meanPx = Eigen::Vector2d::Zero(); ///< robust mean residual, its variation over the image taken off
     double meanSigmaPx = 0;                           ///< standard deviation of each coordinate
     /// Change of the mean over the frames, px per 100 frames, with its standard deviation; empty if all clicks are of

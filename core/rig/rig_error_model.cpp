@@ -148,7 +148,7 @@ void RigErrorModel::updateScales() {
         determined[group] += 1 - m_covariance(i, i) / (m_scale2[group] * proportion2);
         ++count[group];
     }
-    constexpr double kLeastShare = 0.05; // a group that the clicks say nothing of shrinks to nothing
+    constexpr double kLeastShare = 0.05; // a group that the clicks do not determine shrinks to zero
     for (std::size_t g = 0; g < m_scale2.size(); ++g)
         if (count[g] > 0)
             m_scale2[g] = std::max(kLeastScale2, squares[g] / std::max(determined[g], kLeastShare * count[g]));

@@ -137,6 +137,11 @@ std::vector<RigFinding> findRigFaults(const RigHealth& health) {
     return findings;
 }
 
+bool isOffFinding(RigFindingKind kind) {
+    return kind == RigFindingKind::WholeRigOff || kind == RigFindingKind::CameraOff ||
+           kind == RigFindingKind::CameraOffInSequence;
+}
+
 std::vector<std::string> rigFindings(const RigHealth& health, const std::vector<std::string>& sequences) {
     const Words words{health, sequences};
     std::vector<std::string> sentences, unknown;

@@ -35,6 +35,9 @@ struct RigFinding {
 /// All findings, the rig as a whole first, then the cameras in order, what cannot be known last. Empty if all is well.
 std::vector<RigFinding> findRigFaults(const RigHealth& health);
 
+/// True for findings of cameras that are off by some pixels, always or in some sequences.
+bool isOffFinding(RigFindingKind kind);
+
 /// A sentence per finding, in English: "cam5 is 9.1 px off in every frame: its calibration moved". What cannot be known
 /// is one sentence for all cameras. `sequences` holds the sequences' names.
 std::vector<std::string> rigFindings(const RigHealth& health, const std::vector<std::string>& sequences = {});

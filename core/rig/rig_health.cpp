@@ -60,7 +60,7 @@ private:
     std::map<Key, std::size_t> m_index;
 };
 
-/// The clicks of one camera and what is asked of them.
+/// The clicks of one camera, with the regressions that judge it.
 class CameraJudge {
 public:
     CameraJudge(const std::vector<RigJoint>& joints, const Velocities& velocities, const RigHealthOptions& options,

@@ -315,6 +315,24 @@ bool isEnough(const std::vector<RigJoint>& joints, const RigRefinementOptions& o
 
 } // namespace
 
+std::optional<Eigen::Matrix3d> worldCovariance(const std::vector<Camera>& given, const ClickSigmas& sigmas,
+                                               const Eigen::Vector3d& middleInWorld) {
+    if (sigmas.systematicPx.size() != given.size())
+        return std::nullopt;
+    TriangulationOptions options;
+    constexpr double kLeastPx = 1e-3; // an exact rig
+    std::vector<Observation> sight;
+    for (std::size_t c = 0; c < given.size(); ++c) {
+        options.sigmaPxByCamera.push_back(std::max(kLeastPx, sigmas.systematicPx[c]));
+        if (project(given[c], middleInWorld))
+            sight.push_back({static_cast<int>(c), {}});
+    }
+    bool isFixed = false;
+    Eigen::Matrix3d covariance;
+    triangulationInformation(given, sight, middleInWorld, options).computeInverseWithCheck(covariance, isFixed, 1e-24);
+    return isFixed ? std::optional(covariance) : std::nullopt;
+}
+
 int countWellSeenJoints(const std::vector<RigJoint>& joints) {
     return static_cast<int>(std::count_if(
         joints.begin(), joints.end(), [](const RigJoint& joint) { return joint.clicks.size() >= 3; }));
@@ -360,8 +378,8 @@ std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const
         }
     }
     meanFrom /= refinement.joints;
-    keepGauge(cameras, refinement.cameras, meanFrom,
-              samePlace(cameras, refinement.cameras, meanFrom, meanTo / refinement.joints));
+    refinement.middleInWorld = samePlace(cameras, refinement.cameras, meanFrom, meanTo / refinement.joints);
+    keepGauge(cameras, refinement.cameras, meanFrom, refinement.middleInWorld);
     refinement.frames = countFrames(joints);
     refinement.changes = changesOf(cameras, joints, bundle, refinement);
     return refinement;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/annotation/click_sigmas.h"
 #include "core/rig/rig_residuals.h"
 
 namespace core {
@@ -23,7 +24,7 @@ struct RigRefinementOptions {
     double functionTolerance = 1e-7; ///< ends when |cost change| < it * cost
 };
 
-/// What became of one camera.
+/// How one camera was changed.
 struct CameraRefinement {
     std::string camera;
     int clicks = 0;
@@ -40,6 +41,8 @@ struct RigRefinement {
     double sigmaPx = 0;                    ///< scatter of a click per axis about the refined rig (robust)
     int joints = 0;                        ///< that took part
     int frames = 0;
+    /// Where the middle of the clicked joints is, in both worlds: the refined one is moved there (mm).
+    Eigen::Vector3d middleInWorld = Eigen::Vector3d::Zero();
     int wrongClicks = 0; ///< beyond 5 sigma of the refined rig: they took no part in the last solution
     int iterations = 0;
     bool converged = false;
@@ -57,6 +60,14 @@ std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const
 std::optional<RigRefinement> refineRig(const std::vector<Camera>& cameras, const std::vector<RigJoint>& joints,
                                        const RigResiduals& residuals, const RigRefinementOptions& options = {},
                                        std::stop_token stop = {});
+
+/// How far a refined world as a whole lies from that of a perfect calibration: covariance of the place of its middle,
+/// mm^2. The middle stays where the cameras as given saw it, so it is as uncertain as their systematic part makes it,
+/// (sum J^T J / systematic^2)^-1 over them. What a refined rig states of a joint holds within its own world; in the
+/// true world this adds to it. `given` are the cameras before the refinement, `sigmas` estimated with them. Nothing
+/// while their systematic part is not known.
+std::optional<Eigen::Matrix3d> worldCovariance(const std::vector<Camera>& given, const ClickSigmas& sigmas,
+                                               const Eigen::Vector3d& middleInWorld);
 
 /// Joints that refineRig counts: seen by three cameras or more.
 int countWellSeenJoints(const std::vector<RigJoint>& joints);

@@ -142,7 +142,7 @@ void estimateSpreads(RigResiduals& rig) {
         if (excess[c].size() < kLeastClicks)
             continue;
         const double found = std::sqrt(std::max(medianOf(excess[c]), 0.0) / 2);
-        // Half way in each round, and never to nothing: two cameras must not weigh each other up.
+        // Half way in each round, and never to zero: two cameras must not raise each other's weight without end.
         rig.spreadPx[c] = std::max(kLeastSpreadPx, std::sqrt(rig.spreadPx[c] * std::max(found, rig.spreadPx[c] / 4)));
     }
     // No camera is trusted far more than the typical one: clicks are of one kind.

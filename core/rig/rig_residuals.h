@@ -9,7 +9,7 @@
 
 namespace core {
 
-/// A click beside what the other cameras say of it.
+/// A click and where the other cameras expect it.
 struct RigResidual {
     int joint = 0;                                        ///< index into the joints
     int camera = 0;                                       ///< index into the cameras

@@ -11,11 +11,11 @@ struct RigError {
     bool operator==(const RigError&) const = default;
 };
 
-/// A rig that was calibrated well and left alone, and one that people walk around: its views are 3 to 9 px off.
+/// A rig that was calibrated well and not touched since, and one that was knocked: its views are 3 to 9 px off.
 inline constexpr RigError kStudioRig{0.02, 0.2, 0.0003};
 inline constexpr RigError kCasualRig{0.08, 0.7, 0.001};
 
-/// What separates a recording from the cameras and hands that its dataset holds. All zero: nothing does.
+/// How a recording differs from the cameras and hands that its dataset holds. All zero: not at all.
 struct Imperfection {
     double contourPx = 0;   ///< standard deviation of the silhouettes' outlines across themselves
     bool forearm = false;   ///< an arm is seen beyond the model's end

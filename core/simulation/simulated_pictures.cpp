@@ -107,32 +107,6 @@ private:
     std::array<float, kSize> m_values{};
 };
 
-/// Fills what is small and dark in a mask, and clears what is small and lit.
-void dropSmallParts(cv::Mat& mask, int areaPx) {
-    for (const bool lit : {true, false}) {
-        cv::Mat labels, statistics, centres;
-        const cv::Mat part = lit ? mask : cv::Mat(255 - mask);
-        const int count = cv::connectedComponentsWithStats(part, labels, statistics, centres, lit ? 8 : 4);
-        std::vector<bool> isSmall(static_cast<std::size_t>(count), false);
-        for (int i = 1; i < count; ++i)
-            isSmall[static_cast<std::size_t>(i)] = statistics.at<int>(i, cv::CC_STAT_AREA) < areaPx;
-        for (int y = 0; y < mask.rows; ++y)
-            for (int x = 0; x < mask.cols; ++x)
-                if (isSmall[static_cast<std::size_t>(labels.at<int>(y, x))])
-                    mask.at<uchar>(y, x) = lit ? 0 : 255;
-    }
-}
-
-/// A mask whose edge lies where the difference is half of what it is farther in: the picture's blur makes a lower
-/// threshold's masks fatter by a pixel.
-cv::Mat atHalfContrast(const cv::Mat& difference, const cv::Mat& mask) {
-    constexpr int kEdgePx = 9, kNearPx = 11;
-    cv::Mat inside, nearby;
-    cv::erode(mask, inside, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kEdgePx, kEdgePx}));
-    cv::dilate(difference, nearby, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kNearPx, kNearPx}));
-    return inside | (mask & (difference > 0.5 * nearby));
-}
-
 } // namespace
 
 cv::Mat backgroundPicture(const Camera& camera, std::uint64_t seed) {
@@ -200,24 +174,6 @@ cv::Mat simulatedPicture(const SimulatedWorld& world, std::size_t index, const M
     if (options.defocusPx > 0)
         cv::GaussianBlur(picture, picture, {}, options.defocusPx);
     return withSensorNoise(picture, options, drawSeed(world.seed, "picture/" + name + "/" + camera.name));
-}
-
-cv::Mat differenceMask(const cv::Mat& picture, const cv::Mat& background) {
-    constexpr double kSoftPx = 1.2, kThreshold = 12; // of pictures whose noise is 2 to 4 levels before the blur
-    constexpr int kSmallPx = 400;
-    cv::Mat a, b, difference, mask;
-    cv::GaussianBlur(picture, a, {}, kSoftPx);
-    cv::GaussianBlur(background, b, {}, kSoftPx);
-    cv::absdiff(a, b, difference);
-    std::array<cv::Mat, 3> channels;
-    cv::split(difference, channels);
-    difference = cv::max(channels[0], cv::max(channels[1], channels[2]));
-    mask = atHalfContrast(difference, difference > kThreshold);
-    const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
-    cv::morphologyEx(mask, mask, cv::MORPH_CLOSE, disc);
-    cv::morphologyEx(mask, mask, cv::MORPH_OPEN, disc);
-    dropSmallParts(mask, kSmallPx);
-    return mask;
 }
 
 } // namespace core

@@ -31,8 +31,4 @@ cv::Mat withSensorNoise(const cv::Mat& picture, const PictureOptions& options, s
 cv::Mat simulatedPicture(const SimulatedWorld& world, std::size_t index, const Motion& motion, int frame,
                          const cv::Mat& background, const PictureOptions& options, const std::string& name);
 
-/// A silhouette from a picture and one of the same camera without hands: what differs by more than the noise, closed,
-/// without small holes and specks. Skin before something of its colour is missed, as it is in reality.
-cv::Mat differenceMask(const cv::Mat& picture, const cv::Mat& background);
-
 } // namespace core

@@ -14,7 +14,7 @@ namespace core {
 namespace {
 
 constexpr int kCoverVertices = 700;
-constexpr double kOutlierSigmas = 4; ///< outlines between touching fingers lie outside: beyond, they count nothing
+constexpr double kOutlierSigmas = 4; ///< outlines between touching fingers lie outside: beyond, they have no weight
 
 std::vector<int> usedVertices(const TriangleMesh& mesh) {
     std::vector<bool> used(mesh.vertices.size(), false);

@@ -44,7 +44,7 @@ private:
 };
 
 /// Gives every match its weight from the robust scale (1.48 median |residual|) of the residuals in these poses, and
-/// Tukey's factor: nothing beyond 4 of it. Returns the scale in mm; 0 without matches.
+/// Tukey's factor: zero beyond 4 of it. Returns the scale in mm; 0 without matches.
 double weighOutline(const std::vector<double>& residualsMm, double share, std::vector<OutlineMatch>& matches);
 
 /// Per vertex, whether it lies beyond the wrist: past the root's origin seen from the knuckles, or carried by the

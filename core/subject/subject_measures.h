@@ -8,7 +8,7 @@
 
 namespace core {
 
-/// A length of the hand and what became of it.
+/// A length of the hand: that of the model and the measured one.
 struct SubjectBone {
     std::string from, to; ///< joints; `to` is "tip" behind the last joint
     double modelMm = 0;

@@ -20,7 +20,7 @@ namespace {
 using core::Side;
 using nlohmann::json;
 
-const core::JointId kIndex{Side::Left, "index_mcp"};
+using test::kIndex;
 
 class Feedback : public test::WindowTest {
 protected:

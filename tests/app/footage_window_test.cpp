@@ -40,10 +40,16 @@ TEST_F(FootageInTheWindow, SaysWhereACameraHasNoPicture) {
 TEST_F(FootageInTheWindow, RepeatsTheNotesOnceWhenItOpens) {
     EXPECT_EQ(notice()->message(), "");
     change([](core::Sequence& sequence) {
-        sequence.notes = {"cam1: 8 frames missing after frame 499", "two", "three", "four", "five"};
+        using Kind = core::FootageNoteKind;
+        const auto written = [](const char* text) { return core::FootageNote{Kind::Text, {}, {}, {}, text}; };
+        sequence.notes = {{Kind::LostFrames, {sequence.views[1].camera}, {{500, 8}}},
+                          written("two"),
+                          written("three"),
+                          written("four"),
+                          written("five")};
     });
-    EXPECT_TRUE(notice()->message().contains("cam1: 8 frames missing after frame 499"));
-    EXPECT_TRUE(notice()->message().contains("three"));
+    EXPECT_TRUE(notice()->message().contains("missing after frame 499")) << notice()->message().toStdString();
+    EXPECT_TRUE(notice()->message().contains("three")) << "written as text by versions of before";
     EXPECT_FALSE(notice()->message().contains("four"));
     notice()->setMessage({});
     goTo(20);

@@ -23,7 +23,7 @@ namespace {
 
 using core::Side;
 
-const core::JointId kIndex{Side::Left, "index_mcp"};
+using test::kIndex;
 constexpr int kLeastLetters = 12; ///< a shorter piece of a sentence may be German, too
 
 /// The longest piece of a text without places for values and marks of shortcuts.

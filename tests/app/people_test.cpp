@@ -19,7 +19,7 @@ namespace {
 
 using core::Side;
 
-const core::JointId kIndex{Side::Left, "index_mcp"};
+using test::kIndex;
 
 /// Anna's marks of one joint in frame 12, each at x.
 core::AnnotationSet marksOf(const std::string& rater, double x) {

@@ -12,6 +12,7 @@
 #include "widgets/text/advice.h"
 #include "widgets/text/edit_text.h"
 #include "widgets/text/error_text.h"
+#include "widgets/text/footage_text.h"
 #include "widgets/text/store_text.h"
 
 namespace {
@@ -39,6 +40,20 @@ protected:
 private:
     QTranslator m_german;
 };
+
+/// A language in which every text is the English one in brackets: shows what is never asked to be translated.
+class Brackets : public QTranslator {
+public:
+    QString translate(const char*, const char* text, const char*, int) const override {
+        return QLatin1Char('[') + QString::fromUtf8(text) + QLatin1Char(']');
+    }
+    bool isEmpty() const override { return false; }
+};
+
+void expectInBrackets(const QString& words) {
+    EXPECT_TRUE(words.startsWith(QLatin1Char('['))) << words.toStdString();
+    EXPECT_TRUE(words.endsWith(QLatin1Char(']'))) << words.toStdString();
+}
 
 core::Edit editOf(core::EditKind kind, core::MarkState state, int marks) {
     core::Edit edit;
@@ -97,6 +112,25 @@ TEST_F(ReasonsInGerman, EveryErrorIsTranslatedAndKeepsItsEnglishDetailBehindTheT
         EXPECT_EQ(widgets::errorInWords(error), QString::fromUtf8(error.what()));
     }
     QLocale::setDefault(before);
+}
+
+TEST_F(ReasonsInGerman, EveryNoteAboutFootageIsAskedToBeTranslated) {
+    using Kind = core::FootageNoteKind;
+    Brackets brackets;
+    QCoreApplication::installTranslator(&brackets);
+    for (int kind = 1; kind <= static_cast<int>(Kind::FirstPicturesDiffer); ++kind) {
+        const core::FootageNote note{static_cast<Kind>(kind), {"cam0"}, {{5, 2}}, {12, 90}};
+        expectInBrackets(widgets::footageNoteInWords(note));
+        EXPECT_TRUE(widgets::footageNoteInWords(note).contains(QStringLiteral("cam0"))) << kind;
+    }
+    for (const auto kind : {core::MaskNoteKind::Count, core::MaskNoteKind::OtherNumbers})
+        expectInBrackets(widgets::maskNoteInWords({kind, "cam0", 3, 5, 0, 1, 5}));
+    for (int kind = 1; kind <= static_cast<int>(core::FootageProblemKind::Unreadable); ++kind)
+        expectInBrackets(widgets::footageProblemInWords({static_cast<core::FootageProblemKind>(kind), 3, 5}));
+    for (const auto reason : {core::RelinkReason::SeveralFit, core::RelinkReason::OtherFootage})
+        expectInBrackets(widgets::relinkNoteInWords({"one", "cam0", "a", "", reason, {"b", "c"}, {}, false}));
+    EXPECT_EQ(widgets::footageNoteInWords({Kind::Text, {}, {}, {}, "as written"}), QStringLiteral("as written"));
+    QCoreApplication::removeTranslator(&brackets);
 }
 
 TEST_F(ReasonsInGerman, EveryRefusalOfAFitPairIsTranslated) {

@@ -17,6 +17,9 @@
 
 namespace test {
 
+/// The joint that most tests of the window click.
+inline const core::JointId kIndex{core::Side::Left, "index_mcp"};
+
 /// The real window on a private display, with the tiny dataset open at frame 12 of sequence "a".
 class WindowTest : public testing::Test {
 protected:

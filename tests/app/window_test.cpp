@@ -14,15 +14,15 @@
 
 #include "app/desktop/script/real_input.h"
 #include "core/io/dataset/frames.h"
+#include "tests/app/no_room.h"
 #include "tests/app/window_fixture.h"
-#include "tests/support/no_room.h"
 
 namespace {
 
 using core::Side;
 using nlohmann::json;
 
-const core::JointId kIndex{Side::Left, "index_mcp"};
+using test::kIndex;
 
 class WindowClicks : public test::WindowTest {
 protected:

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <regex>
+
 #include <gtest/gtest.h>
 
 #include "tests/architecture/rules.h"
@@ -44,6 +46,18 @@ TEST(Architecture, PanelsTakePartsOfTheSession) {
 }
 TEST(Architecture, IncludesAreNamedFromTheRoot) {
     EXPECT_NO_VIOLATIONS(architecture::unknownIncludes(tree()));
+}
+TEST(Architecture, EveryFolderHasItsPlaceInTheOrder) {
+    EXPECT_NO_VIOLATIONS(architecture::unrankedFolders(tree()));
+}
+TEST(Architecture, TheDocumentAndItsDrawingNameEveryFolder) {
+    const std::string root = std::string(HANDLENS_SOURCE_DIR) + "/docs/architecture";
+    EXPECT_NO_VIOLATIONS(architecture::unnamedFolders(tree(), architecture::readText(root + ".md"), {"`", "/"}));
+    std::vector<SourceFile> layers = tree(); // the drawing shows rooms of the layers, no parts of rooms
+    std::erase_if(layers, [](const SourceFile& file) {
+        return !std::regex_search(file.path, std::regex("^(core|core/io|widgets)/[^/]+/[^/]+$"));
+    });
+    EXPECT_NO_VIOLATIONS(architecture::unnamedFolders(layers, architecture::readText(root + ".svg"), {">"}));
 }
 TEST(Architecture, FoldersAreSmall) {
     EXPECT_NO_VIOLATIONS(architecture::crowdedFolders(tree()));
@@ -157,8 +171,34 @@ TEST(Rules, CatchLongFilesAndFunctions) {
     EXPECT_EQ(judge(architecture::longFunctions, "core/hand/a.cpp", tooLong).size(), 1u);
     EXPECT_TRUE(
         judge(architecture::longFunctions, "core/hand/a.cpp", "namespace core {\n" + just + just + "}\n").empty());
+    const std::string wrapped = "void f(int x,\n       int y) {\n" + body + "}\n",
+                      constructor = "A::A(int x)\n    : m_x(x)\n    , m_y(x) {\n" + body + "}\n",
+                      inClass = "class A {\n    A(int x)\n        : m_x(x) {\n" + body + "    }\n};\n";
+    for (const std::string& text : {wrapped, constructor, inClass})
+        EXPECT_EQ(judge(architecture::longFunctions, "core/hand/a.cpp", text).size(), 1u) << text;
     EXPECT_TRUE(judge(architecture::longFiles, "core/hand/a.cpp", std::string(400, '\n')).empty());
     EXPECT_EQ(judge(architecture::longFiles, "core/hand/a.cpp", std::string(401, '\n')).size(), 1u);
+}
+
+TEST(Rules, CatchFoldersThatAreCrowdedOrHaveNoPlace) {
+    std::vector<SourceFile> files;
+    for (int i = 0; i < 20; ++i)
+        for (const char* extension : {".h", ".cpp"})
+            files.push_back(parseSource("tests/support/f" + std::to_string(i) + extension, ""));
+    EXPECT_TRUE(architecture::crowdedFolders(files).empty()) << "a header and its source are one";
+    files.push_back(parseSource("tests/support/another.h", ""));
+    EXPECT_EQ(architecture::crowdedFolders(files).size(), 1u);
+    EXPECT_EQ(judge(architecture::unrankedFolders, "core/somewhere/a.h", "").size(), 1u);
+    EXPECT_EQ(judge(architecture::unrankedFolders, "widgets/somewhere/a.h", "").size(), 1u);
+    EXPECT_TRUE(judge(architecture::unrankedFolders, "core/hand/a.h", "").empty());
+    EXPECT_TRUE(judge(architecture::unrankedFolders, "core/error.h", "").empty());
+}
+
+TEST(Rules, CatchFoldersThatADocumentDoesNotName) {
+    const std::vector<SourceFile> files{parseSource("core/hand/a.h", ""), parseSource("core/demo_hand/a.h", "")};
+    EXPECT_TRUE(architecture::unnamedFolders(files, "`core/hand`, `demo_hand`", {"`", "/"}).empty());
+    EXPECT_EQ(architecture::unnamedFolders(files, "`core/demo_hand`", {"`", "/"}).size(), 1u);
+    EXPECT_EQ(architecture::unnamedFolders(files, "`core/handle`, `core/demo_hand`", {"`", "/"}).size(), 1u);
 }
 
 TEST(Rules, CatchUnplainWords) {

@@ -15,13 +15,38 @@ constexpr std::size_t kMostLines = 400;
 constexpr std::size_t kMostFunctionLines = 60;
 
 // Lowest first: a folder may include those before it.
-const std::vector<std::string> kCoreFolders{
-    "core/numeric",    "core/text",       "core/geometry",       "core/hand",       "core/demo_hand",
-    "core/contour",    "core/distance",   "core/fitting",        "core/detection",  "core/subject",
-    "core/annotation", "core/rig",        "core/labelling",      "core/simulation",     "core/benchmark",  "core/io/files",
-    "core/io/hdf5",    "core/io/matlab",  "core/io/calibration", "core/io/hands",   "core/io/store",
-    "core/io/footage", "core/io/dataset", "core/io/derived",     "core/io/formats", "core/io/detector",
-    "core/io/demo",    "core/io/import",  "core/io/benchmark"};
+const std::vector<std::string> kCoreFolders{"core/processor",
+                                            "core/numeric",
+                                            "core/text",
+                                            "core/geometry",
+                                            "core/hand",
+                                            "core/demo_hand",
+                                            "core/contour",
+                                            "core/distance",
+                                            "core/fitting",
+                                            "core/detection",
+                                            "core/segmentation",
+                                            "core/subject",
+                                            "core/annotation",
+                                            "core/rig",
+                                            "core/labelling",
+                                            "core/simulation",
+                                            "core/benchmark",
+                                            "core/io/files",
+                                            "core/io/hdf5",
+                                            "core/io/matlab",
+                                            "core/io/calibration",
+                                            "core/io/hands",
+                                            "core/io/store",
+                                            "core/io/footage",
+                                            "core/io/dataset",
+                                            "core/io/derived",
+                                            "core/io/formats",
+                                            "core/io/detector",
+                                            "core/io/segmentation",
+                                            "core/io/demo",
+                                            "core/io/import",
+                                            "core/io/benchmark"};
 const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",       "widgets/jobs",
                                               "widgets/session",      "widgets/models",         "widgets/views",
                                               "widgets/views/camera", "widgets/views/scene",    "widgets/presenters",
@@ -43,7 +68,9 @@ const std::vector<Fence>& fences() {
          std::regex("(widgets/views/(scene/|curve|private_display)|app/desktop/main|tests/).*")},
         {"assimp", std::regex("assimp/.*"), std::regex("core/io/(hands/off_mesh|import/gltf)[a-z_]*\\.cpp|tests/.*")},
         {"OpenCV", std::regex("opencv2?/.*"),
-         std::regex("(core/(contour|distance|fitting|detection|simulation|benchmark|io)/|widgets/|app/|tests/).*")},
+         std::regex(
+             "(core/(contour|distance|fitting|detection|segmentation|labelling|simulation|benchmark|io)/|widgets/|app/"
+             "|tests/).*")},
         {"SQLite", std::regex("sqlite3\\.h|SQLiteCpp/.*"), std::regex("(core/io/store/|tests/).*")},
         {"JSON", std::regex("nlohmann/.*|valijson/.*"), std::regex("(core/io/|app/|tests/).*")},
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
@@ -145,12 +172,32 @@ std::size_t indentation(const std::string& line) {
     return std::min(line.find_first_not_of(' '), line.size());
 }
 
-/// Whether a line that ends with `{` opens the body of a function (and not a class, a namespace, a loop or a list).
-bool opensFunction(const std::string& line) {
+/// Whether a line begins a class, a namespace, a loop or the like.
+bool isOtherBlock(const std::string& line) {
     static const std::regex other(
         "\\s*(namespace|class|struct|enum|union|extern|if|else|for|while|do|switch|try|catch|return|case)\\b.*");
+    return std::regex_match(line, other);
+}
+
+/// Whether a line that ends with `{` opens the body of a function (and not such a block or a list).
+bool opensFunction(const std::string& line) {
     static const std::regex list(".*=\\s*\\{|.*\\w\\{");
-    return line.ends_with("{") && !std::regex_match(line, other) && !std::regex_match(line, list);
+    return line.ends_with("{") && !isOtherBlock(line) && !std::regex_match(line, list);
+}
+
+/// Where the header begins whose body opens in line `open`: above wrapped parameters and a constructor's initialisers.
+/// The line itself for a lambda.
+std::size_t firstLineOfHeader(const std::vector<std::string>& lines, std::size_t open) {
+    const auto continues = [&](std::size_t line) {
+        const std::size_t indent = indentation(lines[line]);
+        return indent > 4 || (indent == 4 && (lines[line][indent] == ':' || lines[line][indent] == ','));
+    };
+    if (lines[open].find('[') != std::string::npos)
+        return open;
+    std::size_t start = open;
+    while (start > 0 && continues(start))
+        --start;
+    return start;
 }
 
 } // namespace
@@ -218,14 +265,43 @@ Violations unknownIncludes(const std::vector<SourceFile>& files) {
 Violations crowdedFolders(const std::vector<SourceFile>& files) {
     std::map<std::string, std::set<std::string>> folders;
     for (const SourceFile& file : files)
-        if (folderOf(file.path, 1) != "tests")
-            folders[parentFolder(file.path)].insert(componentOf(file.path));
+        folders[parentFolder(file.path)].insert(componentOf(file.path));
     Violations violations;
     for (const auto& [folder, components] : folders) {
         if (folder != "app/batch" && components.size() > kMostComponents) { // which has one file per command
             violations.push_back(folder + ": " + std::to_string(components.size()) + " components, at most " +
                                  std::to_string(kMostComponents));
         }
+    }
+    return violations;
+}
+
+Violations unrankedFolders(const std::vector<SourceFile>& files) {
+    std::set<std::string> folders;
+    for (const SourceFile& file : files)
+        folders.insert(parentFolder(file.path));
+    Violations violations;
+    for (const std::string& folder : folders)
+        if ((folder.starts_with("core/") && rank(kCoreFolders, folder) < 0) ||
+            (folder.starts_with("widgets/") && rank(kWidgetFolders, folder) < 0))
+            violations.push_back(folder + " has no place in the order of the folders");
+    return violations;
+}
+
+Violations unnamedFolders(const std::vector<SourceFile>& files, const std::string& text,
+                          const std::vector<std::string>& marks) {
+    std::set<std::string> folders;
+    for (const SourceFile& file : files)
+        if (folderOf(file.path, 1) != "tests" && folderOf(file.path, 2) != file.path)
+            folders.insert(parentFolder(file.path));
+    Violations violations;
+    for (const std::string& folder : folders) {
+        const std::string name = folder.substr(folder.rfind('/') + 1);
+        const bool isNamed = std::any_of(marks.begin(), marks.end(), [&](const std::string& mark) {
+            return std::regex_search(text, std::regex(mark + name + "\\b"));
+        });
+        if (!isNamed)
+            violations.push_back(folder + " is not named");
     }
     return violations;
 }
@@ -245,18 +321,16 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
     Violations violations;
     for (const SourceFile& file : files) {
         for (std::size_t i = 0; i < file.lines.size(); ++i) {
-            const std::size_t indent = indentation(file.lines[i]);
-            if (indent > 4 || !opensFunction(file.lines[i]))
+            const std::size_t start = opensFunction(file.lines[i]) ? firstLineOfHeader(file.lines, i) : i;
+            if (indentation(file.lines[start]) > 4 || !opensFunction(file.lines[i]) || isOtherBlock(file.lines[start]))
                 continue;
-            const bool continues = indent == 4 && (file.lines[i][indent] == ':' || file.lines[i][indent] == ',');
-            const std::string closing =
-                std::string(continues ? 0 : indent, ' ') + "}"; // a constructor's initialisers stand deeper
+            const std::string closing = std::string(indentation(file.lines[start]), ' ') + "}";
             std::size_t end = i + 1;
             while (end < file.lines.size() && !file.lines[end].starts_with(closing))
                 ++end;
-            if (end - i + 1 > kMostFunctionLines) {
-                violations.push_back(at(file, static_cast<int>(i) + 1,
-                                        "a function of " + std::to_string(end - i + 1) + " lines, at most " +
+            if (end - start + 1 > kMostFunctionLines) {
+                violations.push_back(at(file, static_cast<int>(start) + 1,
+                                        "a function of " + std::to_string(end - start + 1) + " lines, at most " +
                                             std::to_string(kMostFunctionLines)));
             }
         }
@@ -265,9 +339,10 @@ Violations longFunctions(const std::vector<SourceFile>& files) {
 }
 
 Violations unplainWords(const std::vector<SourceFile>& files) {
-    static const std::regex unplain("(.*\\W)?(([a-z]+) (is|are) no (?!longer|more|larger|smaller|better|worse).*|"
-                                    "nothing (if|for|where|when|unless) .*|(some|any|every)body\\b.*)",
-                                    std::regex::icase);
+    static const std::regex unplain(
+        "(.*\\W)?(([a-z]+) (is|are) no (?!longer|more|larger|smaller|better|worse).*|"
+        "nothing (if|for|where|when|unless|with|without|outside|beyond|behind) .*|(some|any|every)body\\b.*)",
+        std::regex::icase);
     static const std::regex plain(".*\\b(there (is|are) no|(do|does|write|writes|change|changes) nothing)\\b.*",
                                   std::regex::icase);
     Violations violations;

@@ -22,7 +22,12 @@ Violations brokenFences(const std::vector<SourceFile>& files);
 Violations wholeSessions(const std::vector<SourceFile>& files);
 /// Quoted includes that name no file of the project: includes go from the root.
 Violations unknownIncludes(const std::vector<SourceFile>& files);
-/// Folders of the product with more than 20 components.
+/// Folders of core or widgets that have no place in their order, so that no rule would look at their includes.
+Violations unrankedFolders(const std::vector<SourceFile>& files);
+/// Folders of the product that `text` does not name: their last part, after one of the marks and not within a word.
+Violations unnamedFolders(const std::vector<SourceFile>& files, const std::string& text,
+                          const std::vector<std::string>& marks);
+/// Folders with more than 20 components, tests included; app/batch has one file per command.
 Violations crowdedFolders(const std::vector<SourceFile>& files);
 /// Files of more than 400 lines.
 Violations longFiles(const std::vector<SourceFile>& files);

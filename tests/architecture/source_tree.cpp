@@ -35,16 +35,19 @@ SourceFile parseSource(std::string path, const std::string& text) {
     return file;
 }
 
+std::string readText(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
 std::vector<SourceFile> readSourceTree(const fs::path& root) {
     std::vector<SourceFile> files;
     for (const char* top : {"core", "widgets", "app", "tests"}) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
             const std::string extension = entry.path().extension().string();
-            if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp")) {
-                std::ostringstream text;
-                text << std::ifstream(entry.path()).rdbuf();
-                files.push_back(parseSource(fs::relative(entry.path(), root).generic_string(), text.str()));
-            }
+            if (entry.is_regular_file() && (extension == ".h" || extension == ".cpp"))
+                files.push_back(parseSource(fs::relative(entry.path(), root).generic_string(), readText(entry.path())));
         }
     }
     std::sort(files.begin(), files.end(), [](const SourceFile& a, const SourceFile& b) { return a.path < b.path; });

@@ -7,6 +7,9 @@
 
 namespace architecture {
 
+/// A file as it stands; empty if there is none.
+std::string readText(const std::filesystem::path& file);
+
 /// One `#include`: what stands between the quotes or angle brackets.
 struct Include {
     std::string path;

@@ -5,7 +5,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/io/footage/video_file.h"
-#include "tests/support/numbered_video.h"
+#include "tests/support/recordings/numbered_video.h"
 #include "tests/support/temporary_folder.h"
 
 // A video read frame by frame on two threads, beside ffmpeg on two threads, which shows nothing. HANDLENS_VIDEO names

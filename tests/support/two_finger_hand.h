@@ -9,7 +9,7 @@
 
 #include "core/hand/hand_model.h"
 #include "tests/support/random_values.h"
-#include "tests/support/solids.h"
+#include "tests/support/shapes/solids.h"
 
 namespace test {
 

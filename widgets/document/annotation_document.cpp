@@ -22,7 +22,7 @@ AnnotationDocument::AnnotationDocument(QObject* parent)
 }
 
 AnnotationDocument::~AnnotationDocument() {
-    blockSignals(true); // whoever would listen is going, too
+    blockSignals(true); // its receivers are being destroyed, too
     writePending();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <QString>
 
 #include "core/benchmark/benchmark_run.h"
+#include "core/benchmark/rank_agreement.h"
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/dataset/dataset.h"
 #include "widgets/jobs/job.h"
@@ -20,7 +22,7 @@ namespace widgets {
 struct BenchmarkRequest {
     std::vector<std::string> sequences; ///< empty: all with a recorded motion
     std::vector<std::string> methods;
-    core::BenchmarkSetup setup = core::BenchmarkSetup::Synthetic;
+    std::vector<core::BenchmarkSetup> setups{core::BenchmarkSetup::Synthetic}; ///< one or both, in this order
     core::PairOptions pairs;
 };
 
@@ -38,16 +40,23 @@ public:
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
 
-    /// Writes the results that there are into a folder: all files of `handlens-batch benchmark`. A folder that holds
-    /// other results is not touched. Ends with saved() or fileFailed().
+    /// Writes the results that there are into a folder: all files of `handlens-batch benchmark`, with one page for both
+    /// setups. A folder that holds other results is not touched. Ends with saved() or fileFailed().
     void save(const QString& folder);
     /// Shows the results of such a folder. Ends with opened() or fileFailed().
     void open(const QString& folder);
 
-    /// The last results of this dataset, finished or not, or those of a folder that was opened; null if there are none.
+    /// The last results of this dataset, finished or not, or those of a folder that was opened; of a run in both setups
+    /// those that show() has chosen, else the first ones. Null if there are none.
     const std::shared_ptr<const core::BenchmarkResults>& results() const { return m_results; }
     /// Their setup.
-    core::BenchmarkSetup setup() const { return m_folder ? m_folder->info.setup : core::BenchmarkSetup::Synthetic; }
+    core::BenchmarkSetup setup() const;
+    /// All setups that there are results of.
+    std::vector<core::BenchmarkSetup> setups() const;
+    /// Which of them results() are from now on.
+    void show(core::BenchmarkSetup setup);
+    /// How far the orders of the methods in both setups agree; nothing without both, and before a run has ended.
+    std::optional<core::RankAgreement> agreement() const { return m_held ? m_held->agreement : std::nullopt; }
 
 signals:
     void started();
@@ -64,17 +73,22 @@ signals:
 
 private:
     struct Live;
-    using FolderPtr = std::shared_ptr<const core::BenchmarkFolder>;
-    void take(FolderPtr folder);
+    struct Held {
+        std::vector<core::BenchmarkFolder> folders; ///< one per setup, at least one
+        std::optional<core::RankAgreement> agreement;
+    };
+    void take(std::shared_ptr<const Held> held);
     void takeLive();
+    const core::BenchmarkFolder* shown() const;
 
     Job m_job;
     Job m_fileJob;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::shared_ptr<Live> m_live; ///< of the run that goes on
     QElapsedTimer m_sinceUpdate;
-    FolderPtr m_folder;
-    std::shared_ptr<const core::BenchmarkResults> m_results; ///< those of m_folder
+    std::shared_ptr<const Held> m_held;
+    core::BenchmarkSetup m_shown = core::BenchmarkSetup::Synthetic;
+    std::shared_ptr<const core::BenchmarkResults> m_results; ///< of the shown one of m_held
 };
 
 } // namespace widgets

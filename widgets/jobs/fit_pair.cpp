@@ -47,7 +47,7 @@ std::vector<QLineF> outlinesOf(const cv::Mat& mask) {
 std::optional<core::HandPoses> posesFromMarks(const FitSource& source, int frame) {
     core::JointPoints points;
     for (auto& [joint, found] : core::reconstructFrame(source.annotations, source.dataset->cameras, frame, source.rater,
-                                                       {{}, false, std::nullopt}))
+                                                       {source.sigmas.optionsFor(source.rater), false, std::nullopt}))
         if (found.hasPoint())
             points.emplace(joint, *found.result.point);
     const auto fit = fitModelToPoints(*source.dataset, frame, points);
@@ -106,7 +106,7 @@ std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const 
         pair.outlinesPx.push_back(request.target == FitTarget::Masks ? outlinesOf(mask) : std::vector<QLineF>{});
     }
     if (request.target == FitTarget::Masks) // the realistic setup: against annotated joints
-        pair.reference = core::meanJointPoints(source.annotations, dataset.cameras, request.test);
+        pair.reference = core::meanJointPoints(source.annotations, dataset.cameras, request.test, source.sigmas);
     if (recorded && pair.reference.empty())
         pair.reference = core::namedJointPositions(dataset.hands, pair.truePoses);
     pair.initialErrorMm = errorAgainst(pair, dataset, pair.startPoses);

@@ -13,6 +13,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/annotation/annotation_set.h"
+#include "core/annotation/click_sigmas.h"
 #include "core/benchmark/joint_errors.h"
 #include "core/io/dataset/dataset.h"
 
@@ -52,6 +53,7 @@ struct FitSource {
     std::shared_ptr<const core::Motion> motion; ///< recorded; may be empty
     core::AnnotationSet annotations;            ///< where there is no recorded motion, or targets are mask files
     std::string rater;
+    core::ClickSigmas sigmas; ///< what the marks are worth
 };
 
 /// Why a pair cannot be prepared.

@@ -44,6 +44,8 @@ public:
 
     void setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence,
                      std::shared_ptr<const core::Motion> motion);
+    /// What marks are worth in the next fit.
+    void setClickSigmas(core::ClickSigmas sigmas) { m_sigmas = std::move(sigmas); }
     /// Starts; a run before that is dropped. Emits failed() if the request makes no sense.
     void run(const FitRequest& request);
     /// Ends early; finished() comes with what there is.
@@ -78,6 +80,7 @@ private:
     std::shared_ptr<Estimator> m_estimator;
     std::shared_ptr<const FitOutcome> m_outcome;
     core::Sequence m_sequence;
+    core::ClickSigmas m_sigmas;
 };
 
 } // namespace widgets

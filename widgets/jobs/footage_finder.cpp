@@ -7,6 +7,7 @@
 #include <QStringList>
 
 #include "core/io/dataset/relink.h"
+#include "widgets/text/footage_text.h"
 
 namespace widgets {
 
@@ -21,10 +22,13 @@ QString nameOf(const core::RelinkFinding& finding) {
 QString notesOf(const core::RelinkResult& result) {
     QStringList notes;
     for (const core::RelinkFinding& finding : result.notFound)
-        notes << FootageFinder::tr("not found: %1").arg(nameOf(finding));
+        notes << FootageFinder::tr("not found: %1").arg(nameOf(finding)) +
+                     (finding.reason == core::RelinkReason::None
+                          ? QString()
+                          : QStringLiteral(" (%1)").arg(relinkNoteInWords(finding)));
     for (const core::RelinkFinding& finding : result.found)
-        if (!finding.note.empty())
-            notes << QStringLiteral("%1: %2").arg(nameOf(finding), QString::fromStdString(finding.note));
+        if (const QString note = relinkNoteInWords(finding); !note.isEmpty())
+            notes << QStringLiteral("%1: %2").arg(nameOf(finding), note);
     return notes.join(QLatin1Char('\n'));
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/jobs/frame_loader.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QThread>
 
@@ -12,7 +13,8 @@ namespace widgets {
 namespace {
 
 constexpr std::int64_t kDefaultBudget = std::int64_t(1) << 30;
-constexpr int kAheadPriority = -1, kFirstPriority = 1;
+constexpr int kAheadPriority = -1, kGlancePriority = 1, kFirstPriority = 2;
+constexpr int kPatienceMs = 400;
 
 QImage toImage(const cv::Mat& bgr) {
     const QImage shared(bgr.data, bgr.cols, bgr.rows, static_cast<int>(bgr.step), QImage::Format_BGR888);
@@ -21,9 +23,13 @@ QImage toImage(const cv::Mat& bgr) {
 
 std::int64_t bytesOf(const ImagePyramid& picture) {
     std::int64_t bytes = 0;
-    for (int level = 0; level < picture.levelCount(); ++level)
+    for (int level = picture.firstLevel(); level < picture.levelCount(); ++level)
         bytes += picture.level(level).sizeInBytes();
     return bytes;
+}
+
+ImagePyramid pyramidOf(const cv::Mat& picture, QSize size) {
+    return picture.cols < size.width() ? ImagePyramid(toImage(picture), size) : ImagePyramid(toImage(picture));
 }
 
 } // namespace
@@ -35,24 +41,38 @@ FrameLoader::FrameLoader(JobPool& pool, QObject* parent)
     , m_budget(kDefaultBudget) {
     for (int i = 0; i < std::max(1, QThread::idealThreadCount() - 1); ++i)
         m_decodingJobs.push_back(std::make_unique<Job>(m_decodingPool, Job::Kind::Background));
+    m_patience.setSingleShot(true);
+    connect(&m_patience, &QTimer::timeout, this, &FrameLoader::beginNext);
 }
 
 FrameLoader::~FrameLoader() = default;
 
 void FrameLoader::setSequence(const std::shared_ptr<const core::Dataset>& dataset, const core::Sequence* sequence,
                               const std::shared_ptr<const core::Motion>& motion) {
+    std::vector<QSize> sizes;
+    for (const core::Camera& camera : dataset->cameras)
+        sizes.emplace_back(camera.size.width, camera.size.height);
+    setSource(std::make_shared<core::FrameSource>(*dataset, *sequence, *motion), sizes, sequence->frameCount);
+}
+
+void FrameLoader::setSource(std::shared_ptr<core::PictureSource> source, const std::vector<QSize>& sizes,
+                            int frameCount) {
     m_jobs.clear();
     m_aheadJobs.clear();
     for (const std::unique_ptr<Job>& job : m_decodingJobs)
         job->stop();
     m_cache.clear();
     m_missing.clear();
+    m_unseen.clear();
+    m_next.reset();
     m_bytes = 0;
     m_frame = -1;
-    m_frameCount = sequence->frameCount;
-    m_source = std::make_shared<core::FrameSource>(*dataset, *sequence, *motion);
+    m_frameCount = frameCount;
+    m_sizes = sizes;
+    m_source = std::move(source);
+    m_source->setFirstCamera(m_firstCamera);
     shareBudget();
-    for (std::size_t i = 0; i < dataset->cameras.size(); ++i) {
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
         m_jobs.push_back(std::make_unique<Job>(m_pool));
         m_aheadJobs.push_back(std::make_unique<Job>(m_pool, Job::Kind::Background));
         const int camera = static_cast<int>(i);
@@ -63,9 +83,36 @@ void FrameLoader::setSequence(const std::shared_ptr<const core::Dataset>& datase
     }
 }
 
+void FrameLoader::setFirstCamera(int camera) {
+    m_firstCamera = camera;
+    if (m_source)
+        m_source->setFirstCamera(camera);
+}
+
 void FrameLoader::request(int frame) {
-    if (!m_source || frame == m_frame)
+    if (!m_source || frame == requestedFrame())
         return;
+    if (frame != m_frame && !m_unseen.empty() && m_patience.isActive())
+        m_next = frame;
+    else if (frame == m_frame)
+        m_next.reset(); // back to what is on its way
+    else
+        begin(frame);
+}
+
+void FrameLoader::beginNext() {
+    if (m_next)
+        begin(*m_next);
+}
+
+/// Whether the picture is kept as it is wanted now.
+bool FrameLoader::isHere(int frame, int camera) const {
+    const auto found = m_cache.find({frame, camera});
+    return found != m_cache.end() && (m_isMoving || !found->second.picture.isDraft());
+}
+
+void FrameLoader::begin(int frame) {
+    m_next.reset();
     m_direction = frame < m_frame ? -1 : 1;
     m_frame = frame;
     m_missing.clear();
@@ -75,25 +122,50 @@ void FrameLoader::request(int frame) {
     }
     for (const std::unique_ptr<Job>& job : m_decodingJobs)
         job->stop();
-    std::vector<int> cached;
+    std::vector<int> here;
     for (int camera = 0; camera < static_cast<int>(m_jobs.size()); ++camera)
-        if (m_cache.count({frame, camera}))
-            cached.push_back(camera);
+        if (isHere(frame, camera))
+            here.push_back(camera);
         else
             m_missing.insert(camera);
+    m_unseen = m_missing;
+    m_patience.start(kPatienceMs);
     const std::set<int> missing = m_missing;
-    for (const int camera : camerasByUrgency())
+    std::vector<int> drafts;
+    for (const int camera : camerasByUrgency()) {
+        const bool hasDraft = m_cache.count({frame, camera}) > 0;
         if (missing.contains(camera))
-            startLoad(*m_jobs[static_cast<std::size_t>(camera)], frame, camera, false);
-    for (const int camera : cached) {
+            startLoad(camera, !m_isMoving && !hasDraft);
+        if (missing.contains(camera) && hasDraft)
+            drafts.push_back(camera);
+    }
+    for (const int camera : drafts) {
+        emit pictureLoaded(camera, m_cache[{frame, camera}].picture);
+        m_unseen.erase(camera);
+    }
+    for (const int camera : here) {
         Entry& entry = m_cache[{frame, camera}];
         entry.lastUse = ++m_clock;
-        emit pictureLoaded(camera, entry.picture);
+        if (!m_isMoving || missing.empty())
+            emit pictureLoaded(camera, entry.picture);
     }
-    if (m_missing.empty()) {
+    if (missing.empty()) {
         emit frameCompleted(frame);
         prefetch();
     }
+}
+
+void FrameLoader::setMoving(bool moving) {
+    if (std::exchange(m_isMoving, moving) == moving || moving || !m_source || m_frame < 0)
+        return;
+    const int frame = requestedFrame(), direction = m_direction;
+    bool isWhole = frame == m_frame && m_missing.empty();
+    for (int camera = 0; camera < static_cast<int>(m_jobs.size()) && isWhole; ++camera)
+        isWhole = isHere(frame, camera) || m_cache.count({frame, camera}) == 0; // or it failed
+    if (isWhole)
+        return;
+    begin(frame);
+    m_direction = direction;
 }
 
 ImagePyramid FrameLoader::picture(int camera) const {
@@ -130,26 +202,59 @@ std::vector<int> FrameLoader::camerasByUrgency() const {
     return cameras;
 }
 
-void FrameLoader::startLoad(Job& job, int frame, int camera, bool ahead) {
-    job.start(
-        [this, source = m_source, frame, camera, ahead](const JobContext& context) -> Job::Delivery {
+/// A glance, if it may be one and the picture takes long; else the picture.
+void FrameLoader::startLoad(int camera, bool mayGlance) {
+    const int shrink = m_isMoving ? m_draftShrink : 1;
+    const QSize size = m_sizes[static_cast<std::size_t>(camera)];
+    m_jobs[static_cast<std::size_t>(camera)]->start(
+        [this, source = m_source, frame = m_frame, camera, size, mayGlance,
+         shrink](const JobContext& context) -> Job::Delivery {
             if (context.stop.stop_requested())
                 return {};
-            const cv::Mat read = source->read(camera, frame, context.stop);
+            if (const auto glance = mayGlance ? source->glance(camera, frame, context.stop) : std::nullopt) {
+                const ImagePyramid picture = pyramidOf(glance->picture, size);
+                return [this, camera, picture, isExact = glance->isExact] { showGlance(camera, picture, isExact); };
+            }
+            const cv::Mat read = source->read(camera, frame, context.stop, shrink);
             if (read.empty())
                 return {}; // stopped
-            const ImagePyramid picture(toImage(read));
-            return [this, frame, camera, ahead, picture] {
-                store(frame, camera, picture);
-                if (!ahead) {
-                    emit pictureLoaded(camera, picture);
-                    finish(camera);
-                }
-            };
+            return loaded(camera, frame, pyramidOf(read, size));
         },
-        ahead                     ? kAheadPriority
-        : camera == m_firstCamera ? kFirstPriority
-                                  : 0);
+        camera == m_firstCamera ? kFirstPriority
+        : mayGlance             ? kGlancePriority
+                                : 0);
+}
+
+Job::Delivery FrameLoader::loaded(int camera, int frame, const ImagePyramid& picture) {
+    return [this, camera, frame, picture] {
+        store(frame, camera, picture);
+        if (!m_isMoving)
+            emit pictureLoaded(camera, picture);
+        finish(camera);
+    };
+}
+
+void FrameLoader::showGlance(int camera, const ImagePyramid& picture, bool isExact) {
+    startLoad(camera, false);
+    if (isExact)
+        emit pictureLoaded(camera, picture);
+    else
+        emit standInLoaded(camera, picture);
+    see(camera);
+}
+
+void FrameLoader::startAhead(int frame, int camera) {
+    const int shrink = m_isMoving ? m_draftShrink : 1;
+    m_aheadJobs[static_cast<std::size_t>(camera)]->start(
+        [this, source = m_source, frame, camera, shrink,
+         size = m_sizes[static_cast<std::size_t>(camera)]](const JobContext& context) -> Job::Delivery {
+            const cv::Mat read =
+                context.stop.stop_requested() ? cv::Mat() : source->read(camera, frame, context.stop, shrink);
+            if (read.empty())
+                return {};
+            return [this, frame, camera, picture = pyramidOf(read, size)] { store(frame, camera, picture); };
+        },
+        kAheadPriority);
 }
 
 void FrameLoader::store(int frame, int camera, const ImagePyramid& picture) {
@@ -159,12 +264,31 @@ void FrameLoader::store(int frame, int camera, const ImagePyramid& picture) {
     trim();
 }
 
+/// The view of this camera shows something of the frame; once all do, the next one may come.
+void FrameLoader::see(int camera) {
+    m_unseen.erase(camera);
+    if (m_unseen.empty())
+        beginNext();
+}
+
 void FrameLoader::finish(int camera) {
     m_missing.erase(camera);
-    if (!m_missing.empty())
-        return;
-    emit frameCompleted(m_frame);
-    prefetch();
+    if (m_missing.empty()) {
+        m_unseen.clear();
+        if (m_isMoving)
+            for (int each = 0; each < static_cast<int>(m_jobs.size()); ++each)
+                if (m_cache.count({m_frame, each}))
+                    emit pictureLoaded(each, m_cache[{m_frame, each}].picture);
+        const int frame = m_frame;
+        emit frameCompleted(frame);
+        if (frame != m_frame)
+            return; // somebody wants another one by now
+        if (!m_next) {
+            prefetch();
+            return;
+        }
+    }
+    see(camera);
 }
 
 void FrameLoader::prefetch() {
@@ -173,8 +297,8 @@ void FrameLoader::prefetch() {
         return;
     if (next >= 0 && next < m_frameCount)
         for (const int camera : camerasByUrgency())
-            if (!m_cache.count({next, camera}))
-                startLoad(*m_aheadJobs[static_cast<std::size_t>(camera)], next, camera, true);
+            if (!isHere(next, camera))
+                startAhead(next, camera);
     decodeAhead();
 }
 

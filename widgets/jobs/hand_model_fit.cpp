@@ -23,18 +23,13 @@ std::optional<ModelFit> fitModelToPoints(const core::Dataset& dataset, int frame
     fit.frame = frame;
     double squaredMm2 = 0;
     for (const core::HandModel& hand : dataset.hands) {
-        std::vector<core::JointTarget> targets;
-        for (const auto& [joint, point] : points) {
-            const int bone = joint.hand == hand.side ? hand.skeleton.boneIndex(joint.joint) : -1;
-            if (bone >= 0)
-                targets.push_back({bone, point.pointInWorld, point.covariance});
-        }
-        const auto found = core::fitPoseToJoints(hand.skeleton, targets, hand.skeleton.restPose());
+        const auto found = core::fitHandToPoints(hand, points);
         fit.poses.push_back(found ? found->pose : core::Pose());
         if (!found)
             continue;
-        fit.joints += static_cast<int>(targets.size());
-        squaredMm2 += found->rmsMm * found->rmsMm * static_cast<double>(targets.size());
+        const auto joints = static_cast<double>(found->residualMm.size());
+        fit.joints += static_cast<int>(found->residualMm.size());
+        squaredMm2 += found->rmsMm * found->rmsMm * joints;
         addProposals(fit, hand, found->pose, points);
     }
     if (fit.joints == 0)

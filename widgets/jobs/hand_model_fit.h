@@ -8,8 +8,8 @@
 #include <QObject>
 
 #include "core/annotation/edits.h"
+#include "core/annotation/hand_fit.h"
 #include "core/annotation/sequence_points.h"
-#include "core/fitting/joint_fit.h"
 #include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
 #include "widgets/document/reconstructions.h"

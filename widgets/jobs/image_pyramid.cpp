@@ -38,9 +38,15 @@ QImage halved(const QImage& image) {
 
 } // namespace
 
-ImagePyramid::ImagePyramid(const QImage& image) {
+ImagePyramid::ImagePyramid(const QImage& image)
+    : ImagePyramid(image, image.size()) {}
+
+ImagePyramid::ImagePyramid(const QImage& image, QSize size)
+    : m_size(image.isNull() ? QSize() : size) {
     if (image.isNull())
         return;
+    while ((size.width() + (1 << m_firstLevel) - 1) >> m_firstLevel > image.width())
+        ++m_firstLevel;
     m_levels.push_back(image.convertToFormat(QImage::Format_RGB32));
     while (std::min(m_levels.back().width(), m_levels.back().height()) > kSmallestSide)
         m_levels.push_back(halved(m_levels.back()));
@@ -48,10 +54,10 @@ ImagePyramid::ImagePyramid(const QImage& image) {
 
 int ImagePyramid::levelFor(double scale) const {
     if (!(scale > 0))
-        return 0;
+        return m_firstLevel;
     constexpr double kRounding = 1e-9; // a scale of 0.25 is level 2 exactly
     const int level = static_cast<int>(std::floor(std::log2(1 / scale) + kRounding));
-    return std::clamp(level, 0, std::max(0, levelCount() - 1));
+    return std::clamp(level, m_firstLevel, std::max(m_firstLevel, levelCount() - 1));
 }
 
 QImage adjusted(const QImage& image, const ImageAdjustment& adjustment) {

@@ -24,17 +24,26 @@ class ImagePyramid {
 public:
     ImagePyramid() = default;
     explicit ImagePyramid(const QImage& image);
+    /// A draft: `image` is the one of this size shrunk by 2, 4, 8 (sides rounded up). The larger levels are not there.
+    ImagePyramid(const QImage& image, QSize size);
 
     bool isNull() const { return m_levels.empty(); }
-    QSize size() const { return isNull() ? QSize() : m_levels.front().size(); }
+    QSize size() const { return m_size; }
+    /// The largest that is there: the image itself, or that of a draft.
     const QImage& image() const { return m_levels.front(); }
-    int levelCount() const { return static_cast<int>(m_levels.size()); }
-    /// The level to draw at `scale` device pixels per image pixel: the smallest that is not magnified.
+    int levelCount() const { return m_firstLevel + static_cast<int>(m_levels.size()); }
+    /// The largest level that is there; 0 unless it is a draft.
+    int firstLevel() const { return m_firstLevel; }
+    bool isDraft() const { return m_firstLevel > 0; }
+    /// The level to draw at `scale` device pixels per image pixel: the smallest that is not magnified, if it is there.
     int levelFor(double scale) const;
-    const QImage& level(int index) const { return m_levels[static_cast<std::size_t>(index)]; }
+    /// From firstLevel() to levelCount() - 1.
+    const QImage& level(int index) const { return m_levels[static_cast<std::size_t>(index - m_firstLevel)]; }
 
 private:
     std::vector<QImage> m_levels; ///< Format_RGB32; each half the size of the one before, rounded up
+    QSize m_size;                 ///< of level 0
+    int m_firstLevel = 0;         ///< of m_levels
 };
 
 /// The image with every channel mapped through the adjustment.

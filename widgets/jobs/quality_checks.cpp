@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/quality_checks.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <utility>
-
-#include "core/rig/click_sigma_estimate.h"
 
 namespace widgets {
 
@@ -33,37 +29,11 @@ std::set<int> framesOf(const std::vector<core::Edit>& edits) {
 struct QualityChecks::State {
     core::AnnotationSet set;
     core::QualityChecker checker;
-    std::shared_ptr<const core::Dataset> dataset;
-    std::string rater;
     std::set<int> unseen; ///< frames to look at
-    core::ClickSigmas sigmas;
-    int clicks = -1; ///< that the sigmas were estimated from; none yet
 
-    core::QualityChecker newChecker() const {
-        core::QualityOptions options;
-        options.triangulation = sigmas.optionsFor(rater);
-        return {dataset->cameras, dataset->hands, rater, options};
-    }
     void look(const std::stop_token& stop) {
         while (!unseen.empty() && !stop.stop_requested())
             checker.check(set, unseen.extract(unseen.begin()).value());
-    }
-    /// Estimates the sigmas again if many clicks are new. If they differ, every frame is to be looked at again.
-    void estimateSigmas() {
-        const auto now = static_cast<int>(std::count_if(set.marks.begin(), set.marks.end(),
-                                                        [](const auto& item) { return item.second.isEvidence(); }));
-        constexpr int kManyClicks = 16;
-        if (clicks >= 0 && std::abs(now - clicks) < std::max(kManyClicks, clicks / 10))
-            return;
-        clicks = now;
-        std::vector<core::RigJoint> joints;
-        core::addRigJoints(joints, set, dataset->cameras, 0);
-        core::ClickSigmas found = core::estimateClickSigmas(dataset->cameras, joints);
-        if (core::areAlike(found, sigmas))
-            return;
-        sigmas = std::move(found);
-        checker = newChecker();
-        unseen = framesOf(set);
     }
 };
 
@@ -91,21 +61,33 @@ void QualityChecks::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     restart();
 }
 
+void QualityChecks::setClickSigmas(const core::ClickSigmas& sigmas) {
+    if (sigmas == m_sigmas)
+        return;
+    m_sigmas = sigmas;
+    begin();
+}
+
 void QualityChecks::restart() {
+    m_findings.clear();
+    begin();
+    emit changed();
+}
+
+void QualityChecks::begin() {
     m_job.stop();
     m_wait.stop();
     m_edits.clear();
     m_state.reset();
-    m_findings.clear();
-    m_noise.reset();
-    if (m_dataset) {
-        m_state = std::make_shared<State>(
-            State{m_document.annotations(), core::QualityChecker(m_dataset->cameras, m_dataset->hands, {}), m_dataset,
-                  m_document.rater(), framesOf(m_document.annotations()), m_sigmas});
-        m_state->checker = m_state->newChecker();
-        look();
-    }
-    emit changed();
+    if (!m_dataset)
+        return;
+    core::QualityOptions options;
+    options.triangulation = m_sigmas.optionsFor(m_document.rater());
+    m_state = std::make_shared<State>(
+        State{m_document.annotations(),
+              core::QualityChecker(m_dataset->cameras, m_dataset->hands, m_document.rater(), options),
+              framesOf(m_document.annotations())});
+    look();
 }
 
 void QualityChecks::queue(const core::Edit& edit) {
@@ -129,16 +111,9 @@ void QualityChecks::look() {
             for (const core::Edit& edit : edits)
                 core::apply(state->set, edit);
             state->unseen.merge(framesOf(edits));
-            state->estimateSigmas();
             state->look(context.stop);
-            auto noise = core::estimateClickNoise(state->set, state->dataset->cameras, state->rater);
-            return [this, found = state->checker.findings(), noise = std::move(noise), sigmas = state->sigmas] {
+            return [this, found = state->checker.findings()] {
                 m_findings = found;
-                m_noise = noise;
-                if (sigmas != m_sigmas) {
-                    m_sigmas = sigmas;
-                    emit clickSigmasChanged();
-                }
                 emit changed();
             };
         });

@@ -2,14 +2,12 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <set>
 #include <vector>
 
 #include <QObject>
 #include <QTimer>
 
-#include "core/annotation/click_noise.h"
 #include "core/annotation/click_sigmas.h"
 #include "core/annotation/quality.h"
 #include "core/annotation/quality_checker.h"
@@ -19,8 +17,8 @@
 
 namespace widgets {
 
-/// The findings of the whole sequence for the document's rater, and how far the rater's clicks scatter. Found in the
-/// background: all frames when a sequence or rater is opened, then those that an edit touched, a moment after the edit.
+/// The findings of the whole sequence for the document's rater. Found in the background: all frames when a sequence or
+/// rater is opened or clicks count otherwise, then those that an edit touched, a moment after the edit.
 class QualityChecks : public QObject {
     Q_OBJECT
 
@@ -29,24 +27,21 @@ public:
     ~QualityChecks() override;
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
+    /// What clicks are worth from now on: every frame is looked at again, the findings stay until then.
+    void setClickSigmas(const core::ClickSigmas& sigmas);
 
     /// By frame.
     const std::vector<core::QualityFinding>& findings() const { return m_findings; }
-    /// Nothing with too few joints that three views agree on.
-    const std::optional<core::ClickNoise>& clickNoise() const { return m_noise; }
-    /// What the clicks of the open sequence are worth; changes when many clicks are new.
-    const core::ClickSigmas& clickSigmas() const { return m_sigmas; }
     /// True when everything that was done has been looked at.
     bool isUpToDate() const { return !m_job.isRunning() && !m_wait.isActive(); }
 
 signals:
     void changed();
-    /// They differ enough for 3D points and their uncertainty to be made anew.
-    void clickSigmasChanged();
 
 private:
     struct State;
     void restart();
+    void begin();
     void queue(const core::Edit& edit);
     void look();
 
@@ -57,7 +52,6 @@ private:
     std::shared_ptr<State> m_state;  ///< the worker's while it runs
     std::vector<core::Edit> m_edits; ///< that the state does not know yet
     std::vector<core::QualityFinding> m_findings;
-    std::optional<core::ClickNoise> m_noise;
     core::ClickSigmas m_sigmas;
 };
 

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "core/annotation/click_noise.h"
-
 namespace widgets {
 
 namespace {
@@ -63,15 +61,22 @@ void RaterStudy::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
     m_job.stop();
     m_comparisons.clear(); // of other cameras
-    m_sigmaPx.clear();
+    m_sigmas = {};
     emit compared();
+}
+
+void RaterStudy::setClickSigmas(const core::ClickSigmas& sigmas) {
+    m_sigmas = sigmas;
+    if (m_job.isRunning() || !m_comparisons.empty())
+        compare();
+    else
+        emit compared();
 }
 
 /// What was found belongs to the sequence before; a round goes on only where it was begun.
 void RaterStudy::takeSequence() {
     m_job.stop();
     m_comparisons.clear();
-    m_sigmaPx.clear();
     takeRater();
     if (isRepeating() && openTasks() == 0)
         m_document.setRater(ownName(m_document.rater()));
@@ -87,29 +92,20 @@ void RaterStudy::takeRater() {
 void RaterStudy::compare() {
     if (!m_dataset || isRepeating()) // whoever repeats must not see the first marks
         return;
-    m_job.start(
-        [this, dataset = m_dataset, set = m_document.annotations()](const JobContext& context) -> Job::Delivery {
-            auto comparisons = core::compareAllRaters(set, dataset->cameras);
-            std::map<std::string, double> sigmaPx;
-            for (const std::string& rater : core::ratersOf(set)) {
-                if (context.stop.stop_requested())
-                    return {};
-                if (const auto noise = core::estimateClickNoise(set, dataset->cameras, rater))
-                    sigmaPx[rater] = noise->sigmaPx;
-            }
-            return [this, comparisons = std::move(comparisons), sigmaPx = std::move(sigmaPx)] {
-                m_comparisons = comparisons;
-                m_sigmaPx = sigmaPx;
-                emit compared();
-            };
-        });
+    m_job.start([this, dataset = m_dataset, sigmas = m_sigmas,
+                 set = m_document.annotations()](const JobContext&) -> Job::Delivery {
+        return [this, comparisons = core::compareAllRaters(set, dataset->cameras, sigmas)] {
+            m_comparisons = comparisons;
+            emit compared();
+        };
+    });
 }
 
 core::Consensus RaterStudy::consensus() const {
     if (!m_dataset || isRepeating())
         return {};
     return core::consensus(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_selection.joint(),
-                           m_sigmaPx);
+                           m_sigmas);
 }
 
 bool RaterStudy::isRepeating() const {
@@ -124,7 +120,7 @@ void RaterStudy::beginRepeating(double share, unsigned seed) {
         begin(rater, m_tasks);
         return;
     }
-    m_drawJob.start([this, rater, share, seed, dataset = m_dataset,
+    m_drawJob.start([this, rater, share, seed, dataset = m_dataset, options = m_sigmas.optionsFor(rater),
                      set = m_document.annotations()](const JobContext&) mutable -> Job::Delivery {
         std::erase_if(set.marks, [&](const auto& item) { // what was repeated once is not drawn again
             core::MarkKey repeated = item.first;
@@ -132,7 +128,7 @@ void RaterStudy::beginRepeating(double share, unsigned seed) {
             return item.first.rater == rater &&
                    !core::marksOfJoint(set, repeated.frame, repeated.rater, repeated.joint).empty();
         });
-        auto tasks = core::drawRepeatTasks(set, dataset->cameras, rater, share, seed);
+        auto tasks = core::drawRepeatTasks(set, dataset->cameras, rater, share, seed, options);
         return [this, rater, tasks = std::move(tasks)] { begin(rater, tasks); };
     });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 
 #include <QObject>
 
+#include "core/annotation/click_sigmas.h"
 #include "core/annotation/raters.h"
 #include "core/io/dataset/dataset.h"
 #include "widgets/document/annotation_document.h"
@@ -29,12 +29,13 @@ public:
     RaterStudy(AnnotationDocument& document, Selection& selection, JobPool& pool, QObject* parent = nullptr);
 
     void setDataset(std::shared_ptr<const core::Dataset> dataset);
+    /// What every rater's clicks are worth from now on; what was compared is compared again.
+    void setClickSigmas(const core::ClickSigmas& sigmas);
 
     /// Compares all raters as they stand now; compared() follows.
     void compare();
     const std::vector<core::RaterComparison>& comparisons() const { return m_comparisons; }
-    /// Standard deviation of each rater's clicks per axis, px, where it can be estimated.
-    const std::map<std::string, double>& sigmaPx() const { return m_sigmaPx; }
+    const core::ClickSigmas& clickSigmas() const { return m_sigmas; }
     /// All raters' clicks of the selected joint in the current frame together, each weighed by its rater's scatter.
     core::Consensus consensus() const;
 
@@ -70,7 +71,7 @@ private:
     Job m_drawJob;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::vector<core::RaterComparison> m_comparisons;
-    std::map<std::string, double> m_sigmaPx;
+    core::ClickSigmas m_sigmas;
     std::vector<core::RepeatTask> m_tasks;
 };
 

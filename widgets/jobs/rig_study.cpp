@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/annotation/reconstruction.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_rig.h"
@@ -94,6 +95,8 @@ void RigStudy::forget() {
 
 void RigStudy::setSequence(std::shared_ptr<const core::Dataset> dataset, const std::string& sequence) {
     forget();
+    if (dataset != m_dataset) // of another calibration
+        setClickSigmas({});
     m_dataset = std::move(dataset);
     m_evidence = std::make_shared<Evidence>();
     m_evidence->dataset = m_dataset;
@@ -125,11 +128,27 @@ void RigStudy::look() {
             evidence->readOthers(context.stop);
             if (context.stop.stop_requested())
                 return {};
-            return [this, state = evidence->judged()] {
-                m_state = state;
-                emit changed();
-            };
+            return [this, state = evidence->judged()] { take(state); };
         });
+}
+
+void RigStudy::lookNow() {
+    if (m_wait.isActive() && !m_job.isRunning())
+        look();
+}
+
+void RigStudy::take(const std::shared_ptr<const RigState>& state) {
+    m_state = state;
+    if (!core::areAlike(state->sigmas, m_sigmas))
+        setClickSigmas(state->sigmas);
+    emit changed();
+}
+
+void RigStudy::setClickSigmas(const core::ClickSigmas& sigmas) {
+    if (sigmas == m_sigmas)
+        return;
+    m_sigmas = sigmas;
+    emit clickSigmasChanged();
 }
 
 void RigStudy::refine() {
@@ -141,8 +160,7 @@ void RigStudy::refine() {
         return;
     }
     m_refiningWanted = true;
-    if (m_wait.isActive())
-        look();
+    lookNow();
     emit refiningChanged();
 }
 
@@ -168,6 +186,9 @@ void RigStudy::startRefinement() {
         auto proposal = std::make_shared<RigProposal>();
         proposal->residuals = core::computeRigResiduals(refinement->cameras, state->joints);
         proposal->refinement = *std::move(refinement);
+        if (const auto world =
+                core::worldCovariance(dataset->cameras, state->sigmas, proposal->refinement.middleInWorld))
+            proposal->worldSigmaMm = core::sigmaMm(*world);
         return [this, proposal] {
             m_proposal = proposal;
             emit proposalChanged();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -24,7 +25,7 @@ struct RigState {
     core::RigHealth health;
     core::RefinementNeeds needs;
     core::RigResiduals residuals;
-    core::ClickSigmas sigmas;
+    core::ClickSigmas sigmas; ///< of this moment
     std::vector<std::string> sequences; ///< names, as findings number them
     QStringList unread;                 ///< sequences whose annotations cannot be read, and why
 };
@@ -33,10 +34,11 @@ struct RigState {
 struct RigProposal {
     core::RigRefinement refinement;
     core::RigResiduals residuals; ///< of the same clicks about the refined cameras
+    std::optional<double> worldSigmaMm{}; ///< how far its world as a whole may lie from the true one (worldCovariance)
 };
 
 /// Judges the open dataset's calibration by its clicks, in the background, a moment after the last edit; refines it
-/// when asked.
+/// when asked. From the same clicks follows what a click is worth, for all that triangulates in the window.
 class RigStudy : public QObject {
     Q_OBJECT
 
@@ -49,8 +51,14 @@ public:
 
     /// Null before the first look has ended.
     const std::shared_ptr<const RigState>& state() const { return m_state; }
+    /// What the clicks of the dataset are worth, of every rater. Follows state()->sigmas once a triangulation would
+    /// notice the difference (core::areAlike), and is assumed until the first look has ended.
+    const core::ClickSigmas& clickSigmas() const { return m_sigmas; }
     /// True when every edit has been looked at.
     bool isUpToDate() const { return !m_job.isRunning() && !m_wait.isActive(); }
+
+    /// Looks at the last edits without waiting for a pause.
+    void lookNow();
 
     /// Refines the calibration from all clicks as they stand now; proposalChanged() or failed() follows.
     void refine();
@@ -62,6 +70,8 @@ public:
 
 signals:
     void changed();
+    /// 3D points and their uncertainty are to be made anew.
+    void clickSigmasChanged();
     void refiningChanged();
     void proposalChanged();
     /// Refining was not possible, and why.
@@ -70,6 +80,8 @@ signals:
 private:
     struct Evidence;
     void forget();
+    void take(const std::shared_ptr<const RigState>& state);
+    void setClickSigmas(const core::ClickSigmas& sigmas);
     void queue(const core::Edit& edit);
     void look();
     void startRefinement();
@@ -82,6 +94,7 @@ private:
     std::shared_ptr<Evidence> m_evidence; ///< the worker's while it runs
     std::vector<core::Edit> m_edits;      ///< that the evidence does not hold yet
     std::shared_ptr<const RigState> m_state;
+    core::ClickSigmas m_sigmas;
     std::shared_ptr<const RigProposal> m_proposal;
     bool m_refiningWanted = false; ///< as soon as the state is up to date
 };

@@ -118,10 +118,10 @@ void RatersPanel::showPair() {
     QStringList parts{
         tr("%n shared click(s), %1 px apart (RMS)", nullptr, pair.clicks).arg(localNumber(pair.clickRmsPx, 2))};
     for (const std::string& rater : {pair.first, pair.second}) {
-        const auto sigma = m_study.sigmaPx().find(rater);
-        if (sigma != m_study.sigmaPx().end())
-            parts << tr("%1 scatters by %2 px per axis")
-                         .arg(QString::fromStdString(rater), localNumber(sigma->second, 2));
+        const core::RaterSigma& sigma = m_study.clickSigmas().of(rater);
+        const QString name = QString::fromStdString(rater);
+        parts << (sigma.isAssumed ? tr("%1 has too few clicks to know how far they scatter").arg(name)
+                                  : tr("%1 scatters by %2 px per axis").arg(name, localNumber(sigma.clickPx, 2)));
     }
     m_clicks->setText(parts.join(QStringLiteral("; ")));
 }

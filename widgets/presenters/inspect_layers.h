@@ -63,7 +63,7 @@ InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Camera& c
 /// The mesh with the colours of its vertices' distance to `truth`'s; unchanged where the surfaces do not correspond.
 MeshLayer colouredByError(MeshLayer posed, const MeshLayer& truth);
 
-/// The direction of the rim point nearest to a pixel, rad; nothing without rim points.
+/// The direction of the rim point nearest to a pixel, rad; empty without rim points.
 std::optional<float> rimAngleAt(const ShownMatches& shown, QPointF px);
 
 } // namespace widgets

@@ -20,7 +20,7 @@ std::vector<core::RaterWork> workOfOthers(const AnnotationDocument& document);
 QString othersText(const std::vector<core::RaterWork>& others);
 
 /// Shows the marks that other people have made in the current frame, muted and out of reach, in all camera views.
-/// Hidden during a repeat round: whoever repeats must see no earlier marks.
+/// Hidden during a repeat round: a rater who repeats must not see earlier marks.
 class OtherMarks : public QObject {
     Q_OBJECT
 

@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/io/dataset/attach_masks.h"
+#include "widgets/text/footage_text.h"
 
 namespace widgets {
 
@@ -24,8 +25,8 @@ void MaskAttacher::attach(const QString& folder) {
                  sequence = m_session.sequence()->name](const JobContext&) -> Job::Delivery {
         core::Dataset dataset = *open;
         QStringList notes;
-        for (const std::string& note : core::attachMasks(dataset, sequence, folder.toStdString()))
-            notes << QString::fromStdString(note);
+        for (const core::MaskNote& note : core::attachMasks(dataset, sequence, folder.toStdString()))
+            notes << maskNoteInWords(note);
         core::rewriteDatasetFile(dataset);
         return [this, open, notes, sequence] {
             emit attached(notes.join(QLatin1Char('\n')));

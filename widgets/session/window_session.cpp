@@ -59,9 +59,12 @@ WindowSession::WindowSession(QObject* parent)
     , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
     connect(&opened, &DatasetSession::sequenceOpened, this, &WindowSession::takeSequence);
-    connect(&checks, &QualityChecks::clickSigmasChanged, this, [this] {
-        reconstructions.setClickSigmas(checks.clickSigmas());
-        coverage.setClickSigmas(checks.clickSigmas());
+    connect(&rig, &RigStudy::clickSigmasChanged, this, [this] {
+        reconstructions.setClickSigmas(rig.clickSigmas());
+        coverage.setClickSigmas(rig.clickSigmas());
+        checks.setClickSigmas(rig.clickSigmas());
+        raters.setClickSigmas(rig.clickSigmas());
+        fits.setClickSigmas(rig.clickSigmas());
     });
     connect(&selection, &Selection::frameChanged, &frames, &FrameLoader::request);
     connect(

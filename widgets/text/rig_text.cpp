@@ -100,7 +100,7 @@ QStringList rigFindingTexts(const core::RigHealth& health, const std::vector<std
     for (const core::RigFinding& finding : findings)
         if (!isWholeRig || finding.kind != core::RigFindingKind::CameraOff)
             (finding.kind == core::RigFindingKind::CameraUnknown ? unknown : texts) << words.sentence(finding);
-    if (!unknown.isEmpty())
+    if (!unknown.isEmpty() && health.cameras.size() >= 3) // of two, neither can confirm the other
         texts << rigText(QT_TRANSLATE_NOOP("widgets::RigText", "Too few clicks that other cameras confirm: %1."))
                      .arg(unknown.join(QStringLiteral(", ")));
     return texts;
@@ -147,6 +147,9 @@ QString cameraStateText(const core::CameraHealth& camera) {
 }
 
 QString refinementNeedsText(const core::RigHealth& health, const core::RefinementNeeds& needs) {
+    if (health.cameras.size() < 3)
+        return rigText(QT_TRANSLATE_NOOP(
+            "widgets::RigText", "Two cameras cannot tell which of them is off: a refinement needs three."));
     switch (needs.advice) {
     case core::RefinementAdvice::NeedsMoreJoints:
         return rigText(QT_TRANSLATE_NOOP("widgets::RigText",

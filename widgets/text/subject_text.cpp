@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/subject_text.h"
 
+#include <algorithm>
+
 #include <QStringList>
 
+#include "core/rig/rig_findings.h"
 #include "widgets/text/local_text.h"
 
 namespace widgets {
@@ -73,7 +76,9 @@ QString subjectResultText(const core::MeasuredSubject& measured) {
     QStringList lines;
     if (measured.unitMm != 1)
         lines << unitText(measured);
-    if (!measured.rigFindings.empty())
+    const std::vector<core::RigFinding> faults = core::findRigFaults(measured.rigHealth);
+    if (std::any_of(faults.begin(), faults.end(),
+                    [](const auto& fault) { return fault.kind != core::RigFindingKind::CameraUnknown; }))
         lines << subjectText(QT_TRANSLATE_NOOP("widgets::SubjectText",
                                                "The calibration does not fit the clicks everywhere (Quality, Cameras): "
                                                "measure again after it is refined."));

@@ -10,13 +10,13 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/error.h"
 #include "core/fitting/method_name.h"
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/local_text.h"
 #include "widgets/views/method_chip.h"
 
 namespace widgets {
@@ -60,10 +60,13 @@ BenchmarkPage::BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& data
     , m_progress(new QProgressBar(this))
     , m_save(new QPushButton(tr("Save results..."), this))
     , m_open(new QPushButton(tr("Open results..."), this))
+    , m_shownRow(new QWidget(this))
+    , m_shown(new QComboBox(this))
+    , m_agreement(new QLabel(this))
     , m_results(new BenchmarkResultsView(this)) {
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(makeSettings());
-    splitter->addWidget(m_results);
+    splitter->addWidget(makeResults());
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
@@ -74,6 +77,28 @@ BenchmarkPage::BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& data
     connectRunner();
     showRunning(false);
     takeResults();
+}
+
+QWidget* BenchmarkPage::makeResults() {
+    auto* side = new QWidget(this);
+    auto* row = new QHBoxLayout(m_shownRow);
+    row->setContentsMargins(kSpacing, kSpacing, kSpacing, 0);
+    m_shown->setFocusPolicy(Qt::NoFocus);
+    m_shown->setToolTip(tr("Which setup the tables and curves below are of"));
+    m_agreement->setToolTip(tr("Kendall's tau of the methods' mean errors: 1 is the same order, 0 says nothing, -1 is "
+                               "the reverse; in brackets what 95 % of drawings of these pairs give"));
+    m_agreement->setWordWrap(true);
+    row->addWidget(m_shown);
+    row->addWidget(m_agreement, 1);
+    auto* column = new QVBoxLayout(side);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_shownRow);
+    column->addWidget(m_results, 1);
+    connect(m_shown, qOverload<int>(&QComboBox::activated), this, [this](int index) {
+        m_runner.show(static_cast<core::BenchmarkSetup>(m_shown->itemData(index).toInt()));
+    });
+    return side;
 }
 
 QWidget* BenchmarkPage::makeSettings() {
@@ -100,9 +125,10 @@ QWidget* BenchmarkPage::makeSettings() {
     m_percent->setSuffix(tr(" % of frames"));
     m_seed->setRange(0, 1000000);
     m_seed->setValue(7);
-    m_setup->addItems({tr("Synthetic"), tr("Realistic")});
+    m_setup->addItems({tr("Synthetic"), tr("Realistic"), tr("Both")});
     m_setup->setToolTip(tr("Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask "
-                           "files, errors over the marked joints."));
+                           "files, errors over the marked joints. Both: one after the other, side by side in one "
+                           "report."));
     m_setup->setFocusPolicy(Qt::NoFocus);
     form->addRow(tr("Setup"), m_setup);
     form->addRow(tr("Test"), m_percent);
@@ -121,7 +147,7 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
     connect(&m_coverage, &Coverage::changed, this, [this] {
-        if (setup() == core::BenchmarkSetup::Realistic)
+        if (drawsAnnotatedFrames())
             emit drawChanged();
     });
     return side;
@@ -160,6 +186,7 @@ void BenchmarkPage::connectRunner() {
         });
     connect(&m_runner, &BenchmarkRunner::opened, this,
             [this](const QString&, const QString& note) { m_message->setMessage(note); });
+    connect(&m_runner, &BenchmarkRunner::saved, this, &BenchmarkPage::offerReport);
     connect(&m_runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
     connect(m_results, &BenchmarkResultsView::pairOpened, this,
             [this](const core::FramePair& pair, const std::vector<std::string>& methods) {
@@ -199,8 +226,9 @@ core::PairOptions BenchmarkPage::pairOptions() const {
     return options;
 }
 
-core::BenchmarkSetup BenchmarkPage::setup() const {
-    return m_setup->currentIndex() == 1 ? core::BenchmarkSetup::Realistic : core::BenchmarkSetup::Synthetic;
+/// Of both setups, the frames of the timeline are those of the synthetic one, which come first.
+bool BenchmarkPage::drawsAnnotatedFrames() const {
+    return m_setup->currentIndex() == 1;
 }
 
 std::set<int> BenchmarkPage::testFrames() const {
@@ -208,7 +236,7 @@ std::set<int> BenchmarkPage::testFrames() const {
     if (!sequence)
         return {};
     core::PairFrames frames{sequence->name, {}};
-    if (setup() == core::BenchmarkSetup::Realistic) {
+    if (drawsAnnotatedFrames()) {
         frames.frames = framesWithPoints(m_document.annotations());
     } else {
         frames.frames.resize(static_cast<std::size_t>(sequence->frameCount));
@@ -234,7 +262,10 @@ BenchmarkRequest BenchmarkPage::request() const {
         if (box->isChecked())
             request.methods.push_back(box->text().toStdString());
     request.pairs = pairOptions();
-    request.setup = setup();
+    if (m_setup->currentIndex() != 0)
+        request.setups.push_back(core::BenchmarkSetup::Realistic);
+    if (drawsAnnotatedFrames())
+        request.setups.erase(request.setups.begin());
     return request;
 }
 
@@ -278,8 +309,34 @@ void BenchmarkPage::takeDataset() {
 }
 
 void BenchmarkPage::takeResults() {
+    showSetups();
     m_results->setResults(m_runner.results());
     m_save->setEnabled(m_runner.results() != nullptr);
+}
+
+/// A choice of setups where there are results of both, and how far they agree.
+void BenchmarkPage::showSetups() {
+    const std::vector<core::BenchmarkSetup> setups = m_runner.setups();
+    if (m_shown->count() != static_cast<int>(setups.size())) {
+        m_shown->clear();
+        for (const core::BenchmarkSetup setup : setups)
+            m_shown->addItem(setup == core::BenchmarkSetup::Synthetic ? tr("Synthetic") : tr("Realistic"),
+                             static_cast<int>(setup));
+    }
+    m_shown->setCurrentIndex(m_shown->findData(static_cast<int>(m_runner.setup())));
+    m_shownRow->setVisible(setups.size() > 1);
+    const auto agreement = m_runner.agreement();
+    m_agreement->setText(agreement ? tr("Order of the methods in both setups: tau %1 (%2 to %3)")
+                                         .arg(localNumber(agreement->tau, 2), localNumber(agreement->low, 2),
+                                              localNumber(agreement->high, 2))
+                                   : QString());
+}
+
+void BenchmarkPage::offerReport(const QString& folder) {
+    m_message->offer(tr("The results are saved in %1.").arg(QDir::toNativeSeparators(folder)),
+                     {{tr("Show the report"), [this, folder] {
+                           emit reportWanted(QDir(folder).filePath(QStringLiteral("report.html")));
+                       }}});
 }
 
 void BenchmarkPage::askToSave() {

@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QProgressBar>
@@ -27,7 +28,8 @@
 
 namespace widgets {
 
-/// Many pairs, all methods: what to run on the left, then the results as they come. They can be saved and opened again.
+/// Many pairs, all methods: what to run on the left, then the results as they come, of one setup at a time. They can be
+/// saved, shown as a page and opened again.
 /// A double click on a pair opens it for inspection.
 class BenchmarkPage : public QWidget {
     Q_OBJECT
@@ -54,11 +56,16 @@ public:
 signals:
     /// The settings draw other test frames.
     void drawChanged();
+    /// The page of saved results shall be shown.
+    void reportWanted(const QString& file);
     /// A pair shall be looked at with these methods.
     void pairOpened(const QString& sequence, const widgets::FitRequest& request);
 
 private:
-    core::BenchmarkSetup setup() const;
+    bool drawsAnnotatedFrames() const;
+    QWidget* makeResults();
+    void showSetups();
+    void offerReport(const QString& folder);
     QWidget* makeSettings();
     QLayout* makeFileRow();
     void connectRunner();
@@ -82,6 +89,9 @@ private:
     QProgressBar* m_progress;
     QPushButton* m_save;
     QPushButton* m_open;
+    QWidget* m_shownRow;
+    QComboBox* m_shown;
+    QLabel* m_agreement;
     BenchmarkResultsView* m_results;
     QString m_lastFolder;
 };

@@ -9,7 +9,6 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
-#include "widgets/jobs/footage_finder.h"
 #include "widgets/panels/state_colours.h"
 #include "widgets/views/message_bar.h"
 
@@ -17,13 +16,6 @@ namespace widgets {
 
 namespace {
 constexpr const char* kAdjustmentsSetting = "adjustments";
-
-/// What a view shows where there is no picture.
-QImage plainPicture(const core::ImageSize& size) {
-    QImage image(size.width, size.height, QImage::Format_RGB32);
-    image.fill(QColor(0x20, 0x22, 0x25));
-    return image;
-}
 
 /// A panel that scrolls where there is no room for it: it never makes the window larger than a small screen.
 QScrollArea* scrolled(QWidget* panel, QWidget* parent) {
@@ -50,6 +42,7 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     , m_grid(new CameraGrid(this))
     , m_scene(new SceneView(this))
     , m_fitting(new FittingPanel(session.selection, session.fits, this))
+    , m_pictures(new FramePictures(session.frames, session.opened, *m_grid, this))
     , m_marks(new MarkPresenter(session.joints, session.reconstructions, session.selection, *m_grid, m_scene, this))
     , m_residuals(new ResidualArrows(session.rig, *m_grid, this))
     , m_layers(new LayerPresenter(session.selection, session.fits, *m_grid, m_scene, session.pool, this))
@@ -77,8 +70,11 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     connect(m_benchmark, &BenchmarkPage::pairOpened, this, &Workspaces::openPair);
     connect(&session, &WindowSession::ready, this, &Workspaces::takeSequence);
     connect(&session.shownCameras, &ShownCameras::changed, this, &Workspaces::showOrder);
-    connect(&session.frames, &FrameLoader::pictureLoaded, this, &Workspaces::showPicture);
-    connect(&session.frames, &FrameLoader::pictureFailed, this, &Workspaces::showFailure);
+    connect(m_pictures, &FramePictures::footageWanted, this, &Workspaces::footageWanted);
+    connect(m_pictures, &FramePictures::shown, this, [this](int camera, const ImagePyramid& picture) {
+        if (camera == m_grid->current() && !inspects())
+            m_scene->setCameraImage(picture.image());
+    });
     connect(&session.selection, &Selection::cameraChanged, this, &Workspaces::showCurrentCamera);
     connect(m_options, &ViewOptions::adjustmentsChanged, this,
             [this] { m_session.document.setSetting(kAdjustmentsSetting, m_options->adjustmentsText()); });
@@ -229,6 +225,7 @@ void Workspaces::connectView(int camera, CameraView* view) {
         m_session.selection.setCamera(name());
         m_session.selection.setJoint(joint);
     });
+    connect(view, &CameraView::viewChanged, m_pictures, &FramePictures::chooseDrafts);
     connect(view, &CameraView::contextMenuRequested, this,
             [this, camera, name](QPointF px, const core::JointId& joint, const QPoint& position) {
                 m_session.selection.setCamera(name());
@@ -247,7 +244,7 @@ void Workspaces::takeSequence() {
     m_residuals->refresh();
     m_layers->setSequence(dataset, m_session.opened.motion());
     for (int camera = 0; camera < m_grid->count(); ++camera)
-        showPicture(camera, m_session.frames.picture(camera));
+        m_pictures->show(camera, m_session.frames.picture(camera));
     showCurrentCamera();
     m_scene->resetView();
     m_framing->frameHands();
@@ -262,29 +259,6 @@ void Workspaces::showOrder() {
     for (const std::string& camera : m_session.shownCameras.names())
         order.push_back(dataset->cameraIndex(camera));
     m_grid->setOrder(order);
-}
-
-void Workspaces::showPicture(int camera, const ImagePyramid& picture) {
-    if (camera >= m_grid->count() || picture.isNull())
-        return;
-    m_grid->view(camera)->setMessage(m_session.frames.lacksPicture(camera) ? tr("No picture at this instant.")
-                                                                           : QString());
-    m_grid->view(camera)->setImage(picture);
-    if (camera == m_grid->current() && !inspects())
-        m_scene->setCameraImage(picture.image());
-}
-
-/// Says why there is no picture, instead of another frame's; footage that is not there any more can be looked for.
-void Workspaces::showFailure(int camera, const QString& message) {
-    const auto& dataset = m_session.opened.dataset();
-    if (!dataset || camera >= m_grid->count())
-        return;
-    CameraView* view = m_grid->view(camera);
-    view->setImage(plainPicture(view->camera().size));
-    std::vector<MessageAction> actions;
-    if (isFootageGone(*dataset, *m_session.opened.sequence(), view->camera().name))
-        actions.push_back({tr("Find..."), [this] { emit footageWanted(); }});
-    view->setMessage(message, actions);
 }
 
 void Workspaces::showCurrentCamera() {

@@ -14,6 +14,7 @@
 #include "widgets/panels/review/review_panel.h"
 #include "widgets/panels/scene_panel.h"
 #include "widgets/panels/view_panel.h"
+#include "widgets/presenters/frame_pictures.h"
 #include "widgets/presenters/hand_framing.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/presenters/mark_presenter.h"
@@ -98,8 +99,6 @@ private:
     int tabOf(const QWidget* panel) const;
     void takeSequence();
     void showOrder();
-    void showFailure(int camera, const QString& message);
-    void showPicture(int camera, const ImagePyramid& picture);
     void showCurrentCamera();
     void openPair(const QString& sequence, const FitRequest& request);
 
@@ -114,6 +113,7 @@ private:
     CameraGrid* m_grid;
     SceneView* m_scene;
     FittingPanel* m_fitting;
+    FramePictures* m_pictures;
     MarkPresenter* m_marks;
     ResidualArrows* m_residuals;
     LayerPresenter* m_layers;

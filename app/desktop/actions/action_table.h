@@ -16,7 +16,7 @@ enum class ActionKind {
 struct ActionRow {
     const char* id;
     const char* menu;     ///< menu that holds it
-    const char* text;     ///< with the menu's mnemonic
+    const char* text;     ///< with its letter in the menu; a later entry with the same letter gets another one
     const char* shortcut; ///< default, portable text; empty for none
     const char* icon;     ///< of the icon theme; empty for none
     const char* tip;      ///< one sentence; empty if the text says it all

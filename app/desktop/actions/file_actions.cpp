@@ -104,7 +104,7 @@ void importAnnotations(MainWindow& window) {
                });
 }
 
-void bindWorkspaces(MainWindow& window) {
+void bindComparisonFiles(MainWindow& window) {
     const FileKind kind{MainWindow::tr("Comparisons (*.json)"), QStringLiteral("json")};
     window.actions().bind(
         id("file.saveWorkspace"),
@@ -132,7 +132,7 @@ void bindWorkspaces(MainWindow& window) {
 } // namespace
 
 void bindFileActions(MainWindow& window) {
-    bindWorkspaces(window);
+    bindComparisonFiles(window);
     Actions& actions = window.actions();
     actions.bind(
         id("file.export"), [&window] { exportAnnotations(window); });

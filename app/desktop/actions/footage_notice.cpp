@@ -4,6 +4,7 @@
 #include <QBoxLayout>
 
 #include "app/desktop/main_window.h"
+#include "widgets/text/footage_text.h"
 #include "widgets/views/message_bar.h"
 
 namespace app {
@@ -13,10 +14,8 @@ namespace {
 constexpr int kMostNotes = 3;
 
 /// The first few notes, a line each, and how many more there are.
-QString noticeText(const std::vector<std::string>& notes) {
-    QStringList lines;
-    for (const std::string& note : notes)
-        lines << QString::fromStdString(note);
+QString noticeText(const std::vector<core::FootageNote>& notes) {
+    QStringList lines = widgets::footageNotesInWords(notes);
     const int more = lines.size() - kMostNotes;
     if (more > 0) {
         lines = lines.mid(0, kMostNotes);

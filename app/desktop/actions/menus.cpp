@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "app/desktop/actions/action_table.h"
+#include "app/desktop/actions/mnemonics.h"
 #include "app/desktop/main_window.h"
 
 namespace app {
@@ -95,6 +96,9 @@ void buildMenus(MainWindow& window) {
         if (row.inMenu)
             menus.add(row, window.actions().action(QString::fromLatin1(row.id)));
     }
+    setDistinctMnemonics(*window.menuBar());
+    for (QMenu* menu : window.menuBar()->findChildren<QMenu*>())
+        setDistinctMnemonics(*menu);
 }
 
 void buildToolbar(MainWindow& window) {

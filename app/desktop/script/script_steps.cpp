@@ -236,6 +236,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
     const core::JointId joint = jointField(step);
     widgets::WindowSession& session = m_window.session();
+    session.rig.lookNow(); // what clicks are worth follows from the last ones, too
+    if (!waitFor(m_window, [&session] { return session.rig.isUpToDate(); }))
+        throw refused("do", QStringLiteral("no answer in time"));
     QJsonObject answer = jointJson(session.reconstructions.compute(session.selection.frame(), joint));
     answer[QStringLiteral("hand")] = widgets::toQString(core::sideName(joint.hand));
     answer[QStringLiteral("joint")] = QString::fromStdString(joint.joint);

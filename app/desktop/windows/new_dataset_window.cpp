@@ -1,27 +1,29 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/windows/new_dataset_window.h"
 
-#include <set>
+#include <array>
 
 #include <QDialogButtonBox>
 #include <QDir>
-#include <QFileDialog>
+#include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QHeaderView>
-#include <QLabel>
-#include <QToolButton>
+#include <QIcon>
+#include <QMimeData>
 #include <QVBoxLayout>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/windows/path_field.h"
 
 namespace app {
 
 namespace {
 
-constexpr int kTypingMs = 400;
-enum Column { kFootage, kCamera };
+constexpr int kLookMs = 300;
+constexpr std::array kSteps = {NewDatasetWindow::Step::Footage, NewDatasetWindow::Step::Calibration,
+                               NewDatasetWindow::Step::Hands, NewDatasetWindow::Step::Silhouettes,
+                               NewDatasetWindow::Step::Folder};
 
 } // namespace
 
@@ -30,31 +32,34 @@ NewDatasetWindow::NewDatasetWindow(MainWindow& window)
     , m_window(window)
     , m_maker(window.session().pool)
     , m_message(new widgets::MessageBar(this))
-    , m_calibration(new QLineEdit(this))
-    , m_unit(new QComboBox(this))
-    , m_table(new QTableWidget(0, 2, this))
-    , m_sequence(new QLineEdit(QStringLiteral("1"), this))
+    , m_steps(new QListWidget(this))
+    , m_pages(new QStackedWidget(this))
+    , m_footage(new FootagePage(this))
+    , m_calibration(new CalibrationPage(this))
+    , m_hands(new HandsPage(this))
+    , m_masks(new MasksPage(this))
     , m_folder(new QLineEdit(this))
-    , m_make(nullptr) {
+    , m_summary(new QLabel(this))
+    , m_reason(new QLabel(this)) {
     build();
     m_wait.setSingleShot(true);
-    m_wait.setInterval(kTypingMs);
-    connect(&m_wait, &QTimer::timeout, this, &NewDatasetWindow::readCameras);
-    connect(m_calibration, &QLineEdit::textChanged, this, [this] { m_wait.start(); });
-    connect(m_unit, qOverload<int>(&QComboBox::currentIndexChanged), this, &NewDatasetWindow::readCameras);
-    for (const QLineEdit* field : {m_calibration, m_sequence, m_folder})
-        connect(field, &QLineEdit::textChanged, this, &NewDatasetWindow::refresh);
-    connect(m_make, &QPushButton::clicked, this, &NewDatasetWindow::make);
-    connect(&m_maker, &widgets::DatasetMaker::camerasRead, this, &NewDatasetWindow::showCameras);
-    connect(&m_maker, &widgets::DatasetMaker::failed, m_message, &widgets::MessageBar::setMessage);
-    connect(&m_maker, &widgets::DatasetMaker::idle, this, &NewDatasetWindow::refresh);
-    connect(&m_maker, &widgets::DatasetMaker::made, this, [this](const QString& folder, const QString& notes) {
-        m_window.openDataset(folder);
-        if (!notes.isEmpty())
-            m_window.showMessage(notes);
-        close();
+    m_wait.setInterval(kLookMs);
+    connect(&m_wait, &QTimer::timeout, this, &NewDatasetWindow::look);
+    connect(m_footage, &FootagePage::chosen, this, &NewDatasetWindow::addFootage);
+    connect(m_footage, &FootagePage::changed, this, [this] {
+        m_wait.start(); // sizes are compared
+        refresh();
     });
-    refresh();
+    connect(m_calibration, &CalibrationPage::changed, this, &NewDatasetWindow::look);
+    connect(m_hands, &HandsPage::changed, this, &NewDatasetWindow::refresh);
+    connect(m_masks, &MasksPage::changed, this, &NewDatasetWindow::refresh);
+    connect(m_folder, &QLineEdit::textChanged, this, &NewDatasetWindow::refresh);
+    connect(m_steps, &QListWidget::currentRowChanged, this, [this](int row) {
+        m_pages->setCurrentIndex(std::max(0, row));
+        refresh();
+    });
+    connectMaker();
+    goTo(Step::Footage);
 }
 
 NewDatasetWindow* NewDatasetWindow::open(MainWindow& window, const QStringList& footage) {
@@ -63,7 +68,8 @@ NewDatasetWindow* NewDatasetWindow::open(MainWindow& window, const QStringList& 
         dialog = new NewDatasetWindow(window);
         dialog->setAttribute(Qt::WA_DeleteOnClose);
     }
-    dialog->addFootage(footage);
+    if (!footage.isEmpty())
+        dialog->addFootage(footage);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();
@@ -72,198 +78,196 @@ NewDatasetWindow* NewDatasetWindow::open(MainWindow& window, const QStringList& 
 
 void NewDatasetWindow::build() {
     setWindowTitle(tr("Make a dataset"));
-    resize(680, 460);
-    m_unit->addItem(tr("unit: as usual for its kind"), 0.0);
-    m_unit->addItem(tr("unit: millimetres"), 1.0);
-    m_unit->addItem(tr("unit: centimetres"), 10.0);
-    m_unit->addItem(tr("unit: metres"), 1000.0);
-    m_table->setHorizontalHeaderLabels({tr("Video or image folder"), tr("Camera")});
-    m_table->horizontalHeader()->setSectionResizeMode(kFootage, QHeaderView::Stretch);
-    m_table->verticalHeader()->hide();
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    auto* introduction = new QLabel(tr("A calibration and the videos (or folders of numbered images) of its cameras. "
-                                       "Nothing is copied: the footage stays where it is."),
-                                    this);
-    introduction->setWordWrap(true);
-    auto* form = new QFormLayout;
-    auto* calibrationRow = new QWidget(this);
-    auto* row = new QHBoxLayout(calibrationRow);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(withChooser(m_calibration, tr("The calibration"), false), 1);
-    row->addWidget(m_unit);
-    form->addRow(tr("Calibration"), calibrationRow);
-    addButtons(*form);
-    form->addRow(tr("Name of the sequence"), m_sequence);
-    form->addRow(tr("Folder of the dataset"), withChooser(m_folder, tr("An empty folder for the dataset"), true));
+    setAcceptDrops(true);
+    resize(860, 520);
+    m_steps->addItems({tr("Footage"), tr("Calibration"), tr("Hands"), tr("Silhouettes"), tr("Folder")});
+    m_steps->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    m_steps->setFixedWidth(m_steps->sizeHintForColumn(0) + 48);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_footage, m_calibration, m_hands, m_masks, folderPage()})
+        m_pages->addWidget(page);
+    m_reason->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    m_back = buttons->addButton(tr("Back"), QDialogButtonBox::ActionRole);
+    m_next = buttons->addButton(tr("Next"), QDialogButtonBox::ActionRole);
     m_make = buttons->addButton(tr("Make the dataset"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(m_back, &QPushButton::clicked, this, [this] { m_steps->setCurrentRow(m_steps->currentRow() - 1); });
+    connect(m_next, &QPushButton::clicked, this, [this] { m_steps->setCurrentRow(m_steps->currentRow() + 1); });
+    connect(m_make, &QPushButton::clicked, this, &NewDatasetWindow::make);
+    auto* middle = new QHBoxLayout;
+    middle->addWidget(m_steps);
+    middle->addWidget(m_pages, 1);
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_reason, 1);
+    bottom->addWidget(buttons);
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_message);
-    column->addWidget(introduction);
-    column->addLayout(form, 1);
-    column->addWidget(buttons);
+    column->addLayout(middle, 1);
+    column->addLayout(bottom);
 }
 
-/// The table of the footage and what fills it.
-void NewDatasetWindow::addButtons(QFormLayout& form) {
-    auto* videos = new QPushButton(tr("Add videos..."), this);
-    auto* images = new QPushButton(tr("Add a folder of images..."), this);
-    auto* remove = new QPushButton(tr("Remove"), this);
-    connect(
-        videos, &QPushButton::clicked, this, [this] { askForFootage(false); });
-    connect(images, &QPushButton::clicked, this, [this] { askForFootage(true); });
-    connect(remove, &QPushButton::clicked, this, [this] {
-        m_table->removeRow(m_table->currentRow());
+QWidget* NewDatasetWindow::folderPage() {
+    auto* page = new QWidget(this);
+    auto* form = new QFormLayout;
+    form->addRow(tr("Folder of the dataset"),
+                 withChooser(m_folder, tr("An empty folder for the dataset"), PathKind::Folder, page));
+    m_summary->setWordWrap(true);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(form);
+    column->addWidget(m_summary);
+    column->addStretch(1);
+    return page;
+}
+
+void NewDatasetWindow::connectMaker() {
+    connect(&m_maker, &widgets::DatasetMaker::gathered, this, &NewDatasetWindow::takeFootage);
+    connect(&m_maker, &widgets::DatasetMaker::camerasRead, this, [this](const widgets::CalibrationLook& look) {
+        m_calibration->show(look);
+        if (look.names() != m_cameras) {
+            m_cameras = look.names();
+            m_footage->setCameras(m_cameras); // and their sizes are compared
+        }
         refresh();
     });
-    auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {videos, images, remove}) {
-        button->setAutoDefault(false);
-        buttons->addWidget(button);
-    }
-    buttons->addStretch(1);
-    auto* column = new QVBoxLayout;
-    column->addWidget(m_table, 1);
-    column->addLayout(buttons);
-    form.addRow(tr("Footage"), column);
-}
-
-QWidget* NewDatasetWindow::withChooser(QLineEdit* field, const QString& title, bool isFolder) {
-    auto* both = new QWidget(this);
-    auto* row = new QHBoxLayout(both);
-    row->setContentsMargins(0, 0, 0, 0);
-    auto* choose = new QToolButton(both);
-    choose->setText(tr("Choose..."));
-    row->addWidget(field, 1);
-    row->addWidget(choose);
-    connect(choose, &QToolButton::clicked, this, [this, field, title, isFolder] {
-        auto* dialog = new QFileDialog(this, title, QFileInfo(field->text()).path());
-        dialog->setFileMode(isFolder ? QFileDialog::Directory : QFileDialog::ExistingFile);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        connect(dialog, &QFileDialog::fileSelected, field, &QLineEdit::setText);
-        dialog->open();
+    connect(&m_maker, &widgets::DatasetMaker::lookFailed, this, [this](const QString& message) {
+        m_calibration->showFailure(message);
+        m_message->setMessage(message);
+        refresh();
     });
-    return both;
+    connect(&m_maker, &widgets::DatasetMaker::failed, m_message, &widgets::MessageBar::setMessage);
+    connect(&m_maker, &widgets::DatasetMaker::idle, this, &NewDatasetWindow::refresh);
+    connect(&m_maker, &widgets::DatasetMaker::made, this, [this](const QString& folder, const QString& notes) {
+        m_window.openDataset(folder);
+        if (!notes.isEmpty())
+            m_window.showMessage(notes);
+        close();
+    });
 }
 
-void NewDatasetWindow::askForFootage(bool isFolder) {
-    auto* dialog =
-        new QFileDialog(this, isFolder ? tr("A folder of numbered images of one camera") : tr("Videos of the cameras"));
-    dialog->setFileMode(isFolder ? QFileDialog::Directory : QFileDialog::ExistingFiles);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QFileDialog::filesSelected, this, &NewDatasetWindow::addFootage);
-    dialog->open();
+void NewDatasetWindow::takeFootage(const widgets::GatheredFootage& found) {
+    m_message->setMessage(found.footage.isEmpty() && found.calibration.isEmpty()
+                              ? tr("There is neither a video, nor a folder of images, nor a calibration in what was "
+                                   "dropped.")
+                              : QString());
+    if (!found.footage.isEmpty() && m_folder->text().isEmpty())
+        setFolder(QFileInfo(found.footage.front()).path() + QStringLiteral("/dataset"));
+    m_footage->addFootage(found.footage);
+    if (!found.calibration.isEmpty() && m_calibration->path().isEmpty())
+        setCalibration(found.calibration);
+    else if (found.footage.isEmpty() && !found.calibration.isEmpty())
+        setCalibration(found.calibration); // it alone was dropped: it is meant
 }
 
-QComboBox* NewDatasetWindow::choiceIn(int row) const {
-    return qobject_cast<QComboBox*>(m_table->cellWidget(row, kCamera));
+void NewDatasetWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
 }
 
-QStringList NewDatasetWindow::paths() const {
-    QStringList all;
-    for (int row = 0; row < m_table->rowCount(); ++row)
-        all << m_table->item(row, kFootage)->text();
-    return all;
-}
-
-void NewDatasetWindow::addFootage(const QStringList& added) {
-    for (const QString& path : added) {
-        if (paths().contains(path))
-            continue;
-        const int row = m_table->rowCount();
-        m_table->insertRow(row);
-        auto* item = new QTableWidgetItem(path);
-        item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
-        item->setToolTip(path);
-        m_table->setItem(row, kFootage, item);
-        auto* choice = new QComboBox(m_table);
-        m_table->setCellWidget(row, kCamera, choice);
-        connect(choice, qOverload<int>(&QComboBox::currentIndexChanged), this, &NewDatasetWindow::refresh);
-    }
-    if (!added.isEmpty() && m_folder->text().isEmpty())
-        setFolder(QFileInfo(added.front()).path() + QStringLiteral("/dataset"));
-    showCameras(m_cameras);
-}
-
-void NewDatasetWindow::setCalibration(const QString& path) {
-    m_calibration->setText(path);
-    readCameras();
+void NewDatasetWindow::dropEvent(QDropEvent* event) {
+    QStringList paths;
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            paths << url.toLocalFile();
+    addFootage(paths);
 }
 
 void NewDatasetWindow::setFolder(const QString& path) {
     m_folder->setText(QDir::toNativeSeparators(path));
 }
 
-void NewDatasetWindow::readCameras() {
+void NewDatasetWindow::goTo(Step step) {
+    m_steps->setCurrentRow(static_cast<int>(step));
+    refresh();
+}
+
+void NewDatasetWindow::look() {
     m_wait.stop();
-    if (m_calibration->text().isEmpty() || !QFileInfo::exists(m_calibration->text()))
+    if (m_calibration->path().isEmpty() || !QFileInfo::exists(m_calibration->path())) {
+        refresh();
         return;
+    }
     m_message->setMessage({});
     m_maker.readCameras(request());
 }
 
-/// Fills the choices of cameras; what a person has chosen stays, the rest goes by name.
-void NewDatasetWindow::showCameras(const QStringList& names) {
-    m_cameras = names;
-    const QStringList matches = widgets::matchFootage(names, paths());
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        QComboBox* choice = choiceIn(row);
-        const QString before = choice->currentIndex() > 0 ? choice->currentText() : matches[row];
-        const QSignalBlocker blocker(choice);
-        choice->clear();
-        choice->addItem(tr("not used"));
-        choice->addItems(names);
-        choice->setCurrentIndex(std::max(0, choice->findText(before)));
+QString NewDatasetWindow::problem(Step step) const {
+    switch (step) {
+    case Step::Footage:
+        return m_footage->problem();
+    case Step::Calibration:
+        return m_calibration->problem();
+    case Step::Hands:
+        return m_hands->problem();
+    case Step::Silhouettes:
+        return m_masks->problem();
+    case Step::Folder: {
+        const QString folder = m_folder->text().trimmed();
+        if (folder.isEmpty())
+            return tr("Choose a folder for the dataset.");
+        const QFileInfo there(folder);
+        if (there.exists() && (!there.isDir() || !QDir(folder).isEmpty()))
+            return tr("The folder of the dataset is not empty: choose another.");
+        return {};
     }
-    refresh();
+    }
+    return {};
 }
 
-/// Says what is missing; the button works when nothing is.
+/// Says what is missing, of this step first; the buttons work when nothing is.
 void NewDatasetWindow::refresh() {
-    QString missing;
-    std::set<QString> used;
-    QString twice;
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const QComboBox* choice = choiceIn(row);
-        if (choice && choice->currentIndex() > 0 && !used.insert(choice->currentText()).second)
-            twice = choice->currentText();
+    refreshSteps();
+    const int row = m_steps->currentRow(), last = m_steps->count() - 1;
+    const QString here = problem(kSteps[static_cast<std::size_t>(std::max(0, row))]);
+    QString first;
+    for (const Step step : kSteps)
+        if (first.isEmpty())
+            first = problem(step);
+    const bool isBusy = m_maker.isRunning();
+    m_back->setEnabled(row > 0 && !isBusy);
+    m_next->setEnabled(row < last && here.isEmpty() && !isBusy);
+    m_next->setToolTip(here);
+    m_make->setEnabled(first.isEmpty() && !isBusy);
+    m_make->setToolTip(first);
+    (m_make->isEnabled() ? m_make : m_next)->setDefault(true);
+    m_reason->setText(isBusy            ? tr("The footage is looked at...")
+                      : !here.isEmpty() ? here
+                                        : first);
+    m_summary->setText(summary());
+}
+
+void NewDatasetWindow::refreshSteps() {
+    QPixmap nothing(m_steps->iconSize().isValid() ? m_steps->iconSize() : QSize(16, 16));
+    nothing.fill(Qt::transparent);
+    for (const Step step : kSteps) {
+        QListWidgetItem* item = m_steps->item(static_cast<int>(step));
+        const QString missing = problem(step);
+        item->setIcon(missing.isEmpty() ? QIcon::fromTheme(QStringLiteral("dialog-ok-apply")) : QIcon(nothing));
+        item->setToolTip(missing);
     }
-    if (m_calibration->text().isEmpty())
-        missing = tr("Choose the calibration of the cameras.");
-    else if (used.empty())
-        missing = tr("Add the videos or image folders, and choose the camera of each.");
-    else if (!twice.isEmpty())
-        missing = tr("Two pieces of footage are given to %1.").arg(twice);
-    else if (m_sequence->text().trimmed().isEmpty())
-        missing = tr("Give the sequence a name.");
-    else if (m_folder->text().trimmed().isEmpty())
-        missing = tr("Choose a folder for the dataset.");
-    m_make->setEnabled(missing.isEmpty() && !m_maker.isRunning());
-    m_make->setToolTip(missing);
+}
+
+QString NewDatasetWindow::summary() const {
+    return tr("%n piece(s) of footage", nullptr, static_cast<int>(m_footage->footage().size())) + QStringLiteral(", ") +
+           tr("%n camera(s)", nullptr, static_cast<int>(m_cameras.size())) + QLatin1Char('.');
 }
 
 widgets::NewDatasetRequest NewDatasetWindow::request() const {
     widgets::NewDatasetRequest request;
-    request.calibration = m_calibration->text().toStdString();
-    if (const double unit = m_unit->currentData().toDouble(); unit > 0)
-        request.mmPerUnit = unit;
-    for (int row = 0; row < m_table->rowCount(); ++row) {
-        const QComboBox* choice = choiceIn(row);
-        if (choice->currentIndex() > 0)
-            request.footage.push_back(
-                {choice->currentText().toStdString(), m_table->item(row, kFootage)->text().toStdString(), 0});
-    }
-    request.sequence = m_sequence->text().trimmed().toStdString();
+    request.calibration = m_calibration->path().toStdString();
+    request.mmPerUnit = m_calibration->mmPerUnit();
+    request.footage = m_footage->footage();
+    request.sequence = m_footage->sequence().toStdString();
     request.folder = QDir::cleanPath(m_folder->text().trimmed()).toStdString();
+    m_hands->fill(request);
+    m_masks->fill(request);
     return request;
 }
 
 void NewDatasetWindow::make() {
     m_message->setMessage({});
     m_maker.make(request());
-    m_make->setEnabled(false);
-    m_make->setToolTip(tr("The footage is looked at..."));
+    refresh();
 }
 
 } // namespace app

@@ -137,6 +137,16 @@ std::vector<SetupResults> setupResults(const std::vector<BenchmarkFolder>& folde
     return setups;
 }
 
+fs::path setupFolder(const fs::path& folder, BenchmarkSetup setup) {
+    return folder / (setup == BenchmarkSetup::Synthetic ? "synthetic" : "realistic");
+}
+
+bool holdsBothSetups(const fs::path& folder) {
+    return !fs::exists(folder / "run.json") &&
+           fs::exists(setupFolder(folder, BenchmarkSetup::Synthetic) / "run.json") &&
+           fs::exists(setupFolder(folder, BenchmarkSetup::Realistic) / "run.json");
+}
+
 void writeSetupTables(const fs::path& folder, const std::vector<BenchmarkFolder>& setups) {
     const std::vector<SetupResults> results = setupResults(setups);
     const ResultTable table = setupsTable(results);

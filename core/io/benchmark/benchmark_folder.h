@@ -28,6 +28,10 @@ void writeBenchmarkTables(const std::filesystem::path& folder, const BenchmarkFo
 
 /// The results of several setups for tables; they point into `folders`.
 std::vector<SetupResults> setupResults(const std::vector<BenchmarkFolder>& folders);
+/// Where a run in both setups keeps the results of one: "synthetic" or "realistic" within its folder.
+std::filesystem::path setupFolder(const std::filesystem::path& folder, BenchmarkSetup setup);
+/// True for the folder of a run in both setups.
+bool holdsBothSetups(const std::filesystem::path& folder);
 /// Writes table.md, table.tex and report.html of several setups side by side, each atomically.
 void writeSetupTables(const std::filesystem::path& folder, const std::vector<BenchmarkFolder>& setups);
 

@@ -6,6 +6,7 @@
 #include "core/annotation/sequence_points.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/frames.h"
 
 namespace core {
@@ -30,24 +31,26 @@ std::vector<const Sequence*> chosenSequences(const Dataset& dataset, const std::
     throw Error(ErrorCode::NotFound, dataset.folder.string(), "sequence " + sequence.name, what);
 }
 
-std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const Sequence& sequence) {
+std::map<int, JointPositions> readAnnotatedJoints(const Dataset& dataset, const Sequence& sequence,
+                                                  const ClickSigmas& sigmas) {
     std::map<int, JointPositions> joints;
     const AnnotationSet annotations = readAnnotations(dataset, sequence);
     for (const int frame : annotatedFrames(annotations)) {
-        JointPositions found = meanJointPoints(annotations, dataset.cameras, frame);
+        JointPositions found = meanJointPoints(annotations, dataset.cameras, frame, sigmas);
         if (!found.empty())
             joints.emplace(frame, std::move(found));
     }
     return joints;
 }
 
-void addRealisticParts(const Dataset& dataset, const Sequence& sequence, BenchmarkSequence& result) {
+void addRealisticParts(const Dataset& dataset, const Sequence& sequence, const ClickSigmas& sigmas,
+                       BenchmarkSequence& result) {
     if (!hasMasks(sequence))
         throwLacks(dataset, sequence, "has no masks, which the realistic setup takes its silhouettes from");
     result.masks = [folder = dataset.folder, sequence, cameras = dataset.cameras](int frame) {
         return readFrameMasks(folder, sequence, cameras, frame);
     };
-    result.annotatedJoints = readAnnotatedJoints(dataset, sequence);
+    result.annotatedJoints = readAnnotatedJoints(dataset, sequence, sigmas);
     if (result.annotatedJoints.empty())
         throwLacks(dataset, sequence, "has no annotated 3D joints, which the realistic setup measures errors against");
 }
@@ -57,12 +60,13 @@ void addRealisticParts(const Dataset& dataset, const Sequence& sequence, Benchma
 BenchmarkScene readBenchmarkScene(const Dataset& dataset, const std::vector<std::string>& sequences,
                                   BenchmarkSetup setup) {
     BenchmarkScene scene{dataset.hands, dataset.cameras, {}};
+    const ClickSigmas sigmas = setup == BenchmarkSetup::Realistic ? datasetClickSigmas(dataset) : ClickSigmas{};
     for (const Sequence* sequence : chosenSequences(dataset, sequences)) {
         BenchmarkSequence result{sequence->name, readMotion(dataset, *sequence), {}, {}};
         if (result.motion.empty())
             throwLacks(dataset, *sequence, "has no recorded motion to take start poses from");
         if (setup == BenchmarkSetup::Realistic)
-            addRealisticParts(dataset, *sequence, result);
+            addRealisticParts(dataset, *sequence, sigmas, result);
         scene.sequences.push_back(std::move(result));
     }
     if (scene.sequences.empty())

@@ -262,6 +262,9 @@ std::vector<std::string> calibrationNotes(const fs::path& path, const Calibratio
         notes.push_back(unit);
     for (const std::string& lens : lensNotes(cameras))
         notes.push_back(lens);
+    if (row.kind.name == "qualisys")
+        for (const std::string& turned : qualisysNotes(source))
+            notes.push_back(turned);
     return notes;
 }
 

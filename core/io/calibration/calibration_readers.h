@@ -64,6 +64,8 @@ std::vector<Camera> readDlt(const CalibrationSource& source, const CalibrationOp
 /// QTM's .qca.txt: video cameras, intrinsics in 1/64 px, the cameras' places in mm.
 bool looksLikeQualisys(const CalibrationSource& source);
 std::vector<Camera> readQualisys(const CalibrationSource& source, const CalibrationOptions& options);
+/// Cameras whose views QTM shows turned.
+std::vector<std::string> qualisysNotes(const CalibrationSource& source);
 /// XMALab's MayaCam 2.0: a text file per camera; a folder of them.
 bool looksLikeXmaLab(const CalibrationSource& source);
 std::vector<Camera> readXmaLab(const CalibrationSource& source, const CalibrationOptions& options);

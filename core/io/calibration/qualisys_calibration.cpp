@@ -115,25 +115,75 @@ double pictureScale(const QcaCamera& qca) {
     return lines / kSensorLines;
 }
 
-/// Size and intrinsic matrix. The sensor's coordinates are taken to be 0 at the first pixel's centre, as in files whose
-/// sensorMaxU is 64 (width - 1).
-void setIntrinsics(Camera& camera, const QcaCamera& qca) {
+/// The part of the sensor that pictures show, px, along one axis.
+struct PicturePart {
+    double first = 0, length = 0;
+};
+
+/// One axis of a sensor as `intrinsic` counts along it.
+struct SensorAxis {
+    double unit = 1;    ///< counts per pixel
+    double firstPx = 0; ///< where the first pixel's centre is, in pixels from the count 0
+};
+
+/// Where coordinates begin follows from the range that the file states. QTM counts sub-pixels, 0 to 64 W - 1, so that
+/// the first pixel's centre is 31.5; programs that write its format state 64 (W - 1), from centre to centre, or W, from
+/// edge to edge and perhaps in whole pixels. `last` is the last pixel that pictures may show.
+SensorAxis sensorAxis(const QcaCamera& qca, const std::string& axis, double last) {
+    const double from = qca.number("intrinsic", "sensorMin" + axis), to = qca.number("intrinsic", "sensorMax" + axis);
+    constexpr double kSubPixels = 64, kTolerance = 0.004;
+    SensorAxis sensor;
+    sensor.unit = to - from > 20 * (last + 1) ? kSubPixels : 1;
+    const double span = (to - from) / sensor.unit;
+    const double whole = std::round(span);
+    const auto begin = [&](double firstCentre) {
+        sensor.firstPx = from / sensor.unit + firstCentre;
+        return sensor;
+    };
+    if (sensor.unit == kSubPixels && std::abs(span + 1 / kSubPixels - whole) < kTolerance)
+        return begin(0.5 - 0.5 / kSubPixels);
+    if (std::abs(span - (last + 1)) < kTolerance)
+        return begin(0.5);
+    if (std::abs(span - last) < kTolerance)
+        return begin(0);
+    throw Error(ErrorCode::Unsupported, qca.file, qca.name + ".intrinsic.sensorMax" + axis,
+                "the range does not fit the pictures: 64 W - 1, 64 (W - 1) or W is expected for W pixels");
+}
+
+PicturePart picturePart(const QcaCamera& qca, const char* first, const char* last) {
     const char* view = qca.tags.contains("fov_video") ? "fov_video" : "fov_video_max";
-    const double left = qca.number(view, "left"), top = qca.number(view, "top");
-    const double width = qca.number(view, "right") - left + 1, height = qca.number(view, "bottom") - top + 1;
-    if (!(width >= 1 && height >= 1 && width < 1e5 && height < 1e5)) {
+    if (!qca.tags.contains(view)) { // such as Theia's own files
+        throw Error(ErrorCode::Unsupported, qca.file, qca.name + ".fov_video",
+                    "is missing: files of programs that write QTM's names with another meaning are not read");
+    }
+    const PicturePart part{qca.number(view, first), qca.number(view, last) - qca.number(view, first) + 1};
+    if (!(part.length >= 1 && part.length < 1e5)) {
         throw Error(ErrorCode::BadInput, qca.file, qca.name + "." + view,
                     "right and bottom must lie beyond left and top");
     }
+    return part;
+}
+
+/// The last pixel of the whole sensor along an axis, as far as the file says.
+double lastPixel(const QcaCamera& qca, const char* last) {
+    return qca.number(qca.tags.contains("fov_video_max") ? "fov_video_max" : "fov_video", last);
+}
+
+/// Size and intrinsic matrix.
+void setIntrinsics(Camera& camera, const QcaCamera& qca) {
+    const PicturePart across = picturePart(qca, "left", "right"), down = picturePart(qca, "top", "bottom");
+    const SensorAxis u = sensorAxis(qca, "U", lastPixel(qca, "right"));
+    const SensorAxis v = sensorAxis(qca, "V", lastPixel(qca, "bottom"));
     const double scale = pictureScale(qca);
-    camera.size = {static_cast<int>(std::lround(width * scale)), static_cast<int>(std::lround(height * scale))};
-    // QTM counts in 1/64 px; files that other programs write in its format may count in whole ones.
-    const bool isFine = qca.number("intrinsic", "sensorMaxU") > 20 * (left + width);
-    const double unit = isFine ? 64 : 1;
-    const auto px = [&](const char* key) { return qca.number("intrinsic", key) / unit; };
-    const auto place = [scale](double sensor, double first) { return (sensor - first + 0.5) * scale - 0.5; };
-    camera.intrinsics << px("focalLengthU") * scale, px("skew") * scale, place(px("centerPointU"), left), 0,
-        px("focalLengthV") * scale, place(px("centerPointV"), top), 0, 0, 1;
+    camera.size = {static_cast<int>(std::lround(across.length * scale)),
+                   static_cast<int>(std::lround(down.length * scale))};
+    const auto number = [&](const char* key) { return qca.number("intrinsic", key); };
+    const auto place = [scale](double count, const SensorAxis& axis, const PicturePart& part) {
+        return (count / axis.unit - axis.firstPx - part.first + 0.5) * scale - 0.5;
+    };
+    camera.intrinsics << number("focalLengthU") / u.unit * scale, number("skew") / u.unit * scale,
+        place(number("centerPointU"), u, across), 0, number("focalLengthV") / v.unit * scale,
+        place(number("centerPointV"), v, down), 0, 0, 1;
 }
 
 Camera toCamera(const QcaCamera& qca) {
@@ -176,6 +226,19 @@ std::vector<Camera> readQualisys(const CalibrationSource& source, const Calibrat
                     videos == 0 ? "holds no video cameras" : "none of its video cameras is calibrated");
     }
     return cameras;
+}
+
+std::vector<std::string> qualisysNotes(const CalibrationSource& source) {
+    const std::string file = source.path().string();
+    std::vector<std::string> notes;
+    for (const QcaCamera& camera : camerasOf(tagsOf(source.text(), file), file)) {
+        const std::string turn = camera.text("camera", "viewrotation");
+        if (isVideo(camera) && isCalibrated(camera) && !turn.empty() && turn != "0")
+            notes.push_back(camera.name + ": QTM shows it turned by " + turn +
+                            " degrees; the calibration is of the picture as the sensor records it: a video that was "
+                            "saved turned needs \"rotate\" in the dataset");
+    }
+    return notes;
 }
 
 } // namespace core

@@ -51,26 +51,17 @@ void setForOne(Sequence& sequence, const std::string& camera, const std::string&
 }
 
 /// Numbers that lead to no frame of the sequence: a shift by one, or masks of another recording.
-void noteNumbers(std::vector<std::string>& notes, const std::string& camera, const std::vector<int>& numbers,
-                 int offset, int frameCount) {
+void noteNumbers(std::vector<MaskNote>& notes, const std::string& camera, const std::vector<int>& numbers, int offset,
+                 int frameCount) {
     const auto isBeyond = [&](int number) { return number < offset || number >= offset + frameCount; };
     const auto beyond = std::count_if(numbers.begin(), numbers.end(), isBeyond);
     if (beyond == 0)
         return;
-    const std::string range = std::to_string(offset) + " to " + std::to_string(offset + frameCount - 1);
-    std::string note = camera + ": " + std::to_string(beyond) +
-                       (beyond == 1 ? " mask has a number" : " masks have numbers") +
-                       " that the sequence does not need (" + range + "); the masks are numbered " +
-                       std::to_string(numbers.front()) + " to " + std::to_string(numbers.back());
-    if (offset == 0 && numbers.front() > 0) {
-        note += ": if number " + std::to_string(numbers.front()) + " is of frame 0, use --offset " +
-                std::to_string(numbers.front());
-    }
-    notes.push_back(note);
+    notes.push_back({MaskNoteKind::OtherNumbers, camera, static_cast<int>(beyond), frameCount, offset, numbers.front(),
+                     numbers.back()});
 }
 
-void setFromFolder(const Dataset& dataset, Sequence& sequence, const MaskSource& source,
-                   std::vector<std::string>& notes) {
+void setFromFolder(const Dataset& dataset, Sequence& sequence, const MaskSource& source, std::vector<MaskNote>& notes) {
     const std::vector<std::string> cameras =
         source.camera.empty() ? namesOf(dataset.cameras) : std::vector<std::string>{source.camera};
     const std::map<std::string, MaskNaming> found = findMaskNaming(source.from, cameras);
@@ -92,7 +83,7 @@ void setFromFolder(const Dataset& dataset, Sequence& sequence, const MaskSource&
     }
 }
 
-void setFrom(const Dataset& dataset, Sequence& sequence, const MaskSource& source, std::vector<std::string>& notes) {
+void setFrom(const Dataset& dataset, Sequence& sequence, const MaskSource& source, std::vector<MaskNote>& notes) {
     if (!source.camera.empty() && dataset.cameraIndex(source.camera) < 0)
         throw Error(ErrorCode::NotFound, source.from, "camera \"" + source.camera + "\"", "unknown camera");
     if (source.from.find("{frame") == std::string::npos) {
@@ -139,16 +130,15 @@ int countMasks(const Dataset& dataset, const Sequence& sequence, const Camera& c
 
 /// Puts how many masks there are before the other notes.
 void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::string& asked,
-                std::vector<std::string>& notes) {
-    std::vector<std::string> counts;
+                std::vector<MaskNote>& notes) {
+    std::vector<MaskNote> counts;
     int all = 0;
     std::string example;
     for (const Camera& camera : dataset.cameras) {
         example = example.empty() ? fileOf(dataset, sequence, camera.name, 0).string() : example;
         const int count = countMasks(dataset, sequence, camera);
         all += count;
-        counts.push_back(camera.name + ": " + std::to_string(count) + " of " + std::to_string(sequence.frameCount) +
-                         " frames have a mask");
+        counts.push_back({MaskNoteKind::Count, camera.name, count, sequence.frameCount});
     }
     if (all == 0) {
         throw Error(ErrorCode::NotFound, asked, "",
@@ -160,6 +150,19 @@ void noteCounts(const Dataset& dataset, const Sequence& sequence, const std::str
 
 } // namespace
 
+std::string maskNoteText(const MaskNote& note) {
+    if (note.kind == MaskNoteKind::Count) {
+        return note.camera + ": " + std::to_string(note.count) + " of " + std::to_string(note.frameCount) +
+               " frames have a mask";
+    }
+    const std::string range = std::to_string(note.offset) + " to " + std::to_string(note.offset + note.frameCount - 1);
+    const std::string first = std::to_string(note.firstNumber);
+    return note.camera + ": " + std::to_string(note.count) +
+           (note.count == 1 ? " mask has a number" : " masks have numbers") + " that the sequence does not need (" +
+           range + "); the masks are numbered " + first + " to " + std::to_string(note.lastNumber) +
+           (note.suggestsOffset() ? ": if number " + first + " is of frame 0, use --offset " + first : "");
+}
+
 MaskSource parseMaskSource(const Dataset& dataset, const std::string& text) {
     const std::size_t equals = text.find('=');
     if (equals != std::string::npos && dataset.cameraIndex(text.substr(0, equals)) >= 0)
@@ -167,13 +170,14 @@ MaskSource parseMaskSource(const Dataset& dataset, const std::string& text) {
     return {"", text, 0};
 }
 
-std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequenceName,
-                                     const std::vector<MaskSource>& sources) {
+std::vector<MaskNote> attachMasks(Dataset& dataset, const std::string& sequenceName,
+                                  const std::vector<MaskSource>& sources) {
     if (sources.empty())
         throw Error(ErrorCode::Usage, "", "masks", "no pattern and no folder is given");
     const auto index = static_cast<std::size_t>(&dataset.sequence(sequenceName) - dataset.sequences.data());
     Sequence sequence = dataset.sequences[index];
-    std::vector<std::string> notes;
+    sequence.masksMadeBy.clear();
+    std::vector<MaskNote> notes;
     for (const MaskSource& source : sources)
         setFrom(dataset, sequence, source, notes);
     noteCounts(dataset, sequence, sources.front().from, notes);
@@ -181,7 +185,7 @@ std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequen
     return notes;
 }
 
-std::vector<std::string> attachMasks(Dataset& dataset, const std::string& sequence, const std::string& from) {
+std::vector<MaskNote> attachMasks(Dataset& dataset, const std::string& sequence, const std::string& from) {
     return attachMasks(dataset, sequence, std::vector<MaskSource>{parseMaskSource(dataset, from)});
 }
 

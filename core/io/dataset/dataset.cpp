@@ -36,16 +36,41 @@ std::string viewKindName(ViewKind kind) {
     return "none";
 }
 
-std::vector<InstantRange> missingFromJson(const json& view) {
-    std::vector<InstantRange> missing;
-    for (const json& range : view.value("missing", json::array()))
-        missing.push_back({range[0].get<int>(), range[1].get<int>()});
-    return missing;
+/// Pairs of a first instant and a count; none if the key is not there.
+std::vector<InstantRange> rangesFromJson(const json& object, const char* key) {
+    std::vector<InstantRange> ranges;
+    for (const json& range : object.value(key, json::array()))
+        ranges.push_back({range[0].get<int>(), range[1].get<int>()});
+    return ranges;
+}
+
+/// Notes about the footage: text that datasets of before hold in "notes", and data in "footageNotes".
+std::vector<FootageNote> notesFromJson(const json& sequence) {
+    std::vector<FootageNote> notes;
+    for (const json& text : sequence.value("notes", json::array()))
+        notes.push_back({FootageNoteKind::Text, {}, {}, {}, text.get<std::string>()});
+    for (const json& value : sequence.value("footageNotes", json::array())) {
+        notes.push_back({*footageNoteFromName(value["kind"].get<std::string>()),
+                         value["cameras"].get<std::vector<std::string>>(), rangesFromJson(value, "ranges"),
+                         value.value("numbers", std::vector<double>())});
+    }
+    return notes;
+}
+
+ordered_json toJson(const FootageNote& note) {
+    ordered_json value{{"kind", footageNoteName(note.kind)}, {"cameras", note.cameras}};
+    for (const InstantRange& range : note.ranges)
+        value["ranges"].push_back(ordered_json::array({range.first, range.count}));
+    for (const double number : note.numbers) {
+        const auto whole = static_cast<long long>(number);
+        value["numbers"].push_back(static_cast<double>(whole) == number ? ordered_json(whole) : ordered_json(number));
+    }
+    return value;
 }
 
 ViewSource viewFromJson(const json& value) {
     ViewSource view{value["camera"].get<std::string>(), kViewKinds.at(value["kind"].get<std::string>()),
-                    value.value("path", ""), value.value("offsetFrames", 0), missingFromJson(value)};
+                    value.value("path", ""), value.value("offsetFrames", 0), rangesFromJson(value, "missing")};
     view.rotateDegrees = value.value("rotate", 0);
     if (value.contains("white"))
         view.levels = GreyLevels{value.value("black", 0), value["white"].get<int>()};
@@ -85,7 +110,8 @@ Sequence sequenceFromJson(const json& value) {
     sequence.annotations = value.value("annotations", "");
     for (const json& view : value["views"])
         sequence.views.push_back(viewFromJson(view));
-    sequence.notes = value.value("notes", std::vector<std::string>());
+    sequence.notes = notesFromJson(value);
+    sequence.masksMadeBy = value.value("masksMadeBy", "");
     return sequence;
 }
 
@@ -100,8 +126,13 @@ ordered_json toJson(const Sequence& sequence) {
                        {"annotations", sequence.annotations},
                        {"masks", sequence.masks},
                        {"views", views}};
-    if (!sequence.notes.empty())
-        value["notes"] = sequence.notes;
+    if (!sequence.masksMadeBy.empty())
+        value["masksMadeBy"] = sequence.masksMadeBy;
+    for (const FootageNote& note : sequence.notes)
+        if (note.kind == FootageNoteKind::Text)
+            value["notes"].push_back(note.text);
+        else
+            value["footageNotes"].push_back(toJson(note));
     return value;
 }
 
@@ -153,6 +184,21 @@ void checkView(const ViewSource& view, const Sequence& sequence, const std::stri
         throw Error(ErrorCode::BadInput, file, field + ".white", "must be above black");
 }
 
+/// Notes say of which cameras they are, and have as many numbers as their kind needs.
+void checkNotes(const Sequence& sequence, const std::string& file, const std::string& field) {
+    std::size_t index = 0;
+    for (const FootageNote& note : sequence.notes) {
+        if (note.kind == FootageNoteKind::Text)
+            continue;
+        if (!isWhole(note)) {
+            throw Error(ErrorCode::BadInput, file, field + ".footageNotes[" + std::to_string(index) + "]",
+                        "a note of kind \"" + std::string(footageNoteName(note.kind)) +
+                            "\" needs other cameras, ranges or numbers");
+        }
+        ++index;
+    }
+}
+
 /// The files of the dataset itself lie in its folder (footage and masks, which are only read, may lie elsewhere).
 void checkPaths(const Dataset& dataset, const fs::path& folder) {
     pathInside(folder, "dataset.json", "");
@@ -176,6 +222,7 @@ void checkSequences(const Dataset& dataset, const std::string& file) {
             throw Error(ErrorCode::BadInput, file, field + ".name", "must be usable as a file name");
         if (!names.insert(sequence.name).second)
             throw Error(ErrorCode::BadInput, file, field + ".name", "the name \"" + sequence.name + "\" is used twice");
+        checkNotes(sequence, file, field);
         std::set<std::string> seen;
         for (std::size_t v = 0; v < sequence.views.size(); ++v) {
             const ViewSource& view = sequence.views[v];
@@ -219,6 +266,13 @@ bool hasMasks(const Sequence& sequence) {
     return !sequence.masks.empty() || std::any_of(
                                           sequence.views.begin(), sequence.views.end(),
                                           [](const ViewSource& view) { return !view.masks.empty(); });
+}
+
+std::vector<std::string> notesInWords(const Sequence& sequence) {
+    std::vector<std::string> words;
+    for (const FootageNote& note : sequence.notes)
+        words.push_back(footageNoteText(note));
+    return words;
 }
 
 int countViews(const Sequence& sequence) {

@@ -9,6 +9,7 @@
 #include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"
 #include "core/hand/motion.h"
+#include "core/io/footage/footage_note.h"
 #include "core/io/footage/view_source.h"
 
 namespace core {
@@ -22,7 +23,8 @@ struct Sequence {
     std::string masks;       ///< pattern with {camera} and {frame}; empty if there are none (or each view has its own)
     std::string motion;      ///< relative path of the recorded poses; empty if there are none
     std::string annotations; ///< relative path of the SQLite file; it may not exist yet
-    std::vector<std::string> notes{}; ///< what a person should know about the footage, said when the sequence was made
+    std::vector<FootageNote> notes{}; ///< what a person should know about the footage, said when the sequence was made
+    std::string masksMadeBy{};        ///< how the masks were made, in one line for people; empty if that is not known
 };
 
 /// A dataset folder, opened: cameras and hands are read, motions and pictures are read on demand.
@@ -45,6 +47,8 @@ struct Dataset {
 std::string maskPattern(const Sequence& sequence, const std::string& camera);
 /// True if any camera has a mask pattern.
 bool hasMasks(const Sequence& sequence);
+/// The notes about its footage as English sentences.
+std::vector<std::string> notesInWords(const Sequence& sequence);
 /// How many cameras have a picture: a video, images or a rendered view.
 int countViews(const Sequence& sequence);
 

@@ -20,7 +20,7 @@ bool resolvesInto(const fs::path& folder, const fs::path& path) {
     return std::mismatch(folder.begin(), folder.end(), resolved.begin(), resolved.end()).first == folder.end();
 }
 
-/// A link whose target is missing is not followed by weakly_canonical, but it is by whoever creates the file.
+/// A link whose target is missing is not followed by weakly_canonical, but it is when the file is created.
 bool isDanglingLink(const fs::path& path) {
     std::error_code ignored;
     return fs::is_symlink(fs::symlink_status(path, ignored)) && !fs::exists(path, ignored);

@@ -46,7 +46,7 @@ ClickSigmas datasetClickSigmas(const Dataset& dataset) {
     for (std::size_t s = 0; s < dataset.sequences.size(); ++s) {
         try {
             addRigJoints(joints, readAnnotations(dataset, dataset.sequences[s]), dataset.cameras, static_cast<int>(s));
-        } catch (const Error&) { // whoever reads that sequence is told; the others' clicks say enough
+        } catch (const Error&) { // reported where that sequence is read; the clicks of the others are enough
             continue;
         }
     }

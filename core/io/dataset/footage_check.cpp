@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/io/dataset/footage_notes.h"
 #include "core/io/dataset/footage_presence.h"
 #include "core/io/dataset/instants.h"
 #include "core/io/dataset/measured_footage.h"
@@ -63,6 +65,35 @@ MeasuredFootage measureView(const Dataset& dataset, const Sequence& sequence, co
     return measured;
 }
 
+/// Notes that say the same of several views, "cam0: ..." and "cam1: ...", in one: "cam0, cam1: ...", or "all 8 views:
+/// ...". The others as they are, all in the order of the first of each.
+std::vector<std::string> together(const std::vector<std::string>& notes, const std::vector<ViewSource>& views) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> groups; // what is said, and of which cameras
+    for (const std::string& note : notes) {
+        const auto view = std::find_if(views.begin(), views.end(), [&note](const ViewSource& one) {
+            return note.starts_with(one.camera + ": ");
+        });
+        const std::string text = view == views.end() ? note : note.substr(view->camera.size() + 2);
+        auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
+            return one.first == text && one.second.empty() == (view == views.end());
+        });
+        if (group == groups.end())
+            group = groups.insert(groups.end(), {text, {}});
+        if (view != views.end())
+            group->second.push_back(view->camera);
+    }
+    std::vector<std::string> joined;
+    for (const auto& [text, cameras] : groups) {
+        std::string names;
+        for (const std::string& camera : cameras)
+            names += (names.empty() ? "" : ", ") + camera;
+        if (cameras.size() > 2 && cameras.size() == views.size())
+            names = "all " + std::to_string(views.size()) + " views";
+        joined.push_back(names + (names.empty() ? "" : ": ") + text);
+    }
+    return joined;
+}
+
 } // namespace
 
 std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& sequence) {
@@ -77,11 +108,13 @@ std::vector<CheckFinding> checkFootage(const Dataset& dataset, const Sequence& s
             findings.push_back({false, error.what()});
         }
     }
-    std::vector<std::string> notes = sequence.notes;
-    for (const std::string& note : footageNotes(sequence, measured))
-        if (std::find(notes.begin(), notes.end(), note) == notes.end())
+    std::vector<std::string> notes = notesInWords(sequence);
+    for (const FootageNote& found : footageNotes(sequence, measured)) {
+        const std::string note = footageNoteText(found);
+        if (std::find(notes.begin(), notes.end(), note) == notes.end()) // by its words: old datasets hold text alone
             notes.push_back(note);
-    for (const std::string& note : notes) {
+    }
+    for (const std::string& note : together(notes, sequence.views)) {
         findings.push_back(
             {true, (dataset.folder / "dataset.json").string() + ": sequence \"" + sequence.name + "\": " + note});
     }

@@ -28,24 +28,24 @@ int missingInstants(const ViewSource& view) {
     return count;
 }
 
-std::string sizeProblem(ImageSize size, const ViewSource& view, const Camera& camera) {
+FootageProblem sizeProblem(ImageSize size, const ViewSource& view, const Camera& camera) {
     const ImageSize turned = turnedSize(size, view.rotateDegrees);
-    return turned == camera.size
-               ? ""
-               : "it is " + sizeText(turned) + ", but " + camera.name + " is calibrated for " + sizeText(camera.size);
+    if (turned == camera.size)
+        return {};
+    return {FootageProblemKind::OtherSize, 0, 0, turned, camera.size, camera.name};
 }
 
-std::string videoProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
-                         const Camera& camera) {
+FootageProblem videoProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
+                            const Camera& camera) {
     const VideoInfo info = readVideoInfo(dataset.folder / view.path);
     const int needed = view.offsetFrames + sequence.frameCount - missingInstants(view);
     if (info.frames < needed)
-        return "it has " + std::to_string(info.frames) + " frames, but the sequence needs " + std::to_string(needed);
+        return {FootageProblemKind::TooFewFrames, info.frames, needed};
     return sizeProblem(info.size, view, camera);
 }
 
-std::string imagesProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
-                          const Camera& camera) {
+FootageProblem imagesProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view,
+                             const Camera& camera) {
     const int needed = sequence.frameCount - missingInstants(view);
     int there = 0;
     fs::path first;
@@ -55,7 +55,7 @@ std::string imagesProblem(const Dataset& dataset, const Sequence& sequence, cons
             first = there++ == 0 ? file : first;
     }
     if (there < needed)
-        return "it has " + std::to_string(there) + " pictures, but the sequence needs " + std::to_string(needed);
+        return {FootageProblemKind::TooFewPictures, there, needed};
     const cv::Mat image = first.empty() ? cv::Mat() : readImage(first);
     return sizeProblem({image.cols, image.rows}, view, camera);
 }
@@ -75,11 +75,13 @@ Orientation tagOf(const Dataset& dataset, const Sequence& sequence, const ViewSo
 } // namespace
 
 std::vector<std::string> orientationNotes(const Dataset& dataset, const Sequence& sequence) {
+    const std::vector<std::string> known = notesInWords(sequence);
     std::vector<std::string> notes;
     for (const ViewSource& view : sequence.views) {
         try {
-            const std::string note = orientationNote(view.camera, tagOf(dataset, sequence, view), view.rotateDegrees);
-            if (!note.empty() && std::find(sequence.notes.begin(), sequence.notes.end(), note) == sequence.notes.end())
+            const auto found = orientationNote(view.camera, tagOf(dataset, sequence, view), view.rotateDegrees);
+            const std::string note = found ? footageNoteText(*found) : "";
+            if (!note.empty() && std::find(known.begin(), known.end(), note) == known.end())
                 notes.push_back(note);
         } catch (const Error&) { // said where the footage itself is checked
         }
@@ -108,17 +110,35 @@ bool hasAnyMask(const Dataset& dataset, const Sequence& sequence, const std::str
     return false;
 }
 
-std::string footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
+FootageProblem footageProblem(const Dataset& dataset, const Sequence& sequence, const ViewSource& view) {
     const int index = dataset.cameraIndex(view.camera);
     if (index < 0 || (view.kind != ViewKind::Video && view.kind != ViewKind::Images))
-        return "";
+        return {};
     const Camera& camera = dataset.cameras[static_cast<std::size_t>(index)];
     try {
         return view.kind == ViewKind::Video ? videoProblem(dataset, sequence, view, camera)
                                             : imagesProblem(dataset, sequence, view, camera);
     } catch (const Error& error) {
-        return error.detail();
+        return {FootageProblemKind::Unreadable, 0, 0, {}, {}, camera.name, error.detail()};
     }
+}
+
+std::string footageProblemText(const FootageProblem& problem) {
+    const std::string needs = ", but the sequence needs " + std::to_string(problem.needed);
+    switch (problem.kind) {
+    case FootageProblemKind::None:
+        break;
+    case FootageProblemKind::TooFewFrames:
+        return "it has " + std::to_string(problem.count) + " frames" + needs;
+    case FootageProblemKind::TooFewPictures:
+        return "it has " + std::to_string(problem.count) + " pictures" + needs;
+    case FootageProblemKind::OtherSize:
+        return "it is " + sizeText(problem.size) + ", but " + problem.camera + " is calibrated for " +
+               sizeText(problem.calibrated);
+    case FootageProblemKind::Unreadable:
+        return problem.detail;
+    }
+    return "";
 }
 
 } // namespace core

@@ -52,6 +52,15 @@ cv::Mat turned(const cv::Mat& picture, int degrees) {
     return result;
 }
 
+/// Whether that is the size of the camera's pictures, or of them shrunk.
+bool isSizeOf(const cv::Mat& picture, ImageSize size, int shrink) {
+    const auto is = [&](int divisor) {
+        return picture.cols == (size.width + divisor - 1) / divisor &&
+               picture.rows == (size.height + divisor - 1) / divisor;
+    };
+    return is(1) || is(shrink);
+}
+
 } // namespace
 
 struct FrameSource::Impl {
@@ -62,16 +71,17 @@ struct FrameSource::Impl {
     std::vector<HandModel> hands;
     Motion motion;
     std::vector<std::unique_ptr<View>> views; ///< parallel to cameras
+    std::atomic<int> firstCamera = -1;
     std::atomic<std::int64_t> budget = 0;     ///< bytes for decoded pictures of all videos; 0: a few pictures each
     std::mutex posedMutex;
     std::shared_ptr<const PosedHands> posed; ///< of the frame that was rendered last
 
     std::shared_ptr<const PosedHands> posedAt(int frame);
     cv::Mat rendered(const Camera& camera, int frame);
-    cv::Mat fromVideo(View& view, int frame, const std::stop_token& stop);
+    cv::Mat fromVideo(View& view, int frame, const std::stop_token& stop, int shrink);
     void applyBudget(View& view) const;
     int videoCount() const;
-    int threadsPerVideo() const;
+    int threadsFor(const View& view) const;
     cv::Mat fromImage(View& view, int frame) const;
     GreyLevels levelsOf(View& view, const cv::Mat& picture) const;
 };
@@ -105,28 +115,33 @@ int FrameSource::Impl::videoCount() const {
         views.begin(), views.end(), [](const auto& view) { return view->source.kind == ViewKind::Video; }));
 }
 
-/// Several videos are decoded side by side, so each takes only some of the cores.
-int FrameSource::Impl::threadsPerVideo() const {
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, videoCount()), 1, 4);
+/// Several videos are decoded side by side, so each takes only some of the cores; the one that is wanted first may have
+/// them all.
+int FrameSource::Impl::threadsFor(const View& view) const {
+    const int first = firstCamera, cores = static_cast<int>(std::thread::hardware_concurrency());
+    const bool isFirst = first >= 0 && first < static_cast<int>(views.size()) &&
+                         views[static_cast<std::size_t>(first)].get() == &view;
+    return std::clamp(isFirst ? cores : cores / std::max(1, videoCount()), 1, 4);
 }
 
-/// Where it is next used, so that whoever changes the budget need not wait for a video.
+/// Where it is next used, so that a change of the budget does not wait for a video.
 void FrameSource::Impl::applyBudget(View& view) const {
     const std::int64_t share = budget / std::max(1, videoCount());
     if (share > 0 && share != view.budget)
         view.video->setBudget(view.budget = share);
 }
 
-cv::Mat FrameSource::Impl::fromVideo(View& view, int frame, const std::stop_token& stop) {
+cv::Mat FrameSource::Impl::fromVideo(View& view, int frame, const std::stop_token& stop, int shrink) {
     const std::lock_guard lock(view.mutex);
     if (stop.stop_requested())
         return {};
     if (!view.video) {
         const fs::path index = videoIndexFile(folder, sequenceName, view.source.camera);
-        view.video = std::make_unique<VideoFile>(folder / view.source.path, index, threadsPerVideo());
+        view.video = std::make_unique<VideoFile>(folder / view.source.path, index, threadsFor(view));
     }
     applyBudget(view);
-    return view.video->read(footageFrameAt(view.source, frame), stop);
+    view.video->setThreads(threadsFor(view));
+    return view.video->read(footageFrameAt(view.source, frame), stop, shrink);
 }
 
 cv::Mat FrameSource::Impl::fromImage(View& view, int frame) const {
@@ -181,6 +196,28 @@ bool FrameSource::hasPicture(int camera, int frame) const {
     return hasPictureAt(m_impl->views.at(static_cast<std::size_t>(camera))->source, frame);
 }
 
+void FrameSource::setFirstCamera(int camera) {
+    m_impl->firstCamera = camera;
+}
+
+std::optional<Glance> FrameSource::glance(int camera, int frame, const std::stop_token& stop) const {
+    View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
+    if (view.source.kind != ViewKind::Video || frame < 0 || frame >= m_impl->frameCount ||
+        !hasPictureAt(view.source, frame))
+        return std::nullopt;
+    const std::lock_guard lock(view.mutex);
+    if (!view.video || stop.stop_requested())
+        return std::nullopt;
+    m_impl->applyBudget(view);
+    const int wanted = footageFrameAt(view.source, frame);
+    const std::optional<VideoGlance> found = view.video->glance(wanted);
+    if (!found)
+        return std::nullopt;
+    const Glance glance{turned(found->picture, view.source.rotateDegrees), found->frame == wanted};
+    const ImageSize size = m_impl->cameras[static_cast<std::size_t>(camera)].size;
+    return isSizeOf(glance.picture, size, kGlanceShrink) ? std::optional(glance) : std::nullopt;
+}
+
 void FrameSource::setBudget(std::int64_t bytes) {
     m_impl->budget = bytes;
 }
@@ -198,7 +235,7 @@ bool FrameSource::fetchAhead(int camera, int direction, const std::stop_token& s
     return view.video->fetchAhead(direction, stop);
 }
 
-cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop) const {
+cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop, int shrink) const {
     const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
     if (frame < 0 || frame >= m_impl->frameCount) {
@@ -219,13 +256,13 @@ cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop) co
         image = m_impl->fromImage(view, frame);
         break;
     case ViewKind::Video:
-        image = m_impl->fromVideo(view, frame, stop);
+        image = m_impl->fromVideo(view, frame, stop, shrink);
         break;
     }
     if (image.empty() && stop.stop_requested())
         return {};
     image = turned(image, view.source.rotateDegrees);
-    if (image.cols != calibrated.size.width || image.rows != calibrated.size.height) {
+    if (!isSizeOf(image, calibrated.size, shrink)) {
         throw Error(ErrorCode::BadInput, (m_impl->folder / view.source.path).string(), "size",
                     std::to_string(image.cols) + " x " + std::to_string(image.rows) + ", but " + calibrated.name +
                         " is calibrated for " + std::to_string(calibrated.size.width) + " x " +

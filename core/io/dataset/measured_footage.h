@@ -47,8 +47,4 @@ std::vector<InstantRange> within(const std::vector<InstantRange>& ranges, int co
 /// they can.
 std::string timeProblem(const std::map<std::string, MeasuredFootage>& measured);
 
-/// What a person should know about the footage of a sequence: lost frames, missing pictures, other lengths and rates.
-/// The same for a new sequence and for one that is read again. `measured` by camera.
-std::vector<std::string> footageNotes(const Sequence& sequence, const std::map<std::string, MeasuredFootage>& measured);
-
 } // namespace core

@@ -7,6 +7,7 @@
 
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
+#include "core/io/dataset/footage_notes.h"
 #include "core/io/dataset/measured_footage.h"
 #include "core/io/footage/file_pattern.h"
 #include "core/io/footage/image_folder.h"
@@ -72,24 +73,24 @@ bool startTogether(const std::vector<Measured*>& images) {
 
 /// Cameras whose offset is not given start at the same number, or each at its first image.
 void alignImages(const std::vector<Footage>& footage, std::map<std::string, Measured>& measured,
-                 std::vector<std::string>& notes) {
+                 std::vector<FootageNote>& notes) {
     std::vector<Measured*> images;
     int first = INT_MAX, last = 0;
-    std::string starts;
+    FootageNote starts{FootageNoteKind::FirstPicturesDiffer};
     for (const Footage& one : footage) {
         Measured& found = measured[one.camera];
         if (found.kind == ViewKind::Images && !one.offsetFrames) {
             images.push_back(&found);
             first = std::min(first, found.numbers.front());
             last = std::max(last, found.numbers.front());
-            starts += (starts.empty() ? "" : ", ") + one.camera + " at " + std::to_string(found.numbers.front());
+            starts.cameras.push_back(one.camera);
+            starts.numbers.push_back(found.numbers.front());
         }
     }
     if (images.empty() || first == last)
         return;
     if (startTogether(images)) {
-        notes.push_back("the pictures start at different numbers (" + starts +
-                        "): the first ones are taken as the same instant (--offset changes that)");
+        notes.push_back(starts);
         return;
     }
     for (Measured* one : images)
@@ -123,10 +124,9 @@ std::optional<GreyLevels> levelsFor(const Footage& footage, const Measured& meas
     return measureFileLevels(files);
 }
 
-std::string levelsNote(const ViewSource& view) {
-    return view.camera + ": its pictures have more than 8 bits; level " + std::to_string(view.levels->black) +
-           " is shown black, " + std::to_string(view.levels->white) + " white (--levels " + view.camera +
-           "=BLACK,WHITE)";
+FootageNote levelsNote(const ViewSource& view) {
+    const double black = view.levels->black, white = view.levels->white;
+    return {FootageNoteKind::Levels, {view.camera}, {}, {black, white}};
 }
 
 /// How the pictures of each view are read, and what is to be said about it.
@@ -178,7 +178,7 @@ ViewSource viewOf(const Measured& measured, const std::string& camera, int frame
 std::optional<ImageSize> footageSize(const std::vector<Footage>& footage) {
     for (const Footage& one : footage) {
         try {
-            const ImageSize size = fs::is_regular_file(one.path) ? readVideoInfo(one.path).size : measure(one).size;
+            const ImageSize size = fs::is_regular_file(one.path) ? readVideoSize(one.path) : measure(one).size;
             const bool isTurned = one.pictures.rotateDegrees.value_or(0) % 180 != 0;
             return isTurned ? ImageSize{size.height, size.width} : size;
         } catch (const Error&) { // what is wrong with it is said when the sequence is made
@@ -228,7 +228,7 @@ NewSequence makeSequence(const std::string& name, const std::vector<Camera>& cam
                                      : viewOf(found->second, camera.name, sequence.frameCount, datasetFolder));
     }
     setPictures(result, footage, measured);
-    for (const std::string& note : footageNotes(sequence, {measured.begin(), measured.end()}))
+    for (const FootageNote& note : footageNotes(sequence, {measured.begin(), measured.end()}))
         result.notes.push_back(note);
     sequence.notes = result.notes;
     return result;

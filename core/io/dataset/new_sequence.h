@@ -22,7 +22,7 @@ struct Footage {
 /// A sequence made of footage, and what a person should know about it.
 struct NewSequence {
     Sequence sequence;
-    std::vector<std::string> notes; ///< such as: cam1 has 41 frames more than the others
+    std::vector<FootageNote> notes; ///< such as: cam1 has 41 frames more than the others
     std::vector<Camera> cameras;    ///< as given; those of scaled or cropped footage fit it
 };
 

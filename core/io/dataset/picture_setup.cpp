@@ -98,21 +98,15 @@ std::optional<GreyLevels> measureFileLevels(const std::vector<std::filesystem::p
     return measureLevels(pictures);
 }
 
-std::string orientationNote(const std::string& camera, const Orientation& tag, int rotateDegrees) {
-    if (tag.isMirrored) {
-        return camera +
-               ": the orientation tag of its pictures says that they are mirrored; they are not mirrored here, but "
-               "turned by " +
-               std::to_string(rotateDegrees) + " degrees (--rotate " + camera + "=DEGREES)";
-    }
+std::optional<FootageNote> orientationNote(const std::string& camera, const Orientation& tag, int rotateDegrees) {
+    const double asked = tag.rotateDegrees, turned = rotateDegrees;
+    if (tag.isMirrored)
+        return FootageNote{FootageNoteKind::Mirrored, {camera}, {}, {turned}};
     if (tag.rotateDegrees == 0)
-        return "";
-    const std::string turn = std::to_string(tag.rotateDegrees);
-    const std::string said =
-        camera + ": the footage's orientation tag says that it is to be turned clockwise by " + turn + " degrees";
-    return rotateDegrees == tag.rotateDegrees ? said + ", and it is; --rotate " + camera + "=0 leaves it as recorded"
-                                              : said + ", but it is turned by " + std::to_string(rotateDegrees) +
-                                                    "; --rotate " + camera + "=" + turn + " follows the tag";
+        return std::nullopt;
+    return rotateDegrees == tag.rotateDegrees
+               ? FootageNote{FootageNoteKind::TagFollowed, {camera}, {}, {asked}}
+               : FootageNote{FootageNoteKind::TagNotFollowed, {camera}, {}, {asked, turned}};
 }
 
 PictureSetup setUpPictures(const Camera& camera, const std::string& file, ImageSize recorded, const Orientation& tag,
@@ -124,9 +118,8 @@ PictureSetup setUpPictures(const Camera& camera, const std::string& file, ImageS
     for (const int turn : turns) {
         if (const std::optional<Camera> fitting = cameraFor(camera, turnedSize(recorded, turn), options)) {
             PictureSetup setup{*fitting, turn, {}};
-            const std::string note = orientationNote(camera.name, tag, turn);
-            if (!note.empty())
-                setup.notes.push_back(note);
+            if (const std::optional<FootageNote> note = orientationNote(camera.name, tag, turn))
+                setup.notes.push_back(*note);
             return setup;
         }
     }

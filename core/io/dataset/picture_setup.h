@@ -24,7 +24,7 @@ struct PictureOptions {
 struct PictureSetup {
     Camera camera; ///< of the pictures' size; its intrinsic matrix is changed by scale and crop
     int rotateDegrees = 0;
-    std::vector<std::string> notes; ///< what a person should know
+    std::vector<FootageNote> notes; ///< what a person should know
 };
 
 /// Fits recorded pictures to a calibrated camera. `file` is named in errors. Scale and crop change the intrinsic matrix
@@ -34,12 +34,12 @@ struct PictureSetup {
 PictureSetup setUpPictures(const Camera& camera, const std::string& file, ImageSize recorded, const Orientation& tag,
                            const PictureOptions& options);
 
-/// Black and white points of pictures of more than 8 bits, measured in some of these files (those that exist); nothing
-/// if the first one has 8.
+/// Black and white points of pictures of more than 8 bits, measured in some of these files (those that exist);
+/// empty if the first one has 8.
 std::optional<GreyLevels> measureFileLevels(const std::vector<std::filesystem::path>& files);
 
 /// What is to be said about a camera whose files ask for another orientation than they are stored in; empty if they do
 /// not. `rotateDegrees`: how they are turned.
-std::string orientationNote(const std::string& camera, const Orientation& tag, int rotateDegrees);
+std::optional<FootageNote> orientationNote(const std::string& camera, const Orientation& tag, int rotateDegrees);
 
 } // namespace core

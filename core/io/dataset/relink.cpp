@@ -139,14 +139,17 @@ struct Answer {
     bool isThere = false;
     std::string to;
     std::size_t score = 0;
-    std::string note;
+    RelinkReason reason = RelinkReason::None;
+    std::vector<std::string> places{};
 };
 
 Answer answerFor(const Dataset& dataset, const Wanted& wanted, const std::vector<Candidate>& candidates) {
     Answer answer;
     if (candidates.size() > 1) {
-        answer.note = "several fit: " + candidates[0].base.string() + ", " + candidates[1].base.string() +
-                      (candidates.size() > 2 ? ", ..." : "");
+        answer.reason = RelinkReason::SeveralFit;
+        answer.places = {candidates[0].base.string(), candidates[1].base.string()};
+        if (candidates.size() > 2)
+            answer.places.emplace_back("...");
     } else if (candidates.size() == 1) {
         answer.to = pathFromDataset(dataset.folder, candidates.front().base / joinParts(wanted.parts, wanted.tail));
         answer.score = candidates.front().score;
@@ -174,7 +177,8 @@ void dropSharedTargets(std::map<std::string, Answer>& answers) {
         const bool isShared = !answer.to.empty() &&
                               (taken.count(answer.to) > 0 || answer.score < best[answer.to] || holders[answer.to] > 1);
         if (isShared) {
-            answer.note = answer.to + " has that name, but is other footage of this dataset";
+            answer.reason = RelinkReason::OtherFootage;
+            answer.places = {answer.to};
             answer.to.clear();
         }
     }
@@ -187,9 +191,9 @@ bool isThere(const Dataset& dataset, const Place& place) {
     return hasAnyPicture(dataset, sequence, sequence.views[*place.view]);
 }
 
-std::string noteAt(const Dataset& dataset, const Place& place) {
+FootageProblem problemAt(const Dataset& dataset, const Place& place) {
     const Sequence& sequence = dataset.sequences[place.sequence];
-    return place.isMask ? "" : footageProblem(dataset, sequence, sequence.views[*place.view]);
+    return place.isMask ? FootageProblem{} : footageProblem(dataset, sequence, sequence.views[*place.view]);
 }
 
 } // namespace
@@ -205,8 +209,8 @@ RelinkResult relinkFootage(Dataset& dataset, const fs::path& root, std::stop_tok
             continue;
         const Wanted wanted = wantedFor(dataset, place, path);
         const bool isInPlace = isThere(dataset, place);
-        answers[path] = isInPlace ? Answer{true, "", 0, ""}
-                                  : answerFor(dataset, wanted, candidatesFor(wanted, root, rootParts, files));
+        answers[path] =
+            isInPlace ? Answer{true, "", 0} : answerFor(dataset, wanted, candidatesFor(wanted, root, rootParts, files));
     }
     RelinkResult result;
     if (stop.stop_requested())
@@ -216,9 +220,14 @@ RelinkResult relinkFootage(Dataset& dataset, const fs::path& root, std::stop_tok
         const Sequence& sequence = dataset.sequences[place.sequence];
         std::string& path = pathAt(dataset, place);
         const Answer& answer = answers[path];
-        RelinkFinding finding{sequence.name, place.view ? sequence.views[*place.view].camera : "",
-                              path,          answer.to,
-                              answer.note,   place.isMask};
+        RelinkFinding finding{sequence.name,
+                              place.view ? sequence.views[*place.view].camera : "",
+                              path,
+                              answer.to,
+                              answer.reason,
+                              answer.places,
+                              {},
+                              place.isMask};
         if (answer.isThere) {
             finding.to = path;
             result.unchanged.push_back(finding);
@@ -226,11 +235,22 @@ RelinkResult relinkFootage(Dataset& dataset, const fs::path& root, std::stop_tok
             result.notFound.push_back(finding);
         } else {
             path = answer.to;
-            finding.note = noteAt(dataset, place);
+            finding.problem = problemAt(dataset, place);
             result.found.push_back(finding);
         }
     }
     return result;
+}
+
+std::string relinkNoteText(const RelinkFinding& finding) {
+    if (finding.reason == RelinkReason::OtherFootage)
+        return finding.places.front() + " has that name, but is other footage of this dataset";
+    if (finding.reason == RelinkReason::None)
+        return footageProblemText(finding.problem);
+    std::string text;
+    for (const std::string& place : finding.places)
+        text += (text.empty() ? "several fit: " : ", ") + place;
+    return text;
 }
 
 } // namespace core

@@ -6,19 +6,30 @@
 #include <string>
 #include <vector>
 
-#include "core/io/dataset/dataset.h"
+#include "core/io/dataset/footage_presence.h"
 
 namespace core {
+
+/// Why footage was not found.
+enum class RelinkReason {
+    None,        ///< it was found, or nothing has its name
+    SeveralFit,  ///< `places` begins with two that fit equally well
+    OtherFootage ///< what has its name, the one of `places`, is other footage of the dataset
+};
 
 /// One piece of footage of a dataset, and where it is now.
 struct RelinkFinding {
     std::string sequence;
     std::string camera;   ///< empty for masks of all cameras
     std::string from, to; ///< as dataset.json names them, relative to its folder; `to` is empty if nothing was found
-    std::string
-        note; ///< what a person should know, English: too few frames, another size, several candidates; else empty
+    RelinkReason reason = RelinkReason::None;
+    std::vector<std::string> places{}; ///< what the reason is about
+    FootageProblem problem{};          ///< of footage that was found
     bool isMask = false;
 };
+
+/// The reason or the problem in English, for the command line; empty if there is neither.
+std::string relinkNoteText(const RelinkFinding& finding);
 
 struct RelinkResult {
     std::vector<RelinkFinding> found; ///< had moved and has a new place

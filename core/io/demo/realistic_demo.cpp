@@ -17,6 +17,7 @@
 #include "core/io/files/json_file.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/store/annotation_store.h"
+#include "core/segmentation/background_difference.h"
 #include "core/simulation/simulated_clicks.h"
 #include "core/simulation/simulated_pictures.h"
 

@@ -3,21 +3,19 @@
 
 #include <algorithm>
 
-#include "core/annotation/click_noise.h"
 #include "core/annotation/reconstruction.h"
 #include "core/annotation/sequence_points.h"
 #include "core/error.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/dataset/frames.h"
+#include "core/subject/calibration_unit.h"
 #include "core/subject/hand_tips.h"
 
 namespace core {
 
 namespace {
 
-/// Hands are never this much smaller or larger than a model: the calibration's unit is another one.
-constexpr double kLeastRatio = 0.6, kMostRatio = 1.6;
 /// How far people's and detectors' tips are from a model's, mm per axis.
 constexpr double kTipSigmaMm = 2;
 /// Boundary pixels lie 0.5 px inside an upright outline and 0.35 px inside a diagonal one.
@@ -29,12 +27,12 @@ struct AnnotatedFrame {
 };
 
 /// The rater with most joints in 3D.
-std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& cameras) {
+std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& cameras, const ClickSigmas& sigmas) {
     std::string busiest;
     std::size_t most = 0;
     for (const std::string& rater : ratersOf(set)) {
         std::size_t count = 0;
-        for (const auto& [frame, points] : sequencePoints(set, cameras, rater))
+        for (const auto& [frame, points] : sequencePoints(set, cameras, rater, sigmas.optionsFor(rater)))
             count += points.size();
         if (count > most) {
             most = count;
@@ -44,24 +42,33 @@ std::string busiestRater(const AnnotationSet& set, const std::vector<Camera>& ca
     return busiest;
 }
 
-/// Everything annotated in a sequence, with covariances of clicks as they scatter.
+/// The share of the hand in the variance of a click, the rest being the calibration's.
+double handShareOf(const TriangulationOptions& options) {
+    const double hand = options.sigmaPx * options.sigmaPx;
+    return hand / (hand + options.systematicPx * options.systematicPx);
+}
+
+/// Everything annotated in a sequence, with covariances of clicks as they scatter. What the calibration adds moves
+/// neighbouring joints alike: it is left out, and what of it bends a hand is found with `SubjectResult::modelSigmaMm`.
 std::vector<AnnotatedFrame> annotatedFramesOf(const Dataset& dataset, const Sequence& sequence,
-                                              const std::string& wantedRater) {
+                                              const std::string& wantedRater, const ClickSigmas& sigmas) {
     std::vector<AnnotatedFrame> frames;
     const AnnotationSet set = readAnnotations(dataset, sequence);
-    const std::string rater = wantedRater.empty() ? busiestRater(set, dataset.cameras) : wantedRater;
-    TriangulationOptions options;
-    if (const auto noise = estimateClickNoise(set, dataset.cameras, rater, options))
-        options.sigmaPx = std::max(0.2, noise->sigmaPx);
-    for (const auto& [frame, points] : sequencePoints(set, dataset.cameras, rater, options))
-        frames.push_back({{sequence.name, frame}, points});
+    const std::string rater = wantedRater.empty() ? busiestRater(set, dataset.cameras, sigmas) : wantedRater;
+    const TriangulationOptions options = sigmas.optionsFor(rater);
+    for (auto& [frame, points] : sequencePoints(set, dataset.cameras, rater, options)) {
+        for (auto& [joint, point] : points)
+            point.covariance *= handShareOf(options);
+        frames.push_back({{sequence.name, frame}, std::move(points)});
+    }
     return frames;
 }
 
 std::vector<AnnotatedFrame> annotatedFramesOf(const Dataset& dataset, const SubjectRequest& request) {
     std::vector<AnnotatedFrame> frames;
+    const ClickSigmas sigmas = datasetClickSigmas(dataset);
     for (const std::string& name : request.sequences)
-        for (AnnotatedFrame& frame : annotatedFramesOf(dataset, dataset.sequence(name), request.rater))
+        for (AnnotatedFrame& frame : annotatedFramesOf(dataset, dataset.sequence(name), request.rater, sigmas))
             frames.push_back(std::move(frame));
     return frames;
 }
@@ -114,21 +121,6 @@ std::vector<SubjectFrame> chosenFrames(std::vector<AnnotatedFrame> useful, const
     return frames;
 }
 
-bool isUsualUnit(double mm) {
-    return mm == 1 || mm == 10 || mm == 1000 || mm == 25.4;
-}
-
-/// Millimetres of the calibration's unit as the hands tell it: 1, 10, 1000 or 25.4, else what makes the hand as large
-/// as the model. `ratio` is annotated over model length.
-double unitMmOf(double ratio) {
-    if (ratio <= 0 || (ratio > kLeastRatio && ratio < kMostRatio))
-        return 1;
-    for (const double known : {10.0, 1000.0, 25.4})
-        if (ratio * known > 0.75 && ratio * known < 1.33)
-            return known;
-    return 1 / ratio;
-}
-
 /// Brings the cameras to mm if the hands say that they are not. True if it changed them.
 bool makeMetric(MeasuredSubject& measured, const std::vector<AnnotatedFrame>& annotatedFrames) {
     std::vector<SubjectFrame> frames;
@@ -166,7 +158,7 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
         progress(SubjectStage::ReadingAnnotations, -1);
     std::vector<AnnotatedFrame> annotated = annotatedFramesOf(measured.dataset, request);
     addAnnotatedTips(measured.dataset.hands, annotated);
-    measured.rigFindings = datasetRigFindings(original);
+    measured.rigHealth = judgeRig(original.cameras, readRigJoints(original));
     if (makeMetric(measured, annotated))
         annotated = annotatedFramesOf(measured.dataset, request);
     const std::vector<SubjectFrame> frames = chosenFrames(std::move(annotated), request, measured, progress, stop);
@@ -190,7 +182,7 @@ MeasuredSubject measureSubject(const Dataset& original, const SubjectRequest& re
 }
 
 int countSubjectFrames(const Dataset& dataset, const Sequence& sequence, const std::string& rater) {
-    const auto frames = annotatedFramesOf(dataset, sequence, rater);
+    const auto frames = annotatedFramesOf(dataset, sequence, rater, {}); // how many does not depend on sigmas
     return static_cast<int>(std::count_if(frames.begin(), frames.end(), [&](const AnnotatedFrame& annotated) {
         return isUseful(subjectFrame(dataset, annotated));
     }));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/io/dataset/dataset.h"
+#include "core/rig/rig_health.h"
 #include "core/subject/subject_estimate.h"
 
 namespace core {
@@ -33,7 +34,7 @@ struct MeasuredSubject {
     int annotatedFrames = 0;              ///< that could have been used
     double unitMm = 1;                    ///< of the original's calibration, as the hands tell it
     bool isUnitKnown = true;              ///< false: it follows from the model's size, so that scale says nothing
-    std::vector<std::string> rigFindings; ///< what the clicks say against the calibration; empty if nothing
+    RigHealth rigHealth;                  ///< of the original's calibration, by all of its clicks
 };
 
 /// What is being done, for progress.

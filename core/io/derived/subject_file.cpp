@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/json_file.h"
+#include "core/rig/rig_findings.h"
 
 namespace core {
 
@@ -58,7 +60,7 @@ void writeSubjectFile(const std::filesystem::path& file, const MeasuredSubject& 
     document["calibrationUnitKnown"] = measured.isUnitKnown;
     document["lengthsKept"] = result.lengthsKept;
     document["girthKept"] = result.girthKept;
-    document["rigFindings"] = measured.rigFindings;
+    document["rigFindings"] = rigFindings(measured.rigHealth, sequenceNames(measured.dataset));
     document["hands"] = hands;
     checkSchema(nlohmann::json(document), "subject", file.string());
     writeJsonFile(file, document);

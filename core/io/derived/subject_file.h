@@ -8,7 +8,7 @@
 namespace core {
 
 /// Writes a measurement as JSON (schema "subject"): scale, girth and every length with standard deviations, from which
-/// frames they are, and what speaks against the calibration. Throws Error(Io).
+/// frames they are, and the faults of the calibration. Throws Error(Io).
 void writeSubjectFile(const std::filesystem::path& file, const MeasuredSubject& measured);
 
 } // namespace core

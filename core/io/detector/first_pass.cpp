@@ -2,37 +2,21 @@
 #include "core/io/detector/first_pass.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <nlohmann/json.hpp>
-#include <opencv2/core/utility.hpp>
 
-#include "core/detection/frame_detection.h"
-#include "core/detection/landmark_errors.h"
+#include "core/error.h"
 #include "core/io/calibration/cameras_file.h"
-#include "core/io/dataset/frames.h"
+#include "core/io/detector/pass_source.h"
 #include "core/io/files/content_hash.h"
 
 namespace core {
 
 namespace {
 
-constexpr int kKnownFrames = 30; ///< after which hands are no longer near where they were
-constexpr int kSearchEvery = 25; ///< frames after which a second hand is looked for again
-
-/// The pictures of all cameras, read side by side; empty where there is none.
-std::vector<cv::Mat> readPictures(const FrameSource& source, std::size_t cameras, int frame) {
-    std::vector<cv::Mat> pictures(cameras);
-    const int count = static_cast<int>(cameras);
-    cv::parallel_for_(
-        cv::Range(0, count),
-        [&](const cv::Range& range) {
-            for (int camera = range.start; camera < range.end; ++camera)
-                if (source.hasPicture(camera, frame))
-                    pictures[static_cast<std::size_t>(camera)] = source.read(camera, frame);
-        },
-        count);
-    return pictures;
-}
+/// Raised whenever a change makes passes end in other labels: steps of different revisions are never mixed.
+constexpr int kPassRevision = 1;
 
 std::uint64_t hashOf(const NetworkGraph& graph) {
     std::uint64_t hash = 0;
@@ -41,58 +25,80 @@ std::uint64_t hashOf(const NetworkGraph& graph) {
     return hash;
 }
 
+std::uint64_t hashOf(const std::vector<HandModel>& hands) {
+    std::uint64_t hash = 0;
+    for (const HandModel& hand : hands) {
+        for (const Eigen::Vector3d& vertex : hand.mesh.vertices)
+            hash = hash * 31 + contentHash(vertex.data(), sizeof(Eigen::Vector3d));
+        for (const Bone& bone : hand.skeleton.bones)
+            hash = hash * 31 + contentHash(bone.worldFromBoneAtRest.translation.data(), sizeof(Eigen::Vector3d));
+    }
+    return hash;
+}
+
+JournalWork workOf(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
+                   const std::vector<int>& frames, const std::vector<HandModel>& hands, const PassOptions& options) {
+    const std::string cameras = camerasToJson(dataset.cameras).dump();
+    JournalWork work;
+    work.detections = std::filesystem::absolute(dataset.folder).lexically_normal().string() + ", " + sequence.name +
+                      ", " + std::to_string(contentHash(cameras.data(), cameras.size())) + ", " +
+                      std::to_string(hashOf(networks.palms) ^ hashOf(networks.landmarks));
+    work.fits =
+        nlohmann::json{
+            kPassRevision,           kEstimatorRevision,   contentHash(frames.data(), frames.size() * sizeof(int)),
+            hashOf(hands),           sequence.masks,       options.keyEveryFrames,
+            options.withSilhouettes, options.measureHands, options.mostPilots,
+            options.leastDoubt,      options.mostGapFrames}
+            .dump();
+    return work;
+}
+
 } // namespace
 
-std::string firstPassWork(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks) {
-    const std::string cameras = camerasToJson(dataset.cameras).dump();
-    return std::filesystem::absolute(dataset.folder).lexically_normal().string() + ", " + sequence.name + ", " +
-           std::to_string(contentHash(cameras.data(), cameras.size())) + ", " +
-           std::to_string(hashOf(networks.palms) ^ hashOf(networks.landmarks));
+FirstPassResult runFirstPass(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
+                             const std::vector<int>& frames, const FirstPassOptions& options, std::stop_token stop,
+                             const FirstPassCallbacks& callbacks) {
+    const std::vector<HandModel>& hands = dataset.hands.empty() ? options.otherHands : dataset.hands;
+    if (hands.empty())
+        throw Error(ErrorCode::BadInput, (dataset.folder / "dataset.json").string(), "hands",
+                    "there is no hand model to start from");
+    std::optional<DetectionJournal> journal;
+    if (!options.journal.empty())
+        journal.emplace(options.journal, workOf(dataset, sequence, networks, frames, hands, options),
+                        dataset.cameras.size());
+    DatasetPassSource source(dataset, sequence, &networks, journal ? &*journal : nullptr);
+    FirstPassResult result;
+    result.resumedFrames = journal ? static_cast<int>(journal->frames().size()) : 0;
+    PassSink sink;
+    if (callbacks.frame)
+        sink = [&](const PassResult& pass, int frame) {
+            callbacks.frame(frame, autoHands(pass, frame, dataset.cameras));
+        };
+    result.pass = runLabelPass(hands, dataset.cameras, frames, source, options, stop, callbacks.progress, sink);
+    result.isFinished = result.pass.isFinished;
+    result.labels = autoLabels(result.pass, dataset.cameras);
+    return result;
 }
 
-bool detectFrames(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
-                  const std::vector<int>& frames, DetectionJournal& journal, std::stop_token stop,
-                  const std::function<void(int done, int total)>& progress) {
-    const FrameSource source(dataset, sequence, readMotion(dataset, sequence));
-    FrameDetector detector(networks, dataset.cameras);
-    std::vector<SpatialHand> near;
-    int nearFrame = -kKnownFrames, sinceSearch = 0;
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-        if (stop.stop_requested())
-            return false;
-        const int frame = frames[i];
-        if (journal.frames().count(frame) == 0) {
-            if (std::abs(frame - nearFrame) > kKnownFrames)
-                near.clear();
-            const bool searchAnyway = near.size() == 1 && ++sinceSearch >= kSearchEvery;
-            if (searchAnyway)
-                sinceSearch = 0;
-            journal.append(frame,
-                           detector.detect(readPictures(source, dataset.cameras.size(), frame), near, searchAnyway));
-        }
-        near = groupDetections(dataset.cameras, journal.frames().at(frame));
-        nearFrame = frame;
-        progress(static_cast<int>(i) + 1, static_cast<int>(frames.size()));
-    }
-    return true;
+void finishFirstPass(const FirstPassOptions& options) {
+    std::error_code ignored;
+    if (!options.journal.empty())
+        std::filesystem::remove(options.journal, ignored);
 }
 
-AutoLabels labelsOf(const Dataset& dataset, const Sequence& sequence, const std::map<int, ViewDetections>& detections,
-                    const std::vector<int>& frames) {
-    std::map<int, std::vector<SpatialHand>> hands;
-    for (const int frame : frames)
-        if (const auto found = detections.find(frame); found != detections.end())
-            hands[frame] = groupDetections(dataset.cameras, found->second);
-    const auto sided = giveSides(hands);
-    const auto doubts = doubtsOf(sided, countViews(sequence));
-    AutoLabels labels;
-    for (const auto& [frame, list] : sided)
-        for (std::size_t i = 0; i < list.size(); ++i) {
-            SidedHand hand = list[i];
-            hand.hand = withoutBias(std::move(hand.hand), hand.side);
-            labels[frame].push_back({std::move(hand), doubts.at(frame)[i]});
-        }
-    return labels;
+AutoLabels retrackFrames(const Dataset& dataset, const Sequence& sequence, const std::vector<HandModel>& hands,
+                         const CorrectedFrame& corrected, const std::vector<int>& frames,
+                         const std::vector<int>& reviewed, const PassOptions& options, std::stop_token stop,
+                         const FirstPassCallbacks& callbacks) {
+    DatasetPassSource source(dataset, sequence, nullptr, nullptr);
+    PassSink sink;
+    if (callbacks.frame)
+        sink = [&](const PassResult& pass, int frame) {
+            callbacks.frame(frame, autoHands(pass, frame, dataset.cameras));
+        };
+    return autoLabels(
+        retrack(hands, dataset.cameras, corrected, frames, reviewed, source, options, stop, callbacks.progress, sink),
+        dataset.cameras);
 }
 
 } // namespace core

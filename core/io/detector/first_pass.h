@@ -1,37 +1,49 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
 #include <functional>
-#include <map>
 #include <stop_token>
 #include <vector>
 
 #include "core/detection/hand_detector.h"
-#include "core/detection/hand_doubt.h"
 #include "core/io/dataset/dataset.h"
-#include "core/io/detector/detection_journal.h"
+#include "core/labelling/retracking.h"
 
 namespace core {
 
-/// A hand as the first pass labels it, without a click.
-struct AutoHand {
-    SidedHand hand;
-    double doubt = 0; ///< 0 = sure .. 1 = lost
+struct FirstPassOptions : PassOptions {
+    std::vector<HandModel> otherHands{}; ///< that are used where the dataset has none (makeDemoHands)
+    std::filesystem::path journal{};     ///< keeps what is done while it works; the same pass goes on from there
 };
-/// By frame; frames in which nothing was found have none.
-using AutoLabels = std::map<int, std::vector<AutoHand>>;
 
-/// What a sequence's detections depend on, for DetectionJournal.
-std::string firstPassWork(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks);
+/// Called as frames are done, from the pass's thread.
+struct FirstPassCallbacks {
+    PassProgress progress{};
+    std::function<void(int frame, const std::vector<AutoHand>& hands)> frame{}; ///< again when a frame was improved
+};
 
-/// Detects hands in these frames (ascending), those aside that the journal has already. Says after each how many are
-/// done. Returns false if it was stopped.
-bool detectFrames(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
-                  const std::vector<int>& frames, DetectionJournal& journal, std::stop_token stop,
-                  const std::function<void(int done, int total)>& progress);
+struct FirstPassResult {
+    AutoLabels labels;
+    PassResult pass;         ///< poses, and the hands that they are of
+    int resumedFrames = 0;   ///< whose detections the journal had already
+    bool isFinished = false; ///< else it was stopped: the journal stays for the next run
+};
 
-/// The hands of these frames in space, with their sides and doubts.
-AutoLabels labelsOf(const Dataset& dataset, const Sequence& sequence, const std::map<int, ViewDetections>& detections,
-                    const std::vector<int>& frames);
+/// Labels frames (ascending) of a sequence without a click (runLabelPass): the one entry point of the command line and
+/// of the window. The journal goes when the pass is finished and the caller has kept the labels (finishFirstPass).
+/// Throws Error, also if the dataset has no hands and none are given.
+FirstPassResult runFirstPass(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
+                             const std::vector<int>& frames, const FirstPassOptions& options, std::stop_token stop = {},
+                             const FirstPassCallbacks& callbacks = {});
+
+/// The labels are kept: the journal is not needed any more.
+void finishFirstPass(const FirstPassOptions& options);
+
+/// `retrack` with the pictures and masks of a dataset. Needs no detector.
+AutoLabels retrackFrames(const Dataset& dataset, const Sequence& sequence, const std::vector<HandModel>& hands,
+                         const CorrectedFrame& corrected, const std::vector<int>& frames,
+                         const std::vector<int>& reviewed, const PassOptions& options = {}, std::stop_token stop = {},
+                         const FirstPassCallbacks& callbacks = {});
 
 } // namespace core

@@ -37,7 +37,8 @@ const std::map<int, NetworkOperatorKind> kOperatorKinds{{0, NetworkOperatorKind:
 template <typename T>
 std::vector<T> valuesOf(std::string_view bytes) {
     std::vector<T> values(bytes.size() / sizeof(T));
-    std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
+    if (!values.empty())
+        std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
     return values;
 }
 

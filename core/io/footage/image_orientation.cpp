@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t kOrientationTag = 0x0112;
 constexpr std::size_t kTooManyEntries = 1000;
 
-/// A number of `size` bytes at a place; nothing beyond the end.
+/// A number of `size` bytes at a place; empty beyond the end.
 std::optional<std::uint32_t> number(std::string_view bytes, std::size_t at, std::size_t size, bool isLittle) {
     if (at > bytes.size() || size > bytes.size() - at)
         return std::nullopt;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/io/footage/planes420.h"
 
@@ -30,6 +31,25 @@ bool isFullRange(const AVFrame& picture) {
     const bool isYuv = (format->flags & AV_PIX_FMT_FLAG_RGB) == 0 && format->nb_components >= 3;
     const bool isJpeg = std::string_view(format->name).starts_with("yuvj");
     return isYuv ? isJpeg || picture.color_range == AVCOL_RANGE_JPEG : picture.color_range != AVCOL_RANGE_MPEG;
+}
+
+int shrunk(int length, int shrink) {
+    return (length + shrink - 1) / shrink;
+}
+
+bool isPlain420(const AVFrame& picture) {
+    return (picture.format == AV_PIX_FMT_YUV420P || picture.format == AV_PIX_FMT_YUVJ420P) && picture.width >= 2 &&
+           picture.height >= 2;
+}
+
+/// Means of shrink x shrink samples, so many that `size` is filled: beyond the edge the last samples are repeated.
+cv::Mat shrunkTo(cv::Size size, const cv::Mat& samples, int shrink) {
+    const int right = size.width * shrink - samples.cols, below = size.height * shrink - samples.rows;
+    cv::Mat whole = samples, result;
+    if (right > 0 || below > 0)
+        cv::copyMakeBorder(samples, whole, 0, std::max(0, below), 0, std::max(0, right), cv::BORDER_REPLICATE);
+    cv::resize(whole, result, size, 0, 0, cv::INTER_AREA);
+    return result;
 }
 
 } // namespace
@@ -60,16 +80,36 @@ bool PictureConverter::prepare(const AVFrame& picture) {
 }
 
 cv::Mat PictureConverter::toBgr(const AVFrame& picture) {
-    const bool isPlain = picture.format == AV_PIX_FMT_YUV420P || picture.format == AV_PIX_FMT_YUVJ420P;
-    if (!isPlain || picture.width < 2 || picture.height < 2)
-        return byLibrary(picture);
+    return isPlain420(picture) ? fromPlanes(picture, 1) : byLibrary(picture);
+}
+
+cv::Mat PictureConverter::toBgr(const AVFrame& picture, int shrink) {
+    if (shrink <= 1)
+        return toBgr(picture);
+    const cv::Size size(shrunk(picture.width, shrink), shrunk(picture.height, shrink));
+    if (isPlain420(picture) && size.width >= 2 && size.height >= 2 && picture.linesize[0] > 0)
+        return fromPlanes(picture, shrink);
+    const cv::Mat whole = byLibrary(picture);
+    return whole.empty() ? whole : shrunkTo(size, whole, shrink);
+}
+
+cv::Mat PictureConverter::fromPlanes(const AVFrame& picture, int shrink) {
     Planes420 planes;
-    for (int i = 0; i < 3; ++i) {
+    planes.width = shrunk(picture.width, shrink);
+    planes.height = shrunk(picture.height, shrink);
+    std::array<cv::Mat, 3> smaller;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int half = i == 0 ? 1 : 2; // colours have half as many samples
         planes.data[i] = picture.data[i];
         planes.stride[i] = picture.linesize[i];
+        if (shrink == 1)
+            continue;
+        const cv::Mat samples(shrunk(picture.height, half), shrunk(picture.width, half), CV_8U, picture.data[i],
+                              static_cast<std::size_t>(picture.linesize[i]));
+        smaller[i] = shrunkTo({shrunk(planes.width, half), shrunk(planes.height, half)}, samples, shrink);
+        planes.data[i] = smaller[i].data;
+        planes.stride[i] = static_cast<std::ptrdiff_t>(smaller[i].step);
     }
-    planes.width = picture.width;
-    planes.height = picture.height;
     return bgrOf(planes, colourMatrix(sws_getCoefficients(colourSpace(picture)), isFullRange(picture)));
 }
 

@@ -32,11 +32,14 @@ bool isEntry(const AVFrame& frame) {
 
 } // namespace
 
-PictureReader::PictureReader(std::filesystem::path file, VideoIndex index, int threads)
+PictureReader::PictureReader(std::filesystem::path file, std::shared_ptr<const VideoIndex> index, int threads)
     : m_file(std::move(file))
-    , m_index(std::move(index))
+    , m_sharedIndex(std::move(index))
+    , m_index(*m_sharedIndex)
     , m_demuxer(m_file)
-    , m_decoder(m_demuxer.stream(), m_file.string(), threads)
+    , m_threads(threads)
+    , m_decodingThreads(threads)
+    , m_decoder(std::make_unique<VideoDecoder>(m_demuxer.stream(), m_file.string(), threads))
     , m_budget(kUsualBudget) {
     for (std::size_t p = 0; p < m_index.packets.size(); ++p)
         m_numberByHash.emplace_back(m_index.packets[p].hash, static_cast<int>(p));
@@ -83,7 +86,7 @@ const AVFrame* PictureReader::searchFrom(int start, int picture, const std::stop
         const AVFrame* frame = outcome == Outcome::Found ? kept(picture) : nullptr;
         if (outcome == Outcome::Stopped || (frame != nullptr && !VideoDecoder::isDamaged(*frame)))
             return frame;
-        damaged += frame != nullptr || (outcome == Outcome::Missing && m_decoder.errors() > 0) ? 1 : 0;
+        damaged += frame != nullptr || (outcome == Outcome::Missing && m_decoder->errors() > 0) ? 1 : 0;
         if (start == 0 || damaged == 2)
             return nullptr;
         for (int i = 0; i < back && start > 0; ++i)
@@ -132,6 +135,24 @@ const AVFrame* PictureReader::kept(int picture) const {
     return found == m_kept.end() ? nullptr : found->second.get();
 }
 
+int PictureReader::packetsUntil(int picture) const {
+    if (kept(picture) != nullptr)
+        return 0;
+    const int last = m_index.packetOfPicture[static_cast<std::size_t>(picture)];
+    return std::max(1, last + 1 - (canGoOn(picture) ? m_nextPacket : m_index.startFor(picture, INT_MAX)));
+}
+
+const AVFrame* PictureReader::nearest(int picture, int& number) const {
+    auto best = m_kept.lower_bound(picture);
+    if (best != m_kept.begin() &&
+        (best == m_kept.end() || picture - std::prev(best)->first <= best->first - picture))
+        best = std::prev(best);
+    if (best == m_kept.end())
+        return nullptr;
+    number = best->first;
+    return best->second.get();
+}
+
 void PictureReader::keep(int picture, const AVFrame& frame) {
     FramePointer& place = m_kept[picture];
     m_keptBytes -= place ? bytesOf(*place) : 0; // perhaps from a worse start
@@ -146,6 +167,8 @@ void PictureReader::trim() {
         const auto first = m_kept.begin(), last = std::prev(m_kept.end());
         const auto least = remoteness(first->first) > remoteness(last->first) ? first : last;
         m_keptBytes -= bytesOf(*least->second);
+        if (m_onForgotten && !VideoDecoder::isDamaged(*least->second))
+            m_onForgotten(least->first, *least->second);
         m_kept.erase(least);
     }
 }
@@ -156,7 +179,12 @@ bool PictureReader::canGoOn(int picture) const {
 }
 
 void PictureReader::startAt(int packet) {
-    m_decoder.restart();
+    if (m_threads == m_decodingThreads) {
+        m_decoder->restart();
+    } else {
+        m_decoder = std::make_unique<VideoDecoder>(m_demuxer.stream(), m_file.string(), m_threads);
+        m_decodingThreads = m_threads;
+    }
     m_firstPicture = packet == 0 ? 0 : m_index.packets[static_cast<std::size_t>(packet)].picture;
     m_lastPicture = -1;
     m_counted = 0;
@@ -205,7 +233,7 @@ PictureReader::Outcome PictureReader::advanceTo(int picture, const std::stop_tok
     while (m_isRunning) {
         if (stop.stop_requested())
             return Outcome::Stopped;
-        while (const AVFrame* frame = m_decoder.receive()) {
+        while (const AVFrame* frame = m_decoder->receive()) {
             const int number = pictureOf(*frame);
             if (number < m_firstPicture)
                 continue; // leans on pictures before the start, or is not shown
@@ -236,7 +264,7 @@ bool PictureReader::feed() {
     if (packet != nullptr && !isPacket(*packet, m_nextPacket))
         return false;
     m_hasEnded = packet == nullptr;
-    m_decoder.send(packet, m_nextPacket++);
+    m_decoder->send(packet, m_nextPacket++);
     return true;
 }
 

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stop_token>
@@ -25,9 +27,13 @@ namespace core {
 class PictureReader {
 public:
     /// `threads` decode. Throws Error(BadInput) if the video cannot be opened.
-    PictureReader(std::filesystem::path file, VideoIndex index, int threads);
+    PictureReader(std::filesystem::path file, std::shared_ptr<const VideoIndex> index, int threads);
 
     const VideoIndex& index() const { return m_index; }
+    /// How many threads decode, from the next start at a key packet on: going on never changes them.
+    void setThreads(int threads) { m_threads = threads; }
+    /// Sees every whole picture that is let go of for want of room.
+    void setOnForgotten(std::function<void(int picture, const AVFrame& frame)> seen) { m_onForgotten = std::move(seen); }
     /// How much memory kept pictures may take; one is always kept.
     void setBudget(std::int64_t bytes);
     /// The picture, as decoded; valid until the next call; null if it was stopped, which loses nothing that is decoded.
@@ -37,6 +43,10 @@ public:
     /// all that it leans on. False if there is nothing to do: all that fits the budget is kept.
     bool fetchAhead(int direction, const std::stop_token& stop);
     bool isKept(int picture) const { return m_kept.contains(picture); }
+    /// How many packets must be decoded before this picture comes; 0: it is kept.
+    int packetsUntil(int picture) const;
+    /// The kept picture nearest to this one, with its number; null if none is kept.
+    const AVFrame* nearest(int picture, int& number) const;
 
 private:
     enum class Outcome { Found, Missing, Lost, Stopped };
@@ -59,9 +69,12 @@ private:
     const AVFrame* searchFrom(int start, int picture, const std::stop_token& stop);
 
     std::filesystem::path m_file;
-    VideoIndex m_index;
+    std::shared_ptr<const VideoIndex> m_sharedIndex;
+    const VideoIndex& m_index;
     VideoDemuxer m_demuxer;
-    VideoDecoder m_decoder;
+    int m_threads; ///< wanted
+    int m_decodingThreads;
+    std::unique_ptr<VideoDecoder> m_decoder;
     std::vector<std::pair<std::uint64_t, int>> m_numberByHash; ///< sorted
     const AVPacket* m_pending = nullptr;                       ///< read, not yet decoded
     int m_nextPacket = 0;                                      ///< that the decoder will get
@@ -75,6 +88,7 @@ private:
     int m_focus = 0;     ///< the last picture that was read
     int m_direction = 1; ///< that reading goes to
     std::set<int> m_damaged;
+    std::function<void(int, const AVFrame&)> m_onForgotten;
 };
 
 } // namespace core

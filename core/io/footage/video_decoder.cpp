@@ -62,6 +62,10 @@ bool VideoDecoder::isDamaged(const AVFrame& picture) {
     return picture.decode_error_flags != 0 || (picture.flags & AV_FRAME_FLAG_CORRUPT) != 0;
 }
 
+void VideoDecoder::setQuick() {
+    m_codec->skip_loop_filter = AVDISCARD_ALL;
+}
+
 void VideoDecoder::restart() {
     avcodec_flush_buffers(m_codec.get());
     m_errors = 0;

@@ -29,6 +29,9 @@ public:
     static bool isDamaged(const AVFrame& picture);
     /// Errors since the last restart.
     int errors() const { return m_errors; }
+    /// Leaves out the smoothing of edges between blocks, from the next packet on: for pictures that are looked at for a
+    /// moment.
+    void setQuick();
     /// Forgets everything: the next packet may be from anywhere.
     void restart();
 

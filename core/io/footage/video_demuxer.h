@@ -17,7 +17,7 @@ public:
 
     const AVFormatContext& container() const { return *m_container; }
     const AVStream& stream() const { return *m_container->streams[m_stream]; }
-    /// The next packet of the video stream that holds anything; nothing at the end of the file.
+    /// The next packet of the video stream that holds anything; null at the end of the file.
     const AVPacket* next();
     /// Back to the first packet.
     void rewind();

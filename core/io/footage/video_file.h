@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -21,6 +22,13 @@ struct VideoInfo {
     int rotationDegrees = 0;        ///< clockwise turn with which a player shows the recorded pixels: 0, 90, 180 or 270
 };
 
+/// A frame at 1 / kGlanceShrink of its size.
+struct VideoGlance {
+    int frame = 0; ///< which one it is
+    cv::Mat picture;
+};
+inline constexpr int kGlanceShrink = 4;
+
 /// A video with exact access to every frame: frame n is the n-th picture of decoding from the start, in the order of
 /// presentation, in whatever order frames are read. It is indexed once. Not for several threads at once.
 class VideoFile {
@@ -36,8 +44,15 @@ public:
     const VideoInfo& info() const { return m_info; }
     /// The frame as CV_8UC3 BGR. Throws Error: NotFound beyond the end, BadInput if it cannot be decoded.
     /// Empty if it was stopped.
-    cv::Mat read(int frame, const std::stop_token& stop = {});
-    /// How much memory decoded pictures near the last frame may take; a few are kept at first.
+    /// `shrink` above 1: the picture at 1 / shrink of its size (rounded up), for much less work.
+    cv::Mat read(int frame, const std::stop_token& stop = {}, int shrink = 1);
+    /// What can be shown at once while that frame would take long to read: the frame itself, kept at 1 / kGlanceShrink
+    /// of its size, or the nearest one that is kept or a key picture. Nothing where read() is quick, or there is none.
+    std::optional<VideoGlance> glance(int frame);
+    /// How many threads decode, from the next jump on.
+    void setThreads(int threads);
+    /// How much memory pictures near the last frame may take: most of it as decoded, a part shrunk, farther away. A few
+    /// are kept at first, none of them shrunk.
     void setBudget(std::int64_t bytes);
     /// Decodes the nearest frame that is not kept before (direction -1) or after (+1) the last one that was read. False
     /// if all that fits is kept, or it was stopped.
@@ -55,5 +70,8 @@ private:
 /// Throws Error if it is not a readable video. `indexFile` as for VideoFile; the index takes long to make for a long
 /// video.
 VideoInfo readVideoInfo(const std::filesystem::path& file, const std::filesystem::path& indexFile = {});
+
+/// The size of the pictures as the file's header says, which takes no time. Throws Error if it is not a readable video.
+ImageSize readVideoSize(const std::filesystem::path& file);
 
 } // namespace core

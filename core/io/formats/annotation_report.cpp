@@ -38,7 +38,7 @@ std::string tableHead(std::initializer_list<const char*> columns) {
     return text + "</tr></thead>\n<tbody>\n";
 }
 
-/// A number that says nothing without at least that many values behind it.
+/// A number that needs at least that many values behind it to mean anything.
 std::string numberCell(double value, int digits, int values, int least = 1) {
     return htmlNumberCell(values < least ? std::nan("") : value, digits);
 }
@@ -60,10 +60,10 @@ std::string noRaterText(const AnnotationSummary& sequence) {
                : "no marks yet; " + std::to_string(sequence.proposals) + " proposed marks wait to be checked";
 }
 
-/// How far a rater's clicks scatter; "1 (assumed)" while that is not known.
+/// How far a rater's clicks scatter; "1 (assumed)" while that is not known, "given" where it was not asked for.
 std::string sigmaCell(const RaterSummary& rater) {
     if (!rater.sigma)
-        return htmlNumberCell(rater.noise ? rater.noise->sigmaPx : std::nan(""), 2);
+        return htmlTextCell("given");
     return rater.sigma->isAssumed ? htmlTextCell("1 (assumed)") : htmlNumberCell(rater.sigma->clickPx, 2);
 }
 

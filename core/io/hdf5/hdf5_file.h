@@ -16,7 +16,7 @@ struct Hdf5Numbers {
     std::vector<double> values;
 };
 
-/// Held by whoever uses the library, which is not made for threads.
+/// Held while the library is used, which is not safe for threads.
 std::unique_lock<std::recursive_mutex> lockHdf5();
 
 /// An HDF5 file that is open for reading. Paths are those inside the file, such as "metadata/nodes". All readers throw

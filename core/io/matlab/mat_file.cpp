@@ -82,6 +82,11 @@ std::vector<std::string> rowsOf(const matvar_t& variable) {
     return texts;
 }
 
+/// Whether so many elements of a cell or members of structures are really there: a damaged file has fewer than it says.
+bool holdsParts(const matvar_t& variable, std::size_t parts) {
+    return variable.data && variable.nbytes / sizeof(matvar_t*) >= parts;
+}
+
 /// A file may claim any size; no table of annotations comes near.
 constexpr std::size_t kMostElements = 200'000'000;
 
@@ -127,8 +132,9 @@ MatValue MatValue::element(std::size_t i) const {
     }
     found.m_isElement = false;
     found.m_field += "{" + number + "}";
+    matvar_t* part = m_content->part;
     found.m_content = std::make_shared<Content>(Content{
-        m_content->whole, m_content->part->data ? Mat_VarGetCell(m_content->part, static_cast<int>(i)) : nullptr});
+        m_content->whole, holdsParts(*part, i + 1) ? Mat_VarGetCell(part, static_cast<int>(i)) : nullptr});
     return found;
 }
 
@@ -139,8 +145,11 @@ MatValue MatValue::member(const std::string& name) const {
     found.m_index = 0;
     found.m_isElement = false;
     found.m_field += "." + name;
+    matvar_t* part = m_content->part;
+    const std::size_t parts = (m_index + 1) * Mat_VarGetNumberOfFields(part);
     found.m_content = std::make_shared<Content>(
-        Content{m_content->whole, Mat_VarGetStructFieldByName(m_content->part, name.c_str(), m_index)});
+        Content{m_content->whole,
+                holdsParts(*part, parts) ? Mat_VarGetStructFieldByName(part, name.c_str(), m_index) : nullptr});
     return found;
 }
 

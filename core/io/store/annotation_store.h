@@ -81,7 +81,7 @@ public:
     /// Copies the current state to the backups now, if it is not there yet; returns the newest backup.
     std::optional<std::filesystem::path> backup();
     /// Writes the current state with its history to a new file, complete without a log beside it,
-    /// whoever else is writing here meanwhile. Its folder must exist. Throws Error(Io).
+    /// other programs that write here meanwhile. Its folder must exist. Throws Error(Io).
     void copyTo(const std::filesystem::path& file) const;
 
 private:

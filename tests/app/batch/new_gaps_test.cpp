@@ -10,7 +10,7 @@
 #include "tests/app/batch/program.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/numbered_video.h"
+#include "tests/support/recordings/numbered_video.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
@@ -41,7 +41,7 @@ protected:
         EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
         m_dataset = core::readDataset(m_set);
         const core::Sequence& sequence = m_dataset.sequences.at(0);
-        for (const std::string& note : sequence.notes) {
+        for (const std::string& note : core::notesInWords(sequence)) {
             EXPECT_NE(made.out.find("note: " + note + "\n"), std::string::npos) << made.out;
             EXPECT_NE(checked.out.find(note + "\n"), std::string::npos) << checked.out;
         }
@@ -121,7 +121,7 @@ TEST_F(NewWithLostFrames, MapsFramesByTime) {
         EXPECT_TRUE(sequence.views[0].missing.empty());
         EXPECT_EQ(sequence.views[1].missing, (Ranges{{20, 8}}));
         ASSERT_FALSE(sequence.notes.empty());
-        EXPECT_EQ(sequence.notes[0], "cam1: 8 frames missing after frame 19");
+        EXPECT_EQ(core::footageNoteText(sequence.notes[0]), "cam1: 8 frames missing after frame 19");
         for (const int instant : {0, 19, 20, 27, 28, 30, 59}) {
             EXPECT_EQ(numberAt(0, instant), instant) << container;
             EXPECT_EQ(numberAt(1, instant), instant >= 20 && instant < 28 ? -1 : instant) << container;
@@ -133,7 +133,7 @@ TEST_F(NewWithLostFrames, CountsFromTheOffset) {
     const core::Sequence sequence = make({"--video", "cam0=" + whole("mp4"), "--video", "cam1=" + lossy("mp4"),
                                           "--offset", "cam0=5", "--offset", "cam1=5"});
     EXPECT_EQ(sequence.views[1].missing, (Ranges{{15, 8}}));
-    EXPECT_EQ(sequence.notes[0], "cam1: 8 frames missing after frame 14");
+    EXPECT_EQ(core::footageNoteText(sequence.notes[0]), "cam1: 8 frames missing after frame 14");
     EXPECT_EQ(numberAt(0, 40), 45);
     EXPECT_EQ(numberAt(1, 40), 45);
     EXPECT_TRUE(make({"--video", "cam0=" + whole("mp4"), "--video", "cam1=" + lossy("mp4"), "--offset", "cam0=28",
@@ -149,8 +149,10 @@ TEST_F(NewWithLostFrames, SaysSoWhereFramesAreTakenByNumber) {
         make({"--video", "cam0=" + whole("mp4"), "--video", "cam1=" + lossy("mp4"), "--sync", "index"});
     EXPECT_TRUE(sequence.views[1].missing.empty());
     ASSERT_EQ(sequence.notes.size(), 1u);
-    EXPECT_EQ(sequence.notes[0].find("cam1: 8 frames missing after frame 19 (its time stamps say so)"), 0u)
-        << sequence.notes[0];
+    EXPECT_EQ(
+        core::footageNoteText(sequence.notes[0]).find("cam1: 8 frames missing after frame 19 (its time stamps say so)"),
+        0u);
+    EXPECT_EQ(sequence.notes[0].kind, core::FootageNoteKind::LostFramesByChoice);
     EXPECT_EQ(numberAt(1, 30), 38);
     // A dataset of before says nothing itself: check looks at the footage.
     m_dataset.sequences[0].notes.clear();
@@ -178,7 +180,7 @@ TEST_F(NewWithGaps, ShowsNoPictureWhereAnImageIsMissing) {
         make({"--images", "cam0=" + writeImages("a", numbers), "--images", "cam1=" + writeImages("b", range(0, 19))});
     EXPECT_EQ(sequence.frameCount, 20);
     EXPECT_EQ(sequence.views[0].missing, (Ranges{{7, 2}}));
-    EXPECT_EQ(sequence.notes, (std::vector<std::string>{"cam0: 2 pictures missing: 7-8"}));
+    EXPECT_EQ(core::notesInWords(sequence), (std::vector<std::string>{"cam0: 2 pictures missing: 7-8"}));
     for (int instant = 0; instant < 20; ++instant) {
         EXPECT_EQ(numberAt(0, instant), instant == 7 || instant == 8 ? -1 : instant);
         EXPECT_EQ(numberAt(1, instant), instant);
@@ -191,7 +193,7 @@ TEST_F(NewWithGaps, KeepsTheNumbersOfLabelledFrames) {
     EXPECT_EQ(sequence.frameCount, 333 - 12 + 1);
     EXPECT_EQ(sequence.views[0].offsetFrames, 12);
     EXPECT_EQ(sequence.views[1].offsetFrames, 12) << "equal numbers are of the same instant";
-    EXPECT_EQ(sequence.notes,
+    EXPECT_EQ(core::notesInWords(sequence),
               (std::vector<std::string>{"cam0: 319 pictures missing: 13-249, 251-332", "cam0: frame 0 is picture 12",
                                         "cam1: 319 pictures missing: 12-13, 15-249, 251-332",
                                         "cam1: frame 0 is picture 12"}));
@@ -212,7 +214,7 @@ TEST_F(NewWithGaps, AlignsFoldersByNumberUnlessOneCountsFromOne) {
     EXPECT_TRUE(sequence.views[1].missing.empty());
     EXPECT_EQ(numberAt(1, 5), 6) << "as many pictures, from 1 on";
     ASSERT_EQ(sequence.notes.size(), 1u);
-    EXPECT_NE(sequence.notes[0].find("cam0 at 0, cam1 at 1"), std::string::npos) << sequence.notes[0];
+    EXPECT_NE(core::footageNoteText(sequence.notes[0]).find("cam0 at 0, cam1 at 1"), std::string::npos);
     sequence = make({"--images", "cam0=" + (m_folder / "a").string(), "--images", "cam1=" + (m_folder / "b").string(),
                      "--offset", "cam1=0"});
     EXPECT_EQ(numberAt(1, 5), 6) << "as the offset says";
@@ -223,7 +225,7 @@ TEST_F(NewWithGaps, TakesPatternsThatStartAnywhere) {
     core::Sequence sequence = make({"--images", "cam0=" + (folder / "img_{frame}.png").string()});
     EXPECT_EQ(sequence.frameCount, 4);
     EXPECT_EQ(sequence.views[0].offsetFrames, 100);
-    EXPECT_EQ(sequence.notes,
+    EXPECT_EQ(core::notesInWords(sequence),
               (std::vector<std::string>{"cam0: 1 picture missing: 102", "cam0: frame 0 is picture 100"}));
     EXPECT_EQ(numberAt(0, 3), 103);
     sequence = make({"--images", "cam0=" + (folder / "img_{frame:03}.png").string(), "--offset", "cam0=1"});

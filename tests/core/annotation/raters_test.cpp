@@ -82,6 +82,9 @@ TEST_F(Raters, OnlyThoseWhoShareSomethingAreCompared) {
 TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
     click("ann", kWrist, 200, 0.5);
     click("bob", kWrist, 200, 3.0);
+    core::ClickSigmas sigmas;
+    sigmas.raters["ann"] = {0.5, std::vector<double>(8, 0.5), 1600, 0, false};
+    sigmas.raters["bob"] = {3.0, std::vector<double>(8, 3.0), 1600, 0, false};
     double weighted = 0, equal = 0, steady = 0;
     core::TriangulationOptions wide;
     wide.sigmaPx = 3;
@@ -89,7 +92,7 @@ TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
         const auto error = [&](const core::TriangulationResult& result) {
             return (result.point->pointInWorld - place(frame)).squaredNorm();
         };
-        weighted += error(core::consensus(m_set, m_cameras, frame, kWrist, {{"ann", 0.5}, {"bob", 3.0}}).result);
+        weighted += error(core::consensus(m_set, m_cameras, frame, kWrist, sigmas).result);
         equal += error(core::consensus(m_set, m_cameras, frame, kWrist, {}, wide).result);
         steady += error(core::reconstruct(m_set, m_cameras, frame, "ann", kWrist).result);
     }
@@ -105,6 +108,21 @@ TEST_F(Raters, ConsensusNamesTheRaterWhoIsWrong) {
     ASSERT_EQ(result.clicks.size(), 24u);
     for (const core::ConsensusClick& click : result.clicks)
         EXPECT_EQ(click.outlier, click.rater == "bob" && click.camera == "cam2");
+}
+
+TEST_F(Raters, ConsensusDoesNotAverageOutWhatAllRatersShare) {
+    for (const char* rater : {"ann", "bob"})
+        click(rater, kWrist, 1, 0.5);
+    core::ClickSigmas sigmas;
+    for (const char* rater : {"ann", "bob"})
+        sigmas.raters[rater] = {1.0, std::vector<double>(8, 1.0), 1600, 0, false};
+    const auto variance = [&] {
+        return core::consensus(m_set, m_cameras, 0, kWrist, sigmas).result.point->covariance.trace();
+    };
+    const double ofHands = variance();
+    sigmas.systematicPx.assign(8, 2.0);
+    // sigma^2 of a view: 1 / 2 of the hands alone, 1 / 2 + 4 with the calibration's.
+    EXPECT_NEAR(variance() / ofHands, 4.5 / 0.5, 1e-6);
 }
 
 TEST_F(Raters, RepeatTasksAreASubsetOfWhatIsFinishedDrawnBySeed) {

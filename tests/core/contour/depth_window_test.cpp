@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/contour/rasteriser.h"
-#include "tests/support/ball.h"
 #include "tests/support/camera_ring.h"
+#include "tests/support/shapes/ball.h"
 
 namespace {
 

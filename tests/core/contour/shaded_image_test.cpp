@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
-#include "tests/support/ball.h"
+#include "tests/support/shapes/ball.h"
 
 namespace {
 

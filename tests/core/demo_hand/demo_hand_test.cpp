@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/io/demo/demo_dataset.h"
-#include "tests/support/mesh_checks.h"
+#include "tests/support/shapes/mesh_checks.h"
 
 namespace {
 

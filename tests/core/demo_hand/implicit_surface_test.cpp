@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mesh_checks.h"
+#include "tests/support/shapes/mesh_checks.h"
 
 namespace {
 

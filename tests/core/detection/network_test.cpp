@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/detection/network_builder.h"
+#include "tests/support/detection/reference_network.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/network_builder.h"
-#include "tests/support/reference_network.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/mesh_checks.h"
+#include "tests/support/shapes/mesh_checks.h"
 #include "tests/support/tiny_hands.h"
 
 namespace {

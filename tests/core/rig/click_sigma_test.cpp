@@ -100,7 +100,7 @@ TEST(ClickSigmas, WrongClicksDoNotCount) {
 TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
     for (const double level : {0.0, 0.27, 1.0}) {
         test::TruthComparison given, refined;
-        constexpr int kRigs = 24, kRefined = 8;
+        constexpr int kRigs = 24, kRefined = 24;
         for (int rig = 0; rig < kRigs; ++rig) {
             RigScene scene("Nees" + std::to_string(level) + "/" + std::to_string(rig));
             scene.loosen(level);
@@ -110,11 +110,17 @@ TEST(ClickSigmas, StatedAndTrueUncertaintyAgreeAtEveryRigLevel) {
                       1.0 / kRigs);
             if (rig >= kRefined)
                 continue;
-            const auto cameras = core::refineRig(scene.nominal, chosen)->cameras;
-            test::add(refined, compareWithTruth(scene, cameras, others, core::estimateClickSigmas(cameras, chosen)),
+            const core::RigRefinement refinement = core::refineRig(scene.nominal, chosen).value();
+            const std::vector<core::Camera>& cameras = refinement.cameras;
+            const auto world = core::worldCovariance(scene.nominal, core::estimateClickSigmas(scene.nominal, chosen),
+                                                     refinement.middleInWorld);
+            ASSERT_TRUE(world);
+            test::add(refined,
+                      compareWithTruth(scene, cameras, others, core::estimateClickSigmas(cameras, chosen), *world),
                       1.0 / kRefined);
         }
         EXPECT_NEAR(given.neesRaw, 3, 0.5) << level;
+        EXPECT_NEAR(refined.neesRaw, 3, 0.5) << level << ", with what is stated of the world as a whole";
         EXPECT_NEAR(refined.neesAligned, 3, 0.5) << level;
         EXPECT_LT(given.dropped, 0.002);
         EXPECT_LT(refined.alignedMm, 0.5);

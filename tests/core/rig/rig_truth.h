@@ -16,17 +16,19 @@ namespace test {
 /// Points made from clicks beside the true ones.
 struct TruthComparison {
     double rawMm = 0, alignedMm = 0;     ///< mean error, as it is and after the best rigid motion
-    double neesRaw = 0, neesAligned = 0; ///< mean of e^T C^-1 e; 3 where the covariances are right
+    double neesRaw = 0, neesAligned = 0; ///< mean of e^T C^-1 e, as it is and aligned; 3 where the covariances are right
     double statedMm = 0;                 ///< mean of the expected error, sqrt(trace C)
     double dropped = 0;                  ///< share of the clicks taken for outliers
 };
 
-/// Triangulates each joint with the rater's sigmas. Expects that every joint gets a point.
+/// Triangulates each joint with the rater's sigmas. Expects that every joint gets a point. `world` is what is stated of
+/// the world as a whole: it adds to the covariances before the rigid motion.
 inline TruthComparison compareWithTruth(const RigScene& scene, const std::vector<core::Camera>& cameras,
-                                        const std::vector<core::RigJoint>& joints, const core::ClickSigmas& sigmas) {
+                                        const std::vector<core::RigJoint>& joints, const core::ClickSigmas& sigmas,
+                                        const Eigen::Matrix3d& world = Eigen::Matrix3d::Zero()) {
     const auto count = static_cast<Eigen::Index>(joints.size());
     Eigen::Matrix3Xd made(3, count), wanted(3, count);
-    std::vector<Eigen::Matrix3d> information;
+    std::vector<Eigen::Matrix3d> information, inWorld;
     const core::TriangulationOptions options = sigmas.optionsFor("ann");
     TruthComparison result;
     double clicks = 0;
@@ -36,6 +38,7 @@ inline TruthComparison compareWithTruth(const RigScene& scene, const std::vector
         made.col(j) = point.pointInWorld;
         wanted.col(j) = scene.pointAt(std::stoi(joint.joint.joint.substr(5)), joint.frame);
         information.emplace_back(point.covariance.inverse());
+        inWorld.emplace_back((point.covariance + world).inverse());
         result.statedMm += std::sqrt(point.covariance.trace()) / static_cast<double>(count);
         for (const bool isInlier : point.inlier)
             result.dropped += !isInlier;
@@ -50,7 +53,7 @@ inline TruthComparison compareWithTruth(const RigScene& scene, const std::vector
         const Eigen::Matrix3d& inverse = information[static_cast<std::size_t>(j)];
         result.rawMm += share * raw.norm();
         result.alignedMm += share * rest.norm();
-        result.neesRaw += share * raw.dot(inverse * raw);
+        result.neesRaw += share * raw.dot(inWorld[static_cast<std::size_t>(j)] * raw);
         result.neesAligned += share * rest.dot(inverse * rest);
     }
     return result;

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/contour/rasteriser.h"
+#include "core/segmentation/background_difference.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/tiny_hands.h"
 

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/annotation/edits.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/recordings/random_edits.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

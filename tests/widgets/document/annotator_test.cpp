@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/annotation/edits.h"
-#include "tests/support/ring_dataset.h"
+#include "tests/support/recordings/ring_dataset.h"
 
 namespace {
 

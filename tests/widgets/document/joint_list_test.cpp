@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/ring_dataset.h"
+#include "tests/support/recordings/ring_dataset.h"
 #include "tests/support/tiny_hands.h"
 
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/five_finger_dataset.h"
+#include "tests/support/recordings/five_finger_dataset.h"
 #include "tests/support/wait_until.h"
 
 namespace {

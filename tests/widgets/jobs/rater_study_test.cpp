@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/five_finger_dataset.h"
+#include "tests/support/recordings/five_finger_dataset.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/wait_until.h"
 
@@ -57,8 +57,12 @@ TEST_F(RaterStudyTest, ComparesRatersAndWeighsTheirClicks) {
     EXPECT_EQ(study.comparisons()[0].first, "ann");
     EXPECT_EQ(study.comparisons()[0].second, "bob");
     EXPECT_GT(study.comparisons()[0].all.meanMm, 0.05);
-    EXPECT_NEAR(study.sigmaPx().at("ann"), 0.5, 0.05);
-    EXPECT_NEAR(study.sigmaPx().at("bob"), 2, 0.3);
+    core::ClickSigmas sigmas;
+    sigmas.raters["ann"] = {0.5, std::vector<double>(dataset->cameras.size(), 0.5), 100, 0, false};
+    sigmas.raters["bob"] = {2.0, std::vector<double>(dataset->cameras.size(), 2.0), 100, 0, false};
+    QSignalSpy compared(&study, &widgets::RaterStudy::compared);
+    study.setClickSigmas(sigmas);
+    ASSERT_TRUE(test::waitUntil([&] { return compared.count() > 0; })) << "compared again";
     selection.setFrame(20);
     selection.setJoint({core::Side::Right, "middle_pip"});
     const core::Consensus both = study.consensus();

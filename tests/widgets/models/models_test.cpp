@@ -6,7 +6,7 @@
 
 #include "core/annotation/edits.h"
 #include "tests/support/clicks.h"
-#include "tests/support/ring_dataset.h"
+#include "tests/support/recordings/ring_dataset.h"
 #include "widgets/models/joint_table_model.h"
 #include "widgets/models/result_table_model.h"
 #include "widgets/text/advice.h"

@@ -365,4 +365,113 @@ TEST_F(FitPanelsTest, FootageWithoutSilhouettesSaysWhatItNeedsAndTakesAFolder) {
     EXPECT_EQ(failed.count(), 1);
 }
 
+class BothSetupsTest : public FitPanelsTest {
+protected:
+    static constexpr int kFirst = 6, kLast = 9; ///< frames of "a" with masks and marks
+
+    BothSetupsTest() {
+        core::Dataset dataset = *session.opened.dataset();
+        dataset.sequences[0].masks = "masks/{camera}/{frame:06}.png";
+        const core::Motion motion = test::tinyMotion(kLast + 1);
+        for (const core::Camera& camera : dataset.cameras) {
+            std::filesystem::create_directories(dataset.folder / "masks" / camera.name);
+            for (int frame = kFirst; frame <= kLast; ++frame)
+                core::writePng(dataset.folder / "masks" / camera.name / ("00000" + std::to_string(frame) + ".png"),
+                               core::renderHandsMask(camera, dataset.hands, motion[static_cast<std::size_t>(frame)]));
+        }
+        core::rewriteDatasetFile(dataset);
+        for (int frame = kFirst; frame <= kLast; ++frame) {
+            session.selection.setFrame(frame);
+            for (const char* joint : {"index_mcp", "forearm"})
+                for (int camera = 0; camera < 4; ++camera)
+                    click({core::Side::Left, joint}, camera);
+        }
+        reopen();
+        QListWidget& sequences = *child<QListWidget>(benchmark);
+        sequences.item(1)->setCheckState(Qt::Unchecked); // it has no masks
+        for (QCheckBox* box : benchmark.findChildren<QCheckBox*>())
+            box->setChecked(box->text() == QStringLiteral("dch-thres") || box->text() == QStringLiteral("ch"));
+        differences().setText(QStringLiteral("1, 3"));
+        child<QDoubleSpinBox>(benchmark)->setValue(50);
+        setupBox().setCurrentIndex(setupBox().findText(QStringLiteral("Both")));
+    }
+    QComboBox& box(const char* entry) {
+        const auto all = benchmark.findChildren<QComboBox*>();
+        return **std::find_if(
+            all.begin(), all.end(), [&](const QComboBox* one) { return one->findText(QLatin1String(entry)) >= 0; });
+    }
+    QComboBox& setupBox() { return box("Both"); }
+    /// The one that chooses which results are shown.
+    QComboBox* shownBox() {
+        for (QComboBox* one : benchmark.findChildren<QComboBox*>())
+            if (one != &setupBox() && one->findText(QStringLiteral("Realistic")) >= 0)
+                return one;
+        return nullptr;
+    }
+    void run() {
+        session.benchmarks.run(benchmark.request());
+        settle();
+        ASSERT_TRUE(session.benchmarks.results());
+    }
+};
+
+TEST_F(BothSetupsTest, RunOneAfterTheOtherAndEitherIsShown) {
+    run();
+    EXPECT_EQ(session.benchmarks.setups(), (std::vector{core::BenchmarkSetup::Synthetic, core::BenchmarkSetup::Realistic}));
+    EXPECT_EQ(session.benchmarks.setup(), core::BenchmarkSetup::Synthetic);
+    const core::BenchmarkResults synthetic = *session.benchmarks.results();
+    EXPECT_FALSE(synthetic.stopped);
+    ASSERT_TRUE(shownBox());
+    ASSERT_TRUE(shownBox()->isVisible());
+    emit shownBox()->activated(1);
+    EXPECT_EQ(session.benchmarks.setup(), core::BenchmarkSetup::Realistic);
+    const core::BenchmarkResults& realistic = *session.benchmarks.results();
+    EXPECT_LT(realistic.joints.size(), synthetic.joints.size()) << "the marked joints";
+    for (const core::PairResult& row : realistic.rows)
+        EXPECT_TRUE(row.pair.test >= kFirst && row.pair.test <= kLast) << row.pair.test;
+    EXPECT_EQ(benchmarkTable("benchmarkPairs").model()->rowCount(), static_cast<int>(realistic.rows.size()));
+    std::optional<widgets::FitRequest> opened;
+    QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened,
+                     [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });
+    QTableView& pairs = benchmarkTable("benchmarkPairs");
+    emit pairs.doubleClicked(pairs.model()->index(0, 0));
+    ASSERT_TRUE(opened);
+    EXPECT_EQ(opened->target, widgets::FitTarget::Masks);
+}
+
+TEST_F(BothSetupsTest, AreSavedAsOneFolderWithOnePageAndOpenAgain) {
+    run();
+    const QString out = QString::fromStdString((folder / "both").string());
+    QSignalSpy saved(&session.benchmarks, &widgets::BenchmarkRunner::saved);
+    session.benchmarks.save(out);
+    settle();
+    ASSERT_EQ(saved.count(), 1);
+    ASSERT_TRUE(core::holdsBothSetups(folder / "both"));
+    const std::string page = core::readTextFile(folder / "both/report.html");
+    EXPECT_NE(page.find("Synthetic setup"), std::string::npos);
+    EXPECT_NE(page.find("Realistic setup"), std::string::npos);
+    QSignalSpy wanted(&benchmark, &widgets::BenchmarkPage::reportWanted);
+    for (QPushButton* button : benchmark.findChildren<QPushButton*>())
+        if (button->text() == QStringLiteral("Show the report"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_EQ(wanted.count(), 1);
+    EXPECT_TRUE(std::filesystem::exists(wanted[0][0].toString().toStdString()));
+    session.benchmarks.save(out); // the same results may be saved again
+    settle();
+    EXPECT_EQ(saved.count(), 2);
+    reopen();
+    session.benchmarks.open(out);
+    settle();
+    EXPECT_EQ(session.benchmarks.setups().size(), 2u);
+}
+
+TEST_F(BothSetupsTest, WithoutMasksNothingBegins) {
+    child<QListWidget>(benchmark)->item(1)->setCheckState(Qt::Checked);
+    QSignalSpy failed(&session.benchmarks, &widgets::BenchmarkRunner::failed);
+    session.benchmarks.run(benchmark.request());
+    settle();
+    ASSERT_EQ(failed.count(), 1);
+    EXPECT_FALSE(session.benchmarks.results());
+}
+
 } // namespace

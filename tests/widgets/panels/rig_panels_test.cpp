@@ -7,6 +7,7 @@
 #include "core/annotation/import_edit.h"
 #include "core/geometry/rigid_motion.h"
 #include "core/io/dataset/dataset_annotations.h"
+#include "core/io/dataset/dataset_rig.h"
 #include "core/io/files/text_file.h"
 #include "core/io/store/annotation_store.h"
 #include "tests/support/clicks.h"
@@ -123,6 +124,31 @@ TEST_F(RigPanelTest, ClicksOfTheOtherSequencesCount) {
     ASSERT_TRUE(session.rig.state());
     EXPECT_EQ(session.rig.state()->health.joints, 4 * 14);
     EXPECT_EQ(session.rig.state()->health.frames, 4);
+}
+
+TEST_F(RigPanelTest, WhatAClickIsWorthIsOneNumberForTheWholeDataset) {
+    session.document.setRater("ann");
+    clickFrames({2}, 2);
+    EXPECT_TRUE(session.rig.clickSigmas().of("ann").isAssumed);
+    EXPECT_TRUE(says(panel, "Too few clicks to know how far yours scatter: 1 px is assumed."));
+    {
+        const core::Dataset& dataset = *session.opened.dataset();
+        auto store = core::AnnotationStore::open(core::annotationFile(dataset, dataset.sequence("b")));
+        store.commit(core::importEdit({}, clicksOf({1, 4, 7}), "clicks"), "ann");
+    }
+    session.opened.openDataset(QString::fromStdString(session.opened.dataset()->folder.string()), QStringLiteral("a"),
+                               12);
+    look();
+    session.document.setRater("ann");
+    look();
+    const core::ClickSigmas& known = session.rig.clickSigmas();
+    EXPECT_FALSE(known.of("ann").isAssumed) << "clicks of the other sequence count";
+    EXPECT_NEAR(known.of("ann").clickPx, 0.3, 0.05);
+    EXPECT_TRUE(core::areAlike(known, core::datasetClickSigmas(*session.opened.dataset()))) << "as exports have it";
+    EXPECT_EQ(session.reconstructions.clickSigmas(), known);
+    EXPECT_EQ(session.raters.clickSigmas(), known);
+    EXPECT_EQ(session.reconstructions.options().sigmaPx, known.of("ann").clickPx);
+    EXPECT_TRUE(says(panel, "Your clicks scatter by 0.3"));
 }
 
 TEST_F(RigPanelTest, SaysWhatIsMissingWithoutClicks) {

@@ -10,6 +10,7 @@
 #include "widgets/panels/state_colours.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/presenters/other_marks.h"
+#include "widgets/text/local_text.h"
 #include "widgets/text/rig_text.h"
 
 namespace widgets {
@@ -42,6 +43,7 @@ QualityPanel::QualityPanel(const QualitySources& sources, QWidget* parent)
         refreshSummary();
     });
     connect(&m_from.rig, &RigStudy::changed, this, &QualityPanel::refreshRig);
+    connect(&m_from.rig, &RigStudy::clickSigmasChanged, this, &QualityPanel::refreshSummary);
     connect(m_scope, qOverload<int>(&QComboBox::currentIndexChanged), this, &QualityPanel::refresh);
     connect(m_scope, qOverload<int>(&QComboBox::currentIndexChanged), this, &QualityPanel::refreshRig);
     connect(m_table, &QTableView::clicked, this, &QualityPanel::jump);
@@ -185,10 +187,11 @@ void QualityPanel::refreshSummary() {
         QLatin1Char(' ') +
         tr("Joints: %1 done, %2 partial, %3 bad.")
             .arg(QLocale().toString(done), QLocale().toString(partial), QLocale().toString(bad));
-    if (const auto& noise = m_from.checks.clickNoise())
-        text += QLatin1Char(' ') +
-                tr("Your clicks scatter by %1 px per axis.").arg(QLocale().toString(noise->sigmaPx, 'f', 2));
-    m_summary->setText(text);
+    const core::RaterSigma& sigma = m_from.rig.clickSigmas().of(m_from.document.rater());
+    m_summary->setText(text + QLatin1Char(' ') +
+                       (sigma.isAssumed
+                            ? tr("Too few clicks to know how far yours scatter: 1 px is assumed.")
+                            : tr("Your clicks scatter by %1 px per axis.").arg(localNumber(sigma.clickPx, 2))));
 }
 
 void QualityPanel::jump(const QModelIndex& index) {

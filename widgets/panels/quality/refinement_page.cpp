@@ -60,6 +60,7 @@ void RefinementPage::build() {
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_table->setModel(m_model);
     styleTable(*m_table);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setSectionResizeMode(RefinementModel::Camera, QHeaderView::ResizeToContents);
     m_table->setMinimumSize(560, 200);
     m_progress->setRange(0, 0);
@@ -70,6 +71,8 @@ void RefinementPage::build() {
                            "reconstructed anew"));
     m_files->setMaximumHeight(4 * fontMetrics().lineSpacing() + 2 * kSpacing);
     m_use->setToolTip(tr("The dataset uses that calibration from now on; marks stay as they are"));
+    for (QPushButton* button : {m_refine, m_stop, m_discard, m_use})
+        button->setAutoDefault(false); // Enter must not throw a result away
     auto* title = new QLabel(tr("Calibrations of this dataset"), this);
     title->setBuddy(m_files);
     auto* fileRow = new QHBoxLayout;
@@ -128,7 +131,11 @@ void RefinementPage::showProposal() {
         (refinement.wrongClicks > 0
              ? QLatin1Char(' ') + tr("%n wrong click(s) took no part.", nullptr, refinement.wrongClicks)
              : QString()) +
-        (refinement.converged ? QString() : QLatin1Char(' ') + tr("The adjustment stopped before it had settled.")));
+        (refinement.converged ? QString() : QLatin1Char(' ') + tr("The adjustment stopped before it had settled.")) +
+        (proposal->worldSigmaMm ? QLatin1Char(' ') + tr("Distances and shapes will be as good as the clicks; the world "
+                                                        "as a whole stays where it was, known to %1 mm.")
+                                                         .arg(localNumber(*proposal->worldSigmaMm, 1))
+                                : QString()));
 }
 
 void RefinementPage::showRunning() {

@@ -81,11 +81,11 @@ void RigHealthView::refresh() {
     QStringList texts = rigFindingTexts(state->health, state->sequences) + state->unread;
     if (!any)
         texts << tr("No joint is clicked in two cameras yet: the calibration cannot be judged.");
-    else if (!state->health.isKnown)
+    else if (!state->health.isKnown && state->health.cameras.size() >= 3)
         texts << tr("There are too few clicks to judge the calibration.");
     m_findings->setText(texts.join(QLatin1Char('\n')));
     m_findings->setVisible(!texts.isEmpty());
-    m_hint->setText(any ? clickSigmaText(state->sigmas) + QLatin1Char('\n') +
+    m_hint->setText(any ? clickSigmaText(m_rig.clickSigmas()) + QLatin1Char('\n') +
                               refinementNeedsText(state->health, state->needs)
                         : QString());
 }

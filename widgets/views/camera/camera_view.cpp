@@ -184,8 +184,16 @@ void CameraView::setLoupeShown(bool shown) {
 
 void CameraView::setPlacingEnabled(bool enabled) {
     m_placingEnabled = enabled;
-    m_mouse->setPlacingEnabled(enabled);
+    m_mouse->setPlacingEnabled(enabled && !m_awaiting);
     updateCursor();
+}
+
+void CameraView::setAwaiting(bool awaiting) {
+    if (awaiting == m_awaiting)
+        return;
+    m_awaiting = awaiting;
+    setPlacingEnabled(m_placingEnabled);
+    viewport()->update();
 }
 
 void CameraView::setCurrent(bool current) {
@@ -341,7 +349,9 @@ void CameraView::moveLoupe(QPointF viewportPoint) {
 }
 
 void CameraView::updateCursor() {
-    viewport()->setCursor(m_placingEnabled ? placingCursor() : QCursor(Qt::OpenHandCursor));
+    viewport()->setCursor(m_awaiting         ? QCursor(Qt::BusyCursor)
+                          : m_placingEnabled ? placingCursor()
+                                             : QCursor(Qt::OpenHandCursor));
 }
 
 } // namespace widgets

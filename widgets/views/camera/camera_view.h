@@ -42,6 +42,10 @@ public:
     /// The image; a null one shows the backdrop. Zoom and pan are kept.
     void setImage(const QImage& image);
     void setImage(const ImagePyramid& pyramid);
+    /// While true, the picture is one of another instant that is shown until the wanted one comes: it lies under a veil
+    /// and nothing can be placed on it.
+    void setAwaiting(bool awaiting);
+    bool isAwaiting() const { return m_awaiting; }
     void setAdjustment(const ImageAdjustment& adjustment);
     const ImageAdjustment& adjustment() const { return m_adjustment; }
 
@@ -191,6 +195,7 @@ private:
     QRectF m_home; ///< image px; empty: the whole image
     bool m_overlaysHidden = false;
     bool m_placingEnabled = true;
+    bool m_awaiting = false;
     bool m_loupeShown = false;
     std::unique_ptr<QGraphicsScene> m_scene;
     std::unique_ptr<CameraViewItems> m_items;

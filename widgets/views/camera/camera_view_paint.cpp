@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kShowPixelsScale = 4; // from here on, single pixels are shown as squares
 const QColor kBackdrop(0x17, 0x18, 0x1A);
+const QColor kVeil(0x17, 0x18, 0x1A, 130);
 
 } // namespace
 
@@ -68,6 +69,8 @@ void CameraView::paintImage(QPainter& painter, double pixelsPerImagePixel) const
     painter.setRenderHint(QPainter::Antialiasing, false);
     painter.setClipRect(whole, Qt::IntersectClip);
     painter.drawImage(target, image);
+    if (m_awaiting)
+        painter.fillRect(whole, kVeil);
     painter.restore();
 }
 

@@ -48,13 +48,15 @@ void Loupe::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), QColor(0x10, 0x11, 0x13));
     const QPointF middle(kSide / 2.0, kSide / 2.0);
     if (!m_image.isNull()) {
-        const int reach = static_cast<int>(std::ceil(kSide / 2.0 / m_scale)) + 1;
-        const QPoint pixel(qRound(m_px.x()), qRound(m_px.y()));
+        // Of a draft, a pixel is as large as several. Pixel i covers i - 0.5 .. i + 0.5.
+        const double side = 1 << m_image.firstLevel(), scale = m_scale * side;
+        const QPointF px = (m_px + QPointF(0.5, 0.5)) / side - QPointF(0.5, 0.5);
+        const int reach = static_cast<int>(std::ceil(kSide / 2.0 / scale)) + 1;
+        const QPoint pixel(qRound(px.x()), qRound(px.y()));
         const QRect source = QRect(pixel - QPoint(reach, reach), pixel + QPoint(reach, reach)) & m_image.image().rect();
         const QImage piece = adjusted(m_image.image().copy(source), m_adjustment);
-        // Pixel i covers i - 0.5 .. i + 0.5.
-        const QPointF topLeft = middle + (QPointF(source.topLeft()) - QPointF(0.5, 0.5) - m_px) * m_scale;
-        painter.drawImage(QRectF(topLeft, QSizeF(source.size()) * m_scale), piece);
+        const QPointF topLeft = middle + (QPointF(source.topLeft()) - QPointF(0.5, 0.5) - px) * scale;
+        painter.drawImage(QRectF(topLeft, QSizeF(source.size()) * scale), piece);
     }
     painter.setRenderHint(QPainter::Antialiasing);
     constexpr double kGap = 7;

@@ -54,7 +54,7 @@ public:
     /// What is drawn at a place (device px, y down) of the window that was last prepared.
     std::optional<core::JointId> jointAt(QPointF place, double reachPx) const;
     int cameraAt(QPointF place, double reachPx) const;
-    /// Where a world point is drawn (device px, centres at integers); nothing behind the eye.
+    /// Where a world point is drawn (device px, centres at integers); empty behind the eye.
     std::optional<QPointF> placeOf(const Eigen::Vector3d& pointInWorld) const;
 
 private:

@@ -319,13 +319,15 @@ TEST_F(RigFormats, QualisysCountsIn64thsOfPixelsAndTurnsYAndZ) {
     EXPECT_EQ(cameras[0].size, (core::ImageSize{1910, 1068}));
     // It stands at x = 400 and looks along -x with z up, y to its right.
     const double x = 20.0 / 390, y = -30.0 / 390, r2 = x * x + y * y, bend = 1 - 0.05 * r2 + 0.1 * r2 * r2;
-    expectSees(cameras[0], {10, 20, 30}, 1000 * x * bend + 960 - 10, 1020 * y * bend + 540 - 20);
+    // QTM counts the sub-pixels 0 to 64 W - 1: the first pixel's centre is 31.5.
+    constexpr double kFirst = 31.5 / 64;
+    expectSees(cameras[0], {10, 20, 30}, 1000 * x * bend + 960 - kFirst - 10, 1020 * y * bend + 540 - kFirst - 20);
     const core::Camera half =
         read(write("half.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" video_resolution=\"540p\"")),
              "qualisys")[0];
     EXPECT_EQ(half.size, (core::ImageSize{955, 534}));
-    expectSees(half, {10, 20, 30}, (1000 * x * bend + 960 - 10 + 0.5) / 2 - 0.5,
-               (1020 * y * bend + 540 - 20 + 0.5) / 2 - 0.5);
+    expectSees(half, {10, 20, 30}, (1000 * x * bend + 960 - kFirst - 10 + 0.5) / 2 - 0.5,
+               (1020 * y * bend + 540 - kFirst - 20 + 0.5) / 2 - 0.5);
     EXPECT_EQ(read(write("quotes.qca.txt", replaced(kQca, "\"Miqus Video\"", "'Miqus Video'")), "qualisys").size(), 1u);
     expectRefused(write("odd.qca.txt", replaced(kQca, "\"Miqus Video\"", "\"Miqus Video\" video_resolution=\"4k\"")),
                   "200.video_resolution: 4k", Unsupported);
@@ -334,6 +336,45 @@ TEST_F(RigFormats, QualisysCountsIn64thsOfPixelsAndTurnsYAndZ) {
     expectRefused(write("bad.qca.txt", replaced(kQca, "r23=\"1\"", "r23=\"x\"")), "200.transform.r23");
     expectRefused(write("cut.qca.txt", std::string(kQca).substr(0, std::string(kQca).find("radialDistortion2"))),
                   "ends within a tag");
+}
+
+/// The same camera with another range and unit; x and y of the middle of the sensor in the picture.
+std::string qcaOf(const std::string& maxU, const std::string& maxV, const std::string& fov) {
+    std::string text = replaced(kQca, "<fov_video left=\"10\" top=\"20\" right=\"1919\" bottom=\"1087\"/>", fov);
+    text = replaced(replaced(text, "122879.0", maxU), "69631.0", maxV);
+    return replaced(replaced(text, "radialDistortion1=\"-0.05\"", "radialDistortion1=\"0\""),
+                    "radialDistortion2=\"0.1\"", "radialDistortion2=\"0\"");
+}
+
+TEST_F(RigFormats, QualisysSaysByItsRangeWhereTheFirstPixelIs) {
+    const std::string fov = "<fov_video left=\"0\" top=\"0\" right=\"1919\" bottom=\"1087\"/>";
+    const double x = 1000 * 20.0 / 390 + 960, y = -1020 * 30.0 / 390 + 540;
+    // From centre to centre, as programs write it that count from 0 at the first centre.
+    const core::Camera centres = read(write("centres.qca.txt", qcaOf("122816", "69568", fov)), "qualisys")[0];
+    EXPECT_EQ(centres.size, (core::ImageSize{1920, 1088}));
+    expectSees(centres, {10, 20, 30}, x, y);
+    const core::Camera subPixels = read(write("sub.qca.txt", qcaOf("122879.0", "69631.0", fov)), "qualisys")[0];
+    expectSees(subPixels, {10, 20, 30}, x - 31.5 / 64, y - 31.5 / 64);
+    // From edge to edge in whole pixels.
+    std::string edges = replaced(replaced(qcaOf("1920", "1088", fov), "\"64000\"", "\"1000\""), "\"65280\"", "\"1020\"");
+    edges = replaced(replaced(edges, "\"61440\"", "\"960\""), "\"34560\"", "\"540\"");
+    const core::Camera whole = read(write("whole.qca.txt", edges), "qualisys")[0];
+    EXPECT_EQ(whole.size, (core::ImageSize{1920, 1088}));
+    expectSees(whole, {10, 20, 30}, x - 0.5, y - 0.5);
+    expectRefused(write("other.qca.txt", qcaOf("100000", "69631.0", fov)), "200.intrinsic.sensorMaxU", Unsupported);
+    expectRefused(write("bare.qca.txt", qcaOf("1920", "1088", "")), "200.fov_video: is missing", Unsupported);
+}
+
+TEST_F(RigFormats, QualisysViewsThatAreShownTurnedAreNoted) {
+    const std::filesystem::path file =
+        write("turned.qca.txt", replaced(kQca, "model=\"Miqus Video\" viewrotation=\"0\"",
+                                         "model=\"Miqus Video\" viewrotation=\"90\""));
+    const std::vector<core::Camera> cameras = read(file, "qualisys");
+    EXPECT_EQ(cameras[0].size, (core::ImageSize{1910, 1068})) << "as the sensor records it";
+    const std::vector<std::string> notes = core::calibrationNotes(file, {}, cameras);
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("200"), std::string::npos) << notes[0];
+    EXPECT_NE(notes[0].find("90"), std::string::npos) << notes[0];
 }
 
 constexpr const char* kMayaCam = "image size\n640,480\n\ncamera matrix\n500,0,320\n0,510,240\n0,0,1\n\nrotation\n"

@@ -33,7 +33,13 @@ protected:
         picture.row(0).colRange(0, pixels).setTo(255);
         core::writePng(m_folder / name, picture);
     }
-    std::vector<std::string> attach(const std::string& from) { return core::attachMasks(m_dataset, "first", from); }
+    /// Its notes in words.
+    std::vector<std::string> attach(const std::string& from) {
+        std::vector<std::string> notes;
+        for (const core::MaskNote& note : core::attachMasks(m_dataset, "first", from))
+            notes.push_back(core::maskNoteText(note));
+        return notes;
+    }
     /// White pixels of a mask as a fit would read it; -1 if there is none.
     int pixels(std::size_t camera, int frame) {
         const cv::Mat read =

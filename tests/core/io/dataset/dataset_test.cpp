@@ -85,7 +85,11 @@ TEST_F(DatasetFolder, RefusesWhatDoesNotFitTogether) {
 TEST_F(DatasetFolder, KeepsMissingInstantsAndNotes) {
     core::Dataset dataset = core::readDataset(m_path);
     dataset.sequences[1].views[0].missing = {{0, 1}, {3, 4}};
-    dataset.sequences[1].notes = {"cam0: 5 frames missing"};
+    using Kind = core::FootageNoteKind;
+    dataset.sequences[1].notes = {{Kind::Text, {}, {}, {}, "cam0: 5 frames missing"},
+                                  {Kind::LostFrames, {"cam0"}, {{0, 1}, {3, 4}}},
+                                  {Kind::OtherRate, {"cam1"}, {}, {29.97}},
+                                  {Kind::FirstPicturesDiffer, {"cam0", "cam1"}, {}, {0, 12}}};
     core::rewriteDatasetFile(dataset);
     const core::Sequence read = core::readDataset(m_path).sequences[1];
     EXPECT_EQ(read.views[0].missing, (std::vector<core::InstantRange>{{0, 1}, {3, 4}}));
@@ -97,6 +101,26 @@ TEST_F(DatasetFolder, KeepsMissingInstantsAndNotes) {
         test::expectError([&] { core::rewriteDatasetFile(dataset); }, BadInput,
                           "dataset.json: sequences[1].views[0].missing", "");
     }
+}
+
+TEST_F(DatasetFolder, ReadsNotesThatWereWrittenAsText) {
+    const std::string text = replaced(test::readText(m_path / "dataset.json"), "\"frameCount\": 7",
+                                      "\"frameCount\": 7, \"notes\": [\"cam1: 8 frames missing after frame 499\"]");
+    test::writeText(m_path / "dataset.json", text);
+    const core::Sequence read = core::readDataset(m_path).sequences[1];
+    EXPECT_EQ(core::notesInWords(read), (std::vector<std::string>{"cam1: 8 frames missing after frame 499"}));
+}
+
+TEST_F(DatasetFolder, RefusesNotesThatLackWhatTheirKindSays) {
+    const auto expectNoteRefused = [&](const std::string& note, const std::string& field) {
+        expectRefused("\"frameCount\": 7", "\"frameCount\": 7, \"footageNotes\": [" + note + "]", field, "");
+    };
+    const std::string field = "sequences[1].footageNotes[0]";
+    expectNoteRefused(R"({"kind": "levels", "cameras": ["cam0"], "numbers": [3]})", field);
+    expectNoteRefused(R"({"kind": "lostFrames", "cameras": ["cam0"]})", field);
+    expectNoteRefused(R"({"kind": "unevenTimes", "cameras": ["cam0", "cam1"]})", field);
+    expectNoteRefused(R"({"kind": "firstPicturesDiffer", "cameras": ["cam0", "cam1"], "numbers": [3]})", field);
+    expectNoteRefused(R"({"kind": "sunshine", "cameras": ["cam0"]})", field + ".kind");
 }
 
 TEST_F(DatasetFolder, SaysWhichFileIsMissing) {

@@ -95,9 +95,12 @@ TEST(PictureSetup, FollowsTheTagIfTheResultFits) {
     EXPECT_EQ(turn({640, 480}, 90).rotateDegrees, 90);
     EXPECT_EQ(turn({640, 480}, 270).rotateDegrees, 270);
     EXPECT_EQ(turn({480, 640}, 180).rotateDegrees, 180);
-    EXPECT_NE(turn({480, 640}, 180).notes.at(0).find("--rotate cam0=0 leaves it as recorded"), std::string::npos);
+    const auto noteOf = [&](core::ImageSize recorded, int tag) {
+        return core::footageNoteText(turn(recorded, tag).notes.at(0));
+    };
+    EXPECT_NE(noteOf({480, 640}, 180).find("--rotate cam0=0 leaves it as recorded"), std::string::npos);
     EXPECT_EQ(turn({480, 640}, 90).rotateDegrees, 0) << "calibrated with the recorded pictures";
-    EXPECT_NE(turn({480, 640}, 90).notes.at(0).find("--rotate cam0=90 follows the tag"), std::string::npos);
+    EXPECT_NE(noteOf({480, 640}, 90).find("--rotate cam0=90 follows the tag"), std::string::npos);
     EXPECT_EQ(turn({480, 640}, 180, 0).rotateDegrees, 0);
     EXPECT_EQ(turn({640, 480}, 0, 270).rotateDegrees, 270);
     EXPECT_TRUE(turn({480, 640}, 0).notes.empty());
@@ -221,7 +224,10 @@ TEST(GreyLevels, AreKeptByTheDatasetAndGuessedForOldOnes) {
     dataset.cameras = {cameraOf({64, 64})};
     const core::NewSequence made = madeOf(dataset.cameras[0], folder / "shots", dataset.folder);
     ASSERT_EQ(made.notes.size(), 1u);
-    EXPECT_NE(made.notes[0].find("--levels cam0=BLACK,WHITE"), std::string::npos) << made.notes[0];
+    EXPECT_NE(core::footageNoteText(made.notes[0]).find("--levels cam0=BLACK,WHITE"), std::string::npos);
+    ASSERT_TRUE(made.sequence.views[0].levels);
+    const double black = made.sequence.views[0].levels->black, white = made.sequence.views[0].levels->white;
+    EXPECT_EQ(made.notes[0].numbers, (std::vector<double>{black, white}));
     dataset.sequences = {made.sequence};
     core::writeDataset(dataset, {}, dataset.folder);
     dataset = core::readDataset(dataset.folder);
@@ -289,7 +295,7 @@ TEST(TurnedPictures, AreReadAsTheDatasetSays) {
     dataset.cameras[0].size = {32, 16};
     const core::NewSequence made = madeOf(dataset.cameras[0], folder / "shots", dataset.folder);
     EXPECT_EQ(made.sequence.views[0].rotateDegrees, 0) << "only the recorded size fits";
-    EXPECT_NE(made.notes.at(0).find("--rotate cam0=90 follows the tag"), std::string::npos) << made.notes.at(0);
+    EXPECT_EQ(made.notes.at(0), (core::FootageNote{core::FootageNoteKind::TagNotFollowed, {"cam0"}, {}, {90, 0}}));
 }
 
 } // namespace

@@ -69,7 +69,7 @@ TEST_F(Relink, FindsPicturesByNameAndByAsMuchOfTheirFoldersAsIsNeeded) {
     EXPECT_EQ(result.found[0].camera, "cam0");
     EXPECT_EQ(result.found[0].from, "../old/monday/cam0/{frame:04}.png");
     EXPECT_EQ(result.found[0].to, "../new/deep/monday/cam0/{frame:04}.png");
-    EXPECT_EQ(result.found[0].note, "");
+    EXPECT_EQ(core::relinkNoteText(result.found[0]), "");
     EXPECT_EQ(view(0, 1).path, "../new/deep/monday/{camera}/{frame:04}.png");
     EXPECT_EQ(levelAt(0, 0, 4), 14);
     EXPECT_EQ(levelAt(0, 1, 0), 20);
@@ -86,8 +86,8 @@ TEST_F(Relink, NeverTakesAnotherRecordingOfTheSameName) {
     EXPECT_EQ(result.found[0].sequence, "second");
     ASSERT_EQ(result.notFound.size(), 1u);
     EXPECT_EQ(result.notFound[0].sequence, "first");
-    EXPECT_NE(result.notFound[0].note.find("other footage of this dataset"), std::string::npos)
-        << result.notFound[0].note;
+    EXPECT_EQ(result.notFound[0].reason, core::RelinkReason::OtherFootage);
+    EXPECT_NE(core::relinkNoteText(result.notFound[0]).find("other footage of this dataset"), std::string::npos);
     EXPECT_EQ(view(0, 0).path, "../old/monday/{frame}.png");
 }
 
@@ -99,7 +99,8 @@ TEST_F(Relink, LeavesOpenWhatIsAmbiguous) {
     }
     const core::RelinkResult result = core::relinkFootage(m_dataset, m_folder / "new");
     ASSERT_EQ(result.notFound.size(), 1u);
-    EXPECT_NE(result.notFound[0].note.find("several fit"), std::string::npos) << result.notFound[0].note;
+    EXPECT_EQ(result.notFound[0].reason, core::RelinkReason::SeveralFit);
+    EXPECT_NE(core::relinkNoteText(result.notFound[0]).find("several fit"), std::string::npos);
     // With a root that holds only one of them there is no doubt.
     EXPECT_EQ(core::relinkFootage(m_dataset, m_folder / "new/b").found.size(), 1u);
     EXPECT_EQ(levelAt(0, 0, 0), 2);
@@ -115,8 +116,8 @@ TEST_F(Relink, SaysWhereFramesOrPixelsDiffer) {
     }
     const core::RelinkResult result = core::relinkFootage(m_dataset, m_folder / "new");
     ASSERT_EQ(result.found.size(), 2u);
-    EXPECT_EQ(result.found[0].note, "it has 3 pictures, but the sequence needs 5");
-    EXPECT_EQ(result.found[1].note, "it is 8 x 6, but cam1 is calibrated for 16 x 12");
+    EXPECT_EQ(core::relinkNoteText(result.found[0]), "it has 3 pictures, but the sequence needs 5");
+    EXPECT_EQ(core::relinkNoteText(result.found[1]), "it is 8 x 6, but cam1 is calibrated for 16 x 12");
 }
 
 TEST_F(Relink, KeepsWhatIsInPlaceAndFindsMasks) {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hand/motion.h"
-#include "tests/support/penetration.h"
+#include "tests/support/shapes/penetration.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

@@ -10,6 +10,7 @@
 #include "core/io/derived/subject_file.h"
 #include "core/io/files/json_file.h"
 #include "core/io/store/annotation_store.h"
+#include "core/rig/rig_findings.h"
 #include "core/subject/hand_tips.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
@@ -72,7 +73,7 @@ TEST_F(MeasuredSubject, FindsUnitsTipsAndTheHandThatIsNotThere) {
     const core::MeasuredSubject measured = core::measureSubject(m_dataset, request);
     EXPECT_EQ(measured.unitMm, 10);
     EXPECT_TRUE(measured.isUnitKnown);
-    EXPECT_TRUE(measured.rigFindings.empty());
+    EXPECT_TRUE(core::findRigFaults(measured.rigHealth).empty());
     ASSERT_EQ(measured.result.hands.size(), 2u);
     EXPECT_NEAR(measured.result.hands[0].scale.value, kScale, 0.005);
     EXPECT_EQ(measured.result.hands[1].frames, 0);
@@ -97,8 +98,10 @@ TEST_F(MeasuredSubject, SaysThatACameraIsOff) {
     core::SubjectRequest request;
     request.sequences = {"one"};
     const core::MeasuredSubject measured = core::measureSubject(turned, request);
-    ASSERT_FALSE(measured.rigFindings.empty());
-    EXPECT_NE(measured.rigFindings[0].find("off in every frame"), std::string::npos) << measured.rigFindings[0];
+    const std::vector<core::RigFinding> faults = core::findRigFaults(measured.rigHealth);
+    ASSERT_FALSE(faults.empty());
+    EXPECT_EQ(faults[0].kind, core::RigFindingKind::CameraOff);
+    EXPECT_TRUE(core::isOffFinding(faults[0].kind));
 }
 
 TEST_F(MeasuredSubject, CopiesAnnotationsThatAreBeingWritten) {

@@ -8,10 +8,10 @@
 
 #include "core/io/detector/detection_journal.h"
 #include "core/io/detector/tflite_file.h"
+#include "tests/support/detection/network_builder.h"
+#include "tests/support/detection/tflite_writer.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/network_builder.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/tflite_writer.h"
 
 namespace {
 

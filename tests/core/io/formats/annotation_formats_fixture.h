@@ -12,7 +12,7 @@
 #include "core/annotation/reconstruction.h"
 #include "core/io/formats/annotation_formats.h"
 #include "tests/support/clicks.h"
-#include "tests/support/ring_dataset.h"
+#include "tests/support/recordings/ring_dataset.h"
 #include "tests/support/temporary_folder.h"
 
 namespace test {

@@ -13,7 +13,7 @@
 #include "core/io/files/json_file.h"
 #include "core/io/import/gltf_file.h"
 #include "core/io/import/gltf_scene.h"
-#include "tests/support/mesh_checks.h"
+#include "tests/support/shapes/mesh_checks.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

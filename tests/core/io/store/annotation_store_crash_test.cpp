@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "core/error.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/recordings/random_edits.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {

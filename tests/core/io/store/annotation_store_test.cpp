@@ -8,7 +8,7 @@
 
 #include "core/error.h"
 #include "tests/core/io/store/store_fixture.h"
-#include "tests/support/random_edits.h"
+#include "tests/support/recordings/random_edits.h"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/camera_ring.h"
-#include "tests/support/surfaces.h"
+#include "tests/support/shapes/surfaces.h"
 
 namespace {
 

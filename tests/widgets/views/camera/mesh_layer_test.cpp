@@ -7,10 +7,10 @@
 #include <opencv2/core.hpp>
 
 #include "core/contour/rasteriser.h"
-#include "tests/support/ball.h"
 #include "tests/support/camera_ring.h"
-#include "tests/support/lab_colour.h"
-#include "tests/support/surfaces.h"
+#include "tests/support/shapes/ball.h"
+#include "tests/support/shapes/surfaces.h"
+#include "tests/widgets/views/lab_colour.h"
 #include "widgets/views/camera/camera_view.h"
 #include "widgets/views/joint_colours.h"
 

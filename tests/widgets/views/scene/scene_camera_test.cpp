@@ -15,7 +15,7 @@
 
 #include "core/contour/rasteriser.h"
 #include "tests/support/camera_ring.h"
-#include "tests/support/surfaces.h"
+#include "tests/support/shapes/surfaces.h"
 #include "widgets/views/scene/scene_actors.h"
 
 namespace {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/camera_ring.h"
-#include "tests/support/lab_colour.h"
 #include "tests/support/pointer.h"
-#include "tests/support/surfaces.h"
+#include "tests/support/shapes/surfaces.h"
+#include "tests/widgets/views/lab_colour.h"
 #include "widgets/views/joint_colours.h"
 
 namespace {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "tests/support/ball.h"
+#include "tests/support/shapes/ball.h"
 #include "widgets/views/camera/mesh_layer.h"
 
 namespace test {

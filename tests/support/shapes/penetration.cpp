@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/support/penetration.h"
+#include "tests/support/shapes/penetration.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "core/labelling/label_pass.h"
+
+#include <algorithm>
+
+#include "core/labelling/landmark_fit.h"
+#include "core/labelling/pass_hands.h"
+#include "core/labelling/pass_plan.h"
+#include "core/subject/calibration_unit.h"
+#include "core/subject/hand_tips.h"
+
+namespace core {
+
+namespace {
+
+constexpr std::size_t kFewestPilots = 3;  ///< frames that a person's hands can be measured from
+constexpr int kFewestSilhouetteViews = 3; ///< fewer do not tell where a hand is
+constexpr double kPilotDoubt = 0.3;       ///< frames with more are not measured from
+
+std::vector<HandModel> withAllTips(const std::vector<HandModel>& hands) {
+    std::vector<HandModel> result;
+    for (const HandModel& hand : hands)
+        result.push_back(withTips(hand));
+    return result;
+}
+
+int countPictures(const FrameEvidence& evidence) {
+    const auto hasPixels = [](const cv::Mat& picture) { return !picture.empty(); };
+    return static_cast<int>(std::max(std::count_if(evidence.pictures.begin(), evidence.pictures.end(), hasPixels),
+                                     std::count_if(evidence.masks.begin(), evidence.masks.end(), hasPixels)));
+}
+
+long countHands(const FrameFit& fit) {
+    return std::count_if(
+        fit.hands.begin(), fit.hands.end(), [](const FittedHand& hand) { return hand.pose.size() > 0; });
+}
+
+/// One run of the pass.
+class Run {
+public:
+    Run(const std::vector<HandModel>& hands, std::vector<Camera> cameras, const std::vector<int>& frames,
+        PassSource& source, const PassOptions& options, std::stop_token stop, const PassProgress& progress,
+        const PassSink& sink)
+        : m_cameras(std::move(cameras))
+        , m_frames(frames)
+        , m_keys(options.withSilhouettes ? keyFrames(frames, options.keyEveryFrames) : frames)
+        , m_source(source)
+        , m_options(options)
+        , m_stop(std::move(stop))
+        , m_progress(progress)
+        , m_sink(sink) {
+        m_result.hands = withAllTips(hands);
+    }
+
+    PassResult run() {
+        m_total = static_cast<int>(m_keys.size() + m_frames.size());
+        m_result.isFinished = detectKeys() && measure() && fitKeys() && track();
+        return std::move(m_result);
+    }
+
+private:
+    bool detectKeys();
+    void findUnit(const std::map<int, ViewDetections>& views);
+    bool measure();
+    bool fitKeys();
+    bool track();
+    double doubtAt(int frame) const;
+    void trackTo(const TrackStep& step);
+    FrameFit tracked(const TrackStep& step);
+    FrameFit freshFit(const FrameFitter& fitter, int frame, const std::string& step, int rounds);
+    const HandDetections& detect(int frame, const HandPoses& near);
+    FrameFit look(int frame, FrameEvidence evidence, const HandPoses& near);
+    std::map<int, std::vector<SpatialHand>> grouped(const std::map<int, ViewDetections>& views) const;
+
+    bool isStopped() const { return m_stop.stop_requested(); }
+    bool say(PassStage stage) {
+        ++m_done;
+        m_total = std::max(m_total, m_done);
+        if (m_progress)
+            m_progress(stage, m_done, m_total);
+        return !isStopped();
+    }
+    void keep(int frame, FrameFit fit) {
+        m_result.fits[frame] = std::move(fit);
+        if (m_sink)
+            m_sink(m_result, frame);
+    }
+
+    std::vector<Camera> m_cameras; ///< in mm once the unit is known
+    std::vector<int> m_frames, m_keys;
+    PassSource& m_source;
+    PassOptions m_options;
+    std::stop_token m_stop;
+    const PassProgress& m_progress;
+    const PassSink& m_sink;
+    PassResult m_result;
+    std::optional<FrameFitter> m_fitter;
+    std::map<int, FrameFit> m_pilots; ///< fits of the models before they were measured
+    long m_mostHands = 0; ///< in one frame
+    int m_done = 0, m_total = 1;
+};
+
+std::map<int, std::vector<SpatialHand>> Run::grouped(const std::map<int, ViewDetections>& views) const {
+    std::map<int, std::vector<SpatialHand>> frames;
+    for (const auto& [frame, detections] : views)
+        frames[frame] = groupDetections(m_cameras, detections);
+    return frames;
+}
+
+/// The calibration's unit as the hands tell it: cameras are in mm from then on.
+void Run::findUnit(const std::map<int, ViewDetections>& views) {
+    std::map<int, HandDetections> all;
+    for (const auto& [frame, hands] : grouped(views)) {
+        // whatever side it is: lengths are the same
+        int number = 2 * frame;
+        for (const SpatialHand& hand : hands) {
+            HandDetections& list = all[number++];
+            list.resize(m_result.hands.size());
+            list.front() = hand;
+        }
+    }
+    const double ratio = landmarksOverModelLength(m_result.hands, all);
+    m_result.unitMm = unitMmOf(ratio);
+    for (Camera& camera : m_cameras)
+        camera.cameraFromWorld.translation *= m_result.unitMm;
+}
+
+bool Run::detectKeys() {
+    std::map<int, ViewDetections> views;
+    KnownHands known;
+    std::optional<int> last;
+    for (const int frame : m_keys) {
+        if (isStopped())
+            return false;
+        known.isRecent = last && frame - *last <= m_options.mostGapFrames;
+        views[frame] = m_source.detect(frame, known);
+        if (auto found = groupDetections(m_cameras, views[frame]); !found.empty()) {
+            known.hands = std::move(found);
+            last = frame;
+        }
+        if (!say(PassStage::Detecting))
+            return false;
+    }
+    findUnit(views);
+    m_result.detected = assignHands(m_result.hands, grouped(views));
+    m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads);
+    return true;
+}
+
+/// From what the detector saw, by silhouettes if there are enough views.
+FrameFit Run::freshFit(const FrameFitter& fitter, int frame, const std::string& step, int rounds) {
+    if (auto known = m_source.recall(step, frame))
+        return *known;
+    FrameEvidence evidence = m_options.withSilhouettes ? m_source.evidence(frame) : FrameEvidence{};
+    evidence.detected = m_result.detected.at(frame);
+    const auto pilot = m_pilots.find(frame);
+    FrameFit fit = fitter.fromLandmarks(evidence);
+    const HandPoses start = pilot != m_pilots.end() && !pilot->second.isEmpty() ? pilot->second.poses() : fit.poses();
+    if (m_options.withSilhouettes && !fit.isEmpty() && countPictures(evidence) >= kFewestSilhouetteViews)
+        fit = fitter.bySilhouettes(evidence, start, rounds, FitSource::Silhouettes, m_stop);
+    if (!isStopped())
+        m_source.remember(step, frame, fit);
+    return fit;
+}
+
+/// The person's hands from the surest key frames.
+bool Run::measure() {
+    if (!m_options.measureHands || !m_options.withSilhouettes)
+        return true;
+    std::vector<int> complete;
+    for (const auto& [frame, hands] : m_result.detected)
+        if (std::all_of(hands.begin(), hands.end(), [](const auto& hand) { return hand.has_value(); }))
+            complete.push_back(frame);
+    std::vector<MeasuredFrame> measured;
+    for (const int frame : evenlyDrawn(complete, m_options.mostPilots)) {
+        if (isStopped())
+            return false;
+        FrameFit fit = freshFit(*m_fitter, frame, "pilot", 2);
+        if (fit.source == FitSource::Silhouettes && fit.doubt() < kPilotDoubt)
+            measured.push_back({fit.poses(), m_fitter->silhouettes(m_source.evidence(frame), fit.poses())});
+        m_pilots[frame] = std::move(fit);
+        if (!say(PassStage::Measuring))
+            return false;
+    }
+    if (measured.size() < kFewestPilots)
+        return true;
+    m_result.measured = measureHands(m_result.hands, m_cameras, measured, m_stop);
+    for (std::size_t h = 0; h < m_result.hands.size(); ++h)
+        m_result.hands[h] = m_result.measured[h].hand;
+    m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads);
+    return !isStopped();
+}
+
+bool Run::fitKeys() {
+    for (const int frame : m_keys) {
+        if (isStopped())
+            return false;
+        FrameFit fit = freshFit(*m_fitter, frame, "key", m_pilots.count(frame) > 0 ? 1 : 2);
+        if (isStopped())
+            return false;
+        keep(frame, std::move(fit));
+        if (!say(PassStage::Fitting))
+            return false;
+    }
+    return true;
+}
+
+const HandDetections& Run::detect(int frame, const HandPoses& near) {
+    if (m_result.detected.count(frame) == 0) {
+        KnownHands known;
+        for (std::size_t h = 0; h < near.size(); ++h)
+            if (near[h].size() > 0)
+                known.hands.push_back(landmarksOf(m_result.hands[h], near[h], m_result.unitMm));
+        m_result.detected[frame] =
+            assignHands(m_result.hands, grouped({{frame, m_source.detect(frame, known)}})).at(frame);
+    }
+    return m_result.detected.at(frame);
+}
+
+/// The detector looks at a frame that tracking is unsure of.
+FrameFit Run::look(int frame, FrameEvidence evidence, const HandPoses& near) {
+    evidence.detected = detect(frame, near);
+    const FrameFit fit = m_fitter->fromLandmarks(evidence, near);
+    return fit.isEmpty() ? fit : m_fitter->bySilhouettes(evidence, fit.poses(), 2, FitSource::Silhouettes, m_stop);
+}
+
+/// A frame from its neighbour; where that is in doubt, from what the detector sees in it.
+FrameFit Run::tracked(const TrackStep& step) {
+    const FrameFit& from = m_result.fits.at(step.from);
+    const int before = 2 * step.from - step.to;
+    const auto earlier = m_result.fits.find(before);
+    const HandPoses start =
+        predictedPoses(from.poses(), earlier != m_result.fits.end() ? earlier->second.poses() : HandPoses{}, 0.8);
+    FrameEvidence evidence = m_source.evidence(step.to);
+    if (const auto seen = m_result.detected.find(step.to); seen != m_result.detected.end())
+        evidence.detected = seen->second;
+    FrameFit fit = m_fitter->bySilhouettes(evidence, start, 1, FitSource::Tracking, m_stop);
+    if (fit.doubt() < m_options.leastDoubt || isStopped() || m_result.fits.count(step.to) > 0)
+        return fit;
+    FrameFit fresh = look(step.to, std::move(evidence), start);
+    return fresh.doubt() < fit.doubt() ? fresh : fit;
+}
+
+void Run::trackTo(const TrackStep& step) {
+    const std::string name = step.direction > 0 ? "forward" : "backward";
+    FrameFit fit;
+    if (auto known = m_source.recall(name, step.to)) {
+        fit = *known;
+        if (fit.source == FitSource::Silhouettes)
+            detect(step.to, {});
+    } else {
+        fit = tracked(step);
+        if (isStopped())
+            return;
+        m_source.remember(name, step.to, fit);
+    }
+    const auto kept = m_result.fits.find(step.to);
+    if (kept == m_result.fits.end() || countHands(fit) > countHands(kept->second) ||
+        (countHands(fit) == countHands(kept->second) && fit.doubt() < kept->second.doubt()))
+        keep(step.to, std::move(fit));
+}
+
+/// The doubt of a frame, great where it lacks a hand that others have.
+double Run::doubtAt(int frame) const {
+    constexpr double kLacksHand = 0.9;
+    const auto fit = m_result.fits.find(frame);
+    if (fit == m_result.fits.end())
+        return 2; // not fitted at all
+    return countHands(fit->second) < m_mostHands ? std::max(kLacksHand, fit->second.doubt()) : fit->second.doubt();
+}
+
+/// Frames that are not fitted yet, and those in doubt, from their surest neighbours.
+bool Run::track() {
+    if (!m_options.withSilhouettes)
+        return true;
+    TrackQueue queue(m_frames, m_options.mostGapFrames);
+    for (const auto& [frame, fit] : m_result.fits)
+        m_mostHands = std::max(m_mostHands, countHands(fit));
+    for (const auto& [frame, fit] : m_result.fits)
+        if (fit.source == FitSource::Silhouettes)
+            queue.add(frame, doubtAt(frame));
+    while (const auto step = queue.next()) {
+        const double before = doubtAt(step->to);
+        if (before < m_options.leastDoubt || step->doubt >= before)
+            continue;
+        const bool isNew = m_result.fits.count(step->to) == 0;
+        trackTo(*step);
+        if (isStopped() || (isNew && !say(PassStage::Tracking)))
+            return false;
+        if (const double after = doubtAt(step->to); after < before)
+            queue.add(step->to, after, step->direction);
+    }
+    return true;
+}
+
+} // namespace
+
+PassResult runLabelPass(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
+                        const std::vector<int>& frames, PassSource& source, const PassOptions& options,
+                        std::stop_token stop, const PassProgress& progress, const PassSink& sink) {
+    return Run(hands, cameras, frames, source, options, std::move(stop), progress, sink).run();
+}
+
+} // namespace core

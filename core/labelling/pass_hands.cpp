@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "core/labelling/pass_hands.h"
+
+#include <cmath>
+
+#include "core/labelling/landmark_fit.h"
+#include "core/subject/subject_estimate.h"
+
+namespace core {
+
+namespace {
+
+constexpr double kHeldSigmaMm = 6; ///< how surely the joints of a fitted pose are where it has them
+/// Boundary pixels lie 0.5 px inside an upright outline and 0.35 px inside a diagonal one.
+constexpr double kOutlineOffsetPx = 0.45;
+
+SubjectFrame subjectFrame(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
+                          const MeasuredFrame& measured) {
+    SubjectFrame frame;
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        auto& targets = frame.targets.emplace_back();
+        if (measured.poses[h].size() == 0)
+            continue;
+        const auto joints = jointPositions(hands[h].skeleton, measured.poses[h]);
+        for (std::size_t b = 0; b < joints.size(); ++b)
+            targets.push_back(
+                {static_cast<int>(b), joints[b], kHeldSigmaMm * kHeldSigmaMm * Eigen::Matrix3d::Identity()});
+    }
+    FitTargetOptions options;
+    options.contour.offsetPx = kOutlineOffsetPx;
+    frame.outlines = makeFitTargets(cameras, measured.masks, options, 1);
+    return frame;
+}
+
+} // namespace
+
+double landmarksOverModelLength(const std::vector<HandModel>& hands, const std::map<int, HandDetections>& detected) {
+    std::vector<SubjectFrame> frames;
+    for (const auto& [number, list] : detected) {
+        SubjectFrame& frame = frames.emplace_back();
+        for (std::size_t h = 0; h < hands.size(); ++h)
+            frame.targets.push_back(list[h] ? landmarkTargets(hands[h], *list[h]) : std::vector<JointTarget>{});
+    }
+    return annotatedOverModelLength(hands, frames);
+}
+
+std::vector<HandModel> scaledHands(const std::vector<HandModel>& hands, double scale) {
+    std::vector<HandModel> scaled;
+    for (const HandModel& hand : hands) {
+        const ShapeSpace space(hand);
+        HandShape shape = space.modelShape();
+        shape[0] = std::log(scale);
+        scaled.push_back(space.shaped(shape));
+    }
+    return scaled;
+}
+
+std::vector<SubjectHand> measureHands(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
+                                      const std::vector<MeasuredFrame>& frames, std::stop_token stop) {
+    std::vector<SubjectFrame> subjectFrames;
+    for (const MeasuredFrame& frame : frames)
+        subjectFrames.push_back(subjectFrame(hands, cameras, frame));
+    return estimateSubject(hands, cameras, subjectFrames, {}, stop).hands;
+}
+
+} // namespace core

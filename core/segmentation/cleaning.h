@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace core {
+
+/// How a silhouette is tidied. Areas are shares of the silhouette's own.
+struct CleaningOptions {
+    int mostParts = 2;           ///< the largest ones are kept
+    double leastPart = 0.04;     ///< smaller ones are not, however few there are
+    double smallestHole = 0.003; ///< smaller ones are filled; larger ones, as between fingers, are real
+};
+
+/// The largest parts of a mask (CV_8U, 0 and 255), small holes filled. Parts that hold a pixel of `kept` stay whatever
+/// their size; it may be empty.
+cv::Mat cleaned(const cv::Mat& mask, const CleaningOptions& options = {}, const cv::Mat& kept = {});
+
+/// Fills what is dark and smaller than that, and clears what is lit and smaller, px^2.
+void dropSmallParts(cv::Mat& mask, int areaPx);
+
+} // namespace core

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "core/segmentation/model_seeds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/contour/rasteriser.h"
+
+namespace core {
+
+namespace {
+
+constexpr double kLeastBandPx = 3;
+constexpr double kShortestLinePx = 4;
+constexpr double kEndReach = 1.5;   ///< around the model's end, in bands
+constexpr double kThinBones = 0.35; ///< radius of what is surely in a finger, of the band
+
+/// The motion of the whole hand from the rest pose.
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
+    const RigidMotion root = boneTransforms(hand.skeleton, pose).front();
+    return root * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
+}
+
+bool isPosed(const HandModel& hand, const Pose& pose) {
+    return pose.size() == hand.skeleton.poseSize();
+}
+
+/// Pixels per mm at the hands, the largest.
+double pixelsPerMm(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses) {
+    double scale = 0;
+    for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h) {
+        if (!isPosed(hands[h], poses[h]))
+            continue;
+        for (const Eigen::Vector3d& joint : jointPositions(hands[h].skeleton, poses[h]))
+            if (const double depth = (camera.cameraFromWorld * joint).z(); depth > 1)
+                scale = std::max(scale, camera.intrinsics(0, 0) / depth);
+    }
+    return scale;
+}
+
+/// The silhouettes of those that are posed, whole.
+cv::Mat silhouetteOf(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses) {
+    std::vector<HandModel> posed;
+    HandPoses theirs;
+    for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h) {
+        if (isPosed(hands[h], poses[h])) {
+            posed.push_back(hands[h]);
+            theirs.push_back(poses[h]);
+        }
+    }
+    return renderHandsMask(camera, posed, theirs);
+}
+
+/// The inside that is left of thin fingers: the deepest line of what the band takes away whole.
+cv::Mat deepestLines(const cv::Mat& depthPx, double bandPx) {
+    cv::Mat highest;
+    const int reach = 2 * static_cast<int>(std::ceil(bandPx / 2)) + 1;
+    cv::dilate(depthPx, highest, cv::getStructuringElement(cv::MORPH_ELLIPSE, {reach, reach}));
+    return (depthPx >= highest - 0.5F) & (depthPx > kThinBones * bandPx);
+}
+
+cv::Mat regionMask(const ConvexRegion& region, const cv::Rect& window) {
+    cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
+    for (int y = 0; y < window.height; ++y) {
+        const auto span = region.span(static_cast<float>(y + window.y));
+        if (!span)
+            continue;
+        const int left = std::max(0, static_cast<int>(std::ceil(span->first)) - window.x);
+        const int right = std::min(window.width - 1, static_cast<int>(std::floor(span->second)) - window.x);
+        if (left <= right)
+            mask.row(y).colRange(left, right + 1).setTo(255);
+    }
+    return mask;
+}
+
+/// Where the model's end is seen: a circle in space, grown by what the pose may be off.
+cv::Mat endMask(const Camera& camera, const ForearmCut& cut, const RigidMotion& motion, const cv::Rect& window,
+                double growPx) {
+    const Eigen::Vector3d a = cut.direction.unitOrthogonal(), b = cut.direction.cross(a);
+    const Eigen::Vector3d centre = cut.centre + cut.endMm * cut.direction;
+    constexpr int kCorners = 24;
+    std::vector<cv::Point> corners, hull;
+    for (int k = 0; k < kCorners; ++k) {
+        const double angle = 2 * M_PI * k / kCorners;
+        const auto px = project(camera, motion * (centre + cut.radiusMm * (std::cos(angle) * a + std::sin(angle) * b)));
+        if (px)
+            corners.emplace_back(cvRound(px->x()) - window.x, cvRound(px->y()) - window.y);
+    }
+    cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
+    if (corners.size() < 3)
+        return mask;
+    cv::convexHull(corners, hull);
+    cv::fillConvexPoly(mask, hull, cv::Scalar(255));
+    return cv::countNonZero(mask) > 0 ? grown(mask, growPx) : mask;
+}
+
+void addEnd(ModelSeeds& result, const Camera& camera, const HandModel& hand, const Pose& pose) {
+    const ForearmCut cut = forearmCut(hand);
+    const RigidMotion motion = worldFromRest(hand, pose);
+    const ConvexRegion region = forearmRegion(camera, cut, motion);
+    if (!region.empty())
+        result.ends |= regionMask(region, result.seeds.window) &
+                       endMask(camera, cut, motion, result.seeds.window, kEndReach * result.bandPx);
+    if (const auto line = modelEnd(camera, hand, pose))
+        result.cuts.push_back(*line);
+}
+
+} // namespace
+
+std::optional<ForearmLine> modelEnd(const Camera& camera, const HandModel& hand, const Pose& pose) {
+    const ForearmCut cut = forearmCut(hand);
+    const RigidMotion motion = worldFromRest(hand, pose);
+    const Eigen::Vector3d end = motion * (cut.centre + cut.endMm * cut.direction);
+    const auto centre = project(camera, end);
+    const auto beyond = project(camera, end + cut.radiusMm * (motion.rotation * cut.direction));
+    if (!centre || !beyond || (*beyond - *centre).norm() < kShortestLinePx)
+        return std::nullopt;
+    const Eigen::Vector2d away = (*beyond - *centre).normalized();
+    const double depthMm = (camera.cameraFromWorld * end).z();
+    const double radiusPx = cut.radiusMm * camera.intrinsics(0, 0) / depthMm;
+    const Eigen::Vector2d half = radiusPx * Eigen::Vector2d(-away.y(), away.x());
+    return ForearmLine{*centre - half, *centre + half, away};
+}
+
+ModelSeeds modelSeeds(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses,
+                      const ModelSeedOptions& options) {
+    ModelSeeds result;
+    const double scale = pixelsPerMm(camera, hands, poses);
+    if (scale <= 0)
+        return result;
+    const cv::Mat whole = silhouetteOf(camera, hands, poses);
+    result.bandPx = std::max(kLeastBandPx, options.bandMm * scale);
+    const int margin = static_cast<int>(std::ceil(result.bandPx + options.marginMm * scale));
+    result.seeds.window = grownWindow(cv::boundingRect(whole), margin, whole.size());
+    if (result.seeds.window.empty())
+        return result;
+    result.model = whole(result.seeds.window).clone();
+    result.ends = cv::Mat::zeros(result.model.size(), CV_8U);
+    for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h)
+        if (isPosed(hands[h], poses[h]))
+            addEnd(result, camera, hands[h], poses[h]);
+    cv::Mat inside, outside;
+    cv::distanceTransform(result.model, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    cv::distanceTransform(255 - result.model, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    cv::Mat& labels = result.seeds.labels;
+    labels = cv::Mat(result.model.size(), CV_8U, cv::Scalar(seedValue(Seed::SureBackground)));
+    labels.setTo(seedValue(Seed::ProbableBackground), outside <= result.bandPx);
+    labels.setTo(seedValue(Seed::ProbableForeground), result.model);
+    labels.setTo(seedValue(Seed::SureForeground), inside > result.bandPx);
+    labels.setTo(seedValue(Seed::SureForeground), deepestLines(inside, result.bandPx));
+    return result;
+}
+
+} // namespace core

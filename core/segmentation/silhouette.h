@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/hand/hand_model.h"
+#include "core/segmentation/cleaning.h"
+#include "core/segmentation/hand_in_view.h"
+#include "core/segmentation/seeds.h"
+#include "core/segmentation/segmentation_method.h"
+
+namespace core {
+
+struct SilhouetteOptions {
+    SegmentationMethod method = SegmentationMethod::Model;
+    double bandMm = 6;                   ///< model: by which the pose may be wrong
+    double forearmPalms = kForearmPalms; ///< landmarks: how much of the forearm is kept, palms from the wrist, 0..1.2
+    std::optional<cv::Scalar> backdrop;  ///< chroma: its colour, BGR; without one that of the picture's border
+    CleaningOptions cleaning;
+};
+
+/// What is known of an instant before its pictures are looked at. A method needs its own part of it.
+struct HandEvidence {
+    std::vector<LandmarkPoints> landmarks; ///< per hand; for Landmarks
+    HandPoses poses;                       ///< per hand of the dataset, empty where it is not known; for Model
+};
+
+struct Silhouette {
+    cv::Mat mask;                  ///< CV_8U of the picture's size, 0 and 255
+    std::vector<ForearmLine> cuts; ///< where a forearm ends that goes on in the picture
+};
+
+/// The silhouette of the hands in a camera's picture (CV_8UC3 BGR of its size). `background`: the picture without
+/// hands, for Background alone. No value if the evidence that the method needs is missing; an empty mask if the hands
+/// are outside the picture.
+std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& camera,
+                                         const std::vector<HandModel>& hands, const HandEvidence& evidence,
+                                         const cv::Mat& background, const SilhouetteOptions& options);
+
+/// Intersection over union of two masks of the same size; 1 if both are empty.
+double maskOverlap(const cv::Mat& a, const cv::Mat& b);
+
+} // namespace core
