@@ -120,6 +120,7 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
 
 Edit acceptProposalsEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                          const std::string& rater, const TriangulationOptions& options) {
+    constexpr double kUnknownLikelihood = 0.5; // it tells an accepted proposal from an accepted reprojection
     Edit edit = acceptFrameEdit(set, cameras, frame, rater, options);
     std::set<MarkKey> accepted;
     for (const MarkChange& change : edit.marks)
@@ -129,6 +130,7 @@ Edit acceptProposalsEdit(const AnnotationSet& set, const std::vector<Camera>& ca
             continue;
         Mark looked = mark;
         looked.placement = Placement::Auto;
+        looked.likelihood = mark.likelihood.value_or(kUnknownLikelihood);
         edit.marks.push_back({key, mark, looked});
     }
     return edit;

@@ -36,7 +36,7 @@ Edit acceptFrameEdit(const AnnotationSet& set, const std::vector<Camera>& camera
                      const TriangulationOptions& options = {});
 
 /// acceptFrameEdit for joints that have a point; where a joint has proposals alone, they become auto marks where they
-/// are and keep their likelihoods: a person has looked at them.
+/// are and keep their likelihoods (0.5 if there is none): a person has looked at them.
 Edit acceptProposalsEdit(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
                          const std::string& rater, const TriangulationOptions& options = {});
 

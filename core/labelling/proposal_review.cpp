@@ -97,6 +97,7 @@ void ProposalReview::look(const AnnotationSet& set, const AnnotationSet& propose
         return;
     }
     for (const auto& [joint, doubt] : doubts) {
+        seen.doubt = std::max(seen.doubt, doubt);
         const auto guess = pointOf(proposed, m_cameras, frame, m_rater, joint);
         const auto now = reconstruct(set, m_cameras, frame, m_rater, joint, {{}, false, std::nullopt});
         const bool waits = std::any_of(now.views.begin(), now.views.end(), [](const ViewReconstruction& view) {
@@ -167,6 +168,7 @@ ProposedFrame ProposalReview::judged(std::map<int, SeenFrame>::const_iterator at
     result.frame = at->first;
     result.isReviewed = seen.openJoints.empty();
     if (result.isReviewed) {
+        result.doubt = seen.doubt;
         if (!seen.movedMm.empty())
             result.movedMm = meanOf(seen.movedMm);
         return result;

@@ -53,6 +53,7 @@ private:
     struct SeenFrame {
         JointPoints points;                         ///< as a person put them, else as proposed
         std::map<JointId, double> openJoints;       ///< those that wait, by the doubt of the program
+        double doubt = 0;                           ///< of the program: the greatest of its joints
         std::vector<double> movedMm;                ///< of the joints that a person has looked at
         std::map<Side, Eigen::Vector3d> handCentre; ///< mm
     };

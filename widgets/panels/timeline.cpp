@@ -127,7 +127,7 @@ void Timeline::paintProposals(QPainter& painter, core::Side hand, const QRectF& 
         if (found == hands.end())
             continue;
         const QColor& colour = found->second >= kDoubtfulFrom ? kDoubtfulColour : kProposedColour;
-        for (double y = lane.top(); y < lane.bottom(); y += 2)
+        for (double y = std::ceil(lane.top()); y < lane.bottom(); y += 2)
             painter.fillRect(QRectF(lane.left() + frame * step, y, std::max(2.0, step - (step > 4 ? 1 : 0)), 1),
                              colour);
     }

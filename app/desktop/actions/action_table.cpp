@@ -23,7 +23,7 @@ constexpr const char* kLayers = QT_TRANSLATE_NOOP("app::ActionTable", "&Layers o
 constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
 constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
 constexpr const char* kNudge = QT_TRANSLATE_NOOP("app::ActionTable", "&Nudge");
-constexpr const char* kReview = QT_TRANSLATE_NOOP("app::ActionTable", "Re&view of proposals");
+constexpr const char* kReview = QT_TRANSLATE_NOOP("app::ActionTable", "R&eview of proposals");
 constexpr const char* kJoints = QT_TRANSLATE_NOOP("app::ActionTable", "Li&st of joints");
 
 constexpr auto kPlain = ActionKind::Plain;

@@ -52,11 +52,11 @@ TEST_F(TimelineTest, StripesHandsThatWaitForALook) {
     const QImage picture = timeline.grab().toImage();
     const int top = (timeline.height() - 19) / 2;
     const auto at = [&](int frame, int y) { return picture.pixelColor(6 + frame * 8 + 3, top + y); };
-    EXPECT_EQ(at(20, 4), widgets::kProposedColour);
-    EXPECT_NE(at(20, 5), widgets::kProposedColour) << "stripes, not a bar";
-    EXPECT_NE(at(20, 15), widgets::kProposedColour) << "the other hand does not wait";
-    EXPECT_EQ(at(30, 4), widgets::kProposedColour);
-    EXPECT_EQ(at(30, 15), widgets::kDoubtfulColour);
+    EXPECT_EQ(at(20, 5), widgets::kProposedColour);
+    EXPECT_NE(at(20, 4), widgets::kProposedColour) << "stripes, not a bar";
+    EXPECT_NE(at(20, 16), widgets::kProposedColour) << "the other hand does not wait";
+    EXPECT_EQ(at(30, 5), widgets::kProposedColour);
+    EXPECT_EQ(at(30, 16), widgets::kDoubtfulColour);
     EXPECT_TRUE(timeline.toolTipOf(30).contains(QStringLiteral("doubt 90 %")));
 }
 
