@@ -118,7 +118,8 @@ TEST_F(ReasonsInGerman, EveryNoteAboutFootageIsAskedToBeTranslated) {
     using Kind = core::FootageNoteKind;
     Brackets brackets;
     QCoreApplication::installTranslator(&brackets);
-    for (int kind = 1; kind <= static_cast<int>(Kind::FirstPicturesDiffer); ++kind) {
+    expectInBrackets(widgets::footageNoteInWords({Kind::Simulated}));
+    for (int kind = static_cast<int>(Kind::LostFrames); kind <= static_cast<int>(Kind::FirstPicturesDiffer); ++kind) {
         const core::FootageNote note{static_cast<Kind>(kind), {"cam0"}, {{5, 2}}, {12, 90}};
         expectInBrackets(widgets::footageNoteInWords(note));
         EXPECT_TRUE(widgets::footageNoteInWords(note).contains(QStringLiteral("cam0"))) << kind;

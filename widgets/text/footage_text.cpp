@@ -141,6 +141,12 @@ QString footageNoteInWords(const FootageNote& note) {
     switch (note.kind) {
     case NoteKind::Text:
         return QString::fromStdString(note.text);
+    case NoteKind::Simulated:
+        return footageText(QT_TRANSLATE_NOOP(
+            "widgets::FootageText",
+            "Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have "
+            "pictures. The recorded motion is that of the person in the pictures, played by the model's hand. What it "
+            "was drawn from is in the folder truth."));
     case NoteKind::FirstPicturesDiffer:
         return firstPictures(note);
     case NoteKind::MissingPictures:

@@ -51,14 +51,16 @@ std::vector<FootageNote> notesFromJson(const json& sequence) {
         notes.push_back({FootageNoteKind::Text, {}, {}, {}, text.get<std::string>()});
     for (const json& value : sequence.value("footageNotes", json::array())) {
         notes.push_back({*footageNoteFromName(value["kind"].get<std::string>()),
-                         value["cameras"].get<std::vector<std::string>>(), rangesFromJson(value, "ranges"),
+                         value.value("cameras", std::vector<std::string>()), rangesFromJson(value, "ranges"),
                          value.value("numbers", std::vector<double>())});
     }
     return notes;
 }
 
 ordered_json toJson(const FootageNote& note) {
-    ordered_json value{{"kind", footageNoteName(note.kind)}, {"cameras", note.cameras}};
+    ordered_json value{{"kind", footageNoteName(note.kind)}};
+    if (!note.cameras.empty())
+        value["cameras"] = note.cameras;
     for (const InstantRange& range : note.ranges)
         value["ranges"].push_back(ordered_json::array({range.first, range.count}));
     for (const double number : note.numbers) {

@@ -96,9 +96,7 @@ Plan planOf(const RealisticDemoOptions& options) {
     for (Sequence& sequence : dataset.sequences) {
         plan.frames.push_back(picturedFrames(sequence.frameCount, options.framesPerSequence));
         sequence.masks = "masks/" + sequence.name + "/{camera}/{frame:06}.png";
-        sequence.notes = {"Simulated. Masks are the difference of each picture to the empty room; only the annotated "
-                          "frames have pictures. The recorded motion is that of the person in the pictures, played by "
-                          "the model's hand. What it was drawn from is in the folder truth."};
+        sequence.notes = {FootageNote{FootageNoteKind::Simulated}};
         for (ViewSource& view : sequence.views) {
             view.kind = ViewKind::Images;
             view.path = "images/" + sequence.name + "/" + view.camera + "/{frame:06}.jpg";

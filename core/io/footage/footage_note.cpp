@@ -20,6 +20,7 @@ struct KindRow {
 
 using Kind = FootageNoteKind;
 constexpr KindRow kKinds[] = {{Kind::Text, "text", false, 0},
+                              {Kind::Simulated, "simulated", false, 0},
                               {Kind::LostFrames, "lostFrames", true, 0},
                               {Kind::LostFramesByChoice, "lostFramesByChoice", true, 0},
                               {Kind::LostFramesByNumber, "lostFramesByNumber", true, 0},
@@ -141,6 +142,8 @@ bool isWhole(const FootageNote& note) {
     const KindRow& row = kKinds[static_cast<std::size_t>(note.kind)];
     if (note.kind == Kind::Text)
         return !note.text.empty();
+    if (note.kind == Kind::Simulated)
+        return note.cameras.empty();
     if (note.kind == Kind::FirstPicturesDiffer)
         return !note.cameras.empty() && note.numbers.size() == note.cameras.size();
     return note.cameras.size() == 1 && note.ranges.empty() != row.hasRanges && note.numbers.size() == row.numbers;
@@ -151,6 +154,10 @@ std::string footageNoteText(const FootageNote& note) {
     switch (note.kind) {
     case Kind::Text:
         return note.text;
+    case Kind::Simulated:
+        return "Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have "
+               "pictures. The recorded motion is that of the person in the pictures, played by the model's hand. What "
+               "it was drawn from is in the folder truth.";
     case Kind::FirstPicturesDiffer:
         return firstPictures(note);
     case Kind::MissingPictures:

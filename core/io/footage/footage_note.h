@@ -14,6 +14,7 @@ namespace core {
 /// FootageNote::numbers hold.
 enum class FootageNoteKind {
     Text,                  ///< a sentence of a dataset that was made before notes were data
+    Simulated,             ///< pictures and masks are simulated; of no camera
     LostFrames,            ///< ranges: instants that the camera lost
     LostFramesByChoice,    ///< the same of a video whose frames are taken by number, though its time stamps are sound
     LostFramesByNumber,    ///< the same where the time stamps of all videos together cannot map them
@@ -33,7 +34,8 @@ enum class FootageNoteKind {
 /// One such note. `numbers` has as many values as its kind says.
 struct FootageNote {
     FootageNoteKind kind = FootageNoteKind::Text;
-    std::vector<std::string> cameras{}; ///< one; none for Text; those with a number for FirstPicturesDiffer
+    std::vector<std::string>
+        cameras{}; ///< one; none for Text and Simulated; those with a number for FirstPicturesDiffer
     std::vector<InstantRange> ranges{};
     std::vector<double> numbers{};
     std::string text{}; ///< of Text

@@ -89,6 +89,7 @@ TEST_F(DatasetFolder, KeepsMissingInstantsAndNotes) {
     dataset.sequences[1].notes = {{Kind::Text, {}, {}, {}, "cam0: 5 frames missing"},
                                   {Kind::LostFrames, {"cam0"}, {{0, 1}, {3, 4}}},
                                   {Kind::OtherRate, {"cam1"}, {}, {29.97}},
+                                  {Kind::Simulated},
                                   {Kind::FirstPicturesDiffer, {"cam0", "cam1"}, {}, {0, 12}}};
     core::rewriteDatasetFile(dataset);
     const core::Sequence read = core::readDataset(m_path).sequences[1];

@@ -54,6 +54,7 @@ TEST(FootageNote, IsWholeOnlyWithWhatItsKindNeeds) {
     EXPECT_TRUE(core::isWhole({Kind::Levels, {"cam1"}, {}, {10, 200}}));
     EXPECT_FALSE(core::isWhole({Kind::Levels, {"cam1"}, {}, {10}}));
     EXPECT_FALSE(core::isWhole({Kind::Text}));
+    EXPECT_TRUE(core::isWhole({Kind::Simulated}));
 }
 
 } // namespace
