@@ -66,9 +66,9 @@ ordered_json refinementJson(const core::RigRefinement& refinement, const std::op
             item["afterRmsPx"] = change.afterRmsPx;
         cameras.push_back(item);
     }
-    ordered_json item{{"sigmaPx", refinement.sigmaPx},         {"joints", refinement.joints},
-                      {"frames", refinement.frames},           {"wrongClicks", refinement.wrongClicks},
-                      {"converged", refinement.converged},     {"cameras", cameras}};
+    ordered_json item{{"sigmaPx", refinement.sigmaPx},     {"joints", refinement.joints},
+                      {"frames", refinement.frames},       {"wrongClicks", refinement.wrongClicks},
+                      {"converged", refinement.converged}, {"cameras", cameras}};
     if (worldSigmaMm)
         item["worldSigmaMm"] = *worldSigmaMm;
     return item;
@@ -224,8 +224,8 @@ void rig(const RigArguments& arguments) {
     if (interruptToken().stop_requested())
         throw Interrupted(arguments.dataset + ": stopped; nothing was written");
     std::optional<double> worldSigmaMm;
-    if (const auto world = refinement ? core::worldCovariance(dataset.cameras, sigmas, refinement->middleInWorld)
-                                      : std::nullopt)
+    if (const auto world =
+            refinement ? core::worldCovariance(dataset.cameras, sigmas, refinement->middleInWorld) : std::nullopt)
         worldSigmaMm = core::sigmaMm(*world);
     printHealth(health, sequences);
     printSigmas(sigmas);

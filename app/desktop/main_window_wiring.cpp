@@ -129,8 +129,9 @@ void MainWindow::connectWork() {
         [this](const QString& folder) {
             m_statusLine->sayBriefly(tr("Results saved in %1").arg(QDir::toNativeSeparators(folder)));
         });
-    connect(m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::reportWanted, this,
-            [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
+    connect(
+        m_workspaces->benchmarkPage(), &widgets::BenchmarkPage::reportWanted, this,
+        [](const QString& file) { QDesktopServices::openUrl(QUrl::fromLocalFile(file)); });
     connect(&benchmarks, &widgets::BenchmarkRunner::opened, this,
             [this] { m_workspaces->setCurrent(Workspaces::Kind::Benchmark); });
     connect(m_workspaces->masks(), &widgets::MaskAttacher::attached, m_statusLine, &widgets::StatusLine::sayBriefly);

@@ -27,11 +27,11 @@ struct JointSummary {
 /// What one rater has done.
 struct RaterSummary {
     std::string rater;
-    int frames = 0;                 ///< with marks; proposals are none
-    int clicks = 0;                 ///< placed by hand
-    int accepted = 0;               ///< accepted reprojections
-    HandCoverage joints;            ///< over both hands and all frames
-    std::map<int, int> doneByFrame; ///< finished joints of both hands, for frames with marks
+    int frames = 0;                       ///< with marks; proposals are none
+    int clicks = 0;                       ///< placed by hand
+    int accepted = 0;                     ///< accepted reprojections
+    HandCoverage joints;                  ///< over both hands and all frames
+    std::map<int, int> doneByFrame;       ///< finished joints of both hands, for frames with marks
     std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; nothing without them
     std::vector<QualityFinding> findings; ///< by frame
 };

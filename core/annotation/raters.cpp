@@ -113,8 +113,8 @@ void shareSystematicError(std::vector<Observation>& observations, const ClickSig
     for (Observation& observation : observations) {
         const auto camera = static_cast<std::size_t>(observation.camera);
         if (camera < sigmas.systematicPx.size())
-            observation.sigmaPx = std::hypot(
-                observation.sigmaPx, std::sqrt(clicks[observation.camera] - 1.0) * sigmas.systematicPx[camera]);
+            observation.sigmaPx = std::hypot(observation.sigmaPx,
+                                             std::sqrt(clicks[observation.camera] - 1.0) * sigmas.systematicPx[camera]);
     }
 }
 

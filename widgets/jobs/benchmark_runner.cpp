@@ -233,7 +233,7 @@ void BenchmarkRunner::run(const BenchmarkRequest& request) {
                                BenchmarkRunner::tr("%1 of %2 fits").arg(done).arg(total));
             };
             whole[i].results = core::runBenchmark(runs[i].scene, runs[i].folder.info.pairs, runs[i].options,
-                                                     core::poseEstimatorOf(runs[i].scene), progress, context.stop);
+                                                  core::poseEstimatorOf(runs[i].scene), progress, context.stop);
             before += runs[i].fits();
         }
         auto held = std::make_shared<Held>(Held{withRows(whole), {}});

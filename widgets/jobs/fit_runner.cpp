@@ -93,8 +93,9 @@ void FitRunner::run(const FitRequest& request) {
         return;
     }
     const bool readsMarks = request.target == FitTarget::Masks || !hasMotion();
-    const FitSource source{m_dataset, m_sequence, m_motion,
-                           readsMarks ? m_document.annotations() : core::AnnotationSet(), m_document.rater(), m_sigmas};
+    const FitSource source{m_dataset,          m_sequence,
+                           m_motion,           readsMarks ? m_document.annotations() : core::AnnotationSet(),
+                           m_document.rater(), m_sigmas};
     m_job.start([this, request, source, dataset = m_dataset,
                  estimator = m_estimator](const JobContext& context) -> Job::Delivery {
         auto outcome = std::make_shared<FitOutcome>();

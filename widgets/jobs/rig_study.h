@@ -25,7 +25,7 @@ struct RigState {
     core::RigHealth health;
     core::RefinementNeeds needs;
     core::RigResiduals residuals;
-    core::ClickSigmas sigmas; ///< of this moment
+    core::ClickSigmas sigmas;           ///< of this moment
     std::vector<std::string> sequences; ///< names, as findings number them
     QStringList unread;                 ///< sequences whose annotations cannot be read, and why
 };
@@ -33,7 +33,7 @@ struct RigState {
 /// A refined calibration that waits to be used or discarded.
 struct RigProposal {
     core::RigRefinement refinement;
-    core::RigResiduals residuals; ///< of the same clicks about the refined cameras
+    core::RigResiduals residuals;         ///< of the same clicks about the refined cameras
     std::optional<double> worldSigmaMm{}; ///< how far its world as a whole may lie from the true one (worldCovariance)
 };
 

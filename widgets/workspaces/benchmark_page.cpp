@@ -95,9 +95,8 @@ QWidget* BenchmarkPage::makeResults() {
     column->setSpacing(0);
     column->addWidget(m_shownRow);
     column->addWidget(m_results, 1);
-    connect(m_shown, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        m_runner.show(static_cast<core::BenchmarkSetup>(m_shown->itemData(index).toInt()));
-    });
+    connect(m_shown, qOverload<int>(&QComboBox::activated), this,
+            [this](int index) { m_runner.show(static_cast<core::BenchmarkSetup>(m_shown->itemData(index).toInt())); });
     return side;
 }
 
@@ -334,9 +333,8 @@ void BenchmarkPage::showSetups() {
 
 void BenchmarkPage::offerReport(const QString& folder) {
     m_message->offer(tr("The results are saved in %1.").arg(QDir::toNativeSeparators(folder)),
-                     {{tr("Show the report"), [this, folder] {
-                           emit reportWanted(QDir(folder).filePath(QStringLiteral("report.html")));
-                       }}});
+                     {{tr("Show the report"),
+                       [this, folder] { emit reportWanted(QDir(folder).filePath(QStringLiteral("report.html"))); }}});
 }
 
 void BenchmarkPage::askToSave() {

@@ -70,9 +70,8 @@ MeasuredFootage measureView(const Dataset& dataset, const Sequence& sequence, co
 std::vector<std::string> together(const std::vector<std::string>& notes, const std::vector<ViewSource>& views) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; // what is said, and of which cameras
     for (const std::string& note : notes) {
-        const auto view = std::find_if(views.begin(), views.end(), [&note](const ViewSource& one) {
-            return note.starts_with(one.camera + ": ");
-        });
+        const auto view = std::find_if(views.begin(), views.end(),
+                                       [&note](const ViewSource& one) { return note.starts_with(one.camera + ": "); });
         const std::string text = view == views.end() ? note : note.substr(view->camera.size() + 2);
         auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& one) {
             return one.first == text && one.second.empty() == (view == views.end());

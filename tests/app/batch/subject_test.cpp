@@ -101,7 +101,8 @@ TEST_F(BatchSubject, MeasuresOneHandFromTwoViewsInAUnitOfTheirOwnAndThreeFrames)
     EXPECT_EQ(tips, 5);
     const core::Dataset person = core::readDataset(m_out);
     const core::Dataset model = core::readDataset(m_set);
-    EXPECT_NEAR(person.cameras[0].cameraFromWorld.translation.norm() / model.cameras[0].cameraFromWorld.translation.norm(),
+    EXPECT_NEAR(person.cameras[0].cameraFromWorld.translation.norm() /
+                    model.cameras[0].cameraFromWorld.translation.norm(),
                 found["calibrationUnitMm"].get<double>(), 1e-6)
         << "the new dataset's cameras are in mm";
     EXPECT_EQ(runBatch({"check", m_out}).status, 0);

@@ -15,10 +15,11 @@ namespace test {
 
 /// Points made from clicks beside the true ones.
 struct TruthComparison {
-    double rawMm = 0, alignedMm = 0;     ///< mean error, as it is and after the best rigid motion
-    double neesRaw = 0, neesAligned = 0; ///< mean of e^T C^-1 e, as it is and aligned; 3 where the covariances are right
-    double statedMm = 0;                 ///< mean of the expected error, sqrt(trace C)
-    double dropped = 0;                  ///< share of the clicks taken for outliers
+    double rawMm = 0, alignedMm = 0; ///< mean error, as it is and after the best rigid motion
+    double neesRaw = 0,
+           neesAligned = 0; ///< mean of e^T C^-1 e, as it is and aligned; 3 where the covariances are right
+    double statedMm = 0;    ///< mean of the expected error, sqrt(trace C)
+    double dropped = 0;     ///< share of the clicks taken for outliers
 };
 
 /// Triangulates each joint with the rater's sigmas. Expects that every joint gets a point. `world` is what is stated of

@@ -397,8 +397,8 @@ protected:
     }
     QComboBox& box(const char* entry) {
         const auto all = benchmark.findChildren<QComboBox*>();
-        return **std::find_if(
-            all.begin(), all.end(), [&](const QComboBox* one) { return one->findText(QLatin1String(entry)) >= 0; });
+        return **std::find_if(all.begin(), all.end(),
+                              [&](const QComboBox* one) { return one->findText(QLatin1String(entry)) >= 0; });
     }
     QComboBox& setupBox() { return box("Both"); }
     /// The one that chooses which results are shown.
@@ -417,7 +417,8 @@ protected:
 
 TEST_F(BothSetupsTest, RunOneAfterTheOtherAndEitherIsShown) {
     run();
-    EXPECT_EQ(session.benchmarks.setups(), (std::vector{core::BenchmarkSetup::Synthetic, core::BenchmarkSetup::Realistic}));
+    EXPECT_EQ(session.benchmarks.setups(),
+              (std::vector{core::BenchmarkSetup::Synthetic, core::BenchmarkSetup::Realistic}));
     EXPECT_EQ(session.benchmarks.setup(), core::BenchmarkSetup::Synthetic);
     const core::BenchmarkResults synthetic = *session.benchmarks.results();
     EXPECT_FALSE(synthetic.stopped);

@@ -356,7 +356,8 @@ TEST_F(RigFormats, QualisysSaysByItsRangeWhereTheFirstPixelIs) {
     const core::Camera subPixels = read(write("sub.qca.txt", qcaOf("122879.0", "69631.0", fov)), "qualisys")[0];
     expectSees(subPixels, {10, 20, 30}, x - 31.5 / 64, y - 31.5 / 64);
     // From edge to edge in whole pixels.
-    std::string edges = replaced(replaced(qcaOf("1920", "1088", fov), "\"64000\"", "\"1000\""), "\"65280\"", "\"1020\"");
+    std::string edges =
+        replaced(replaced(qcaOf("1920", "1088", fov), "\"64000\"", "\"1000\""), "\"65280\"", "\"1020\"");
     edges = replaced(replaced(edges, "\"61440\"", "\"960\""), "\"34560\"", "\"540\"");
     const core::Camera whole = read(write("whole.qca.txt", edges), "qualisys")[0];
     EXPECT_EQ(whole.size, (core::ImageSize{1920, 1088}));
@@ -367,8 +368,8 @@ TEST_F(RigFormats, QualisysSaysByItsRangeWhereTheFirstPixelIs) {
 
 TEST_F(RigFormats, QualisysViewsThatAreShownTurnedAreNoted) {
     const std::filesystem::path file =
-        write("turned.qca.txt", replaced(kQca, "model=\"Miqus Video\" viewrotation=\"0\"",
-                                         "model=\"Miqus Video\" viewrotation=\"90\""));
+        write("turned.qca.txt",
+              replaced(kQca, "model=\"Miqus Video\" viewrotation=\"0\"", "model=\"Miqus Video\" viewrotation=\"90\""));
     const std::vector<core::Camera> cameras = read(file, "qualisys");
     EXPECT_EQ(cameras[0].size, (core::ImageSize{1910, 1068})) << "as the sensor records it";
     const std::vector<std::string> notes = core::calibrationNotes(file, {}, cameras);
