@@ -31,13 +31,13 @@ struct FakeFirstPass {
 
 inline core::AutoHand madeUpLabel(core::Side side, int frame, double doubt) {
     core::AutoHand label;
-    label.hand.side = side;
+    label.side = side;
     label.doubt = doubt;
-    const auto joints = madeUpHand(side, frame);
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-        core::SpatialLandmark landmark;
-        landmark.triangulated.pointInWorld = joints[i].second;
-        label.hand.hand.landmarks[i] = landmark;
+    for (const auto& [name, place] : madeUpHand(side, frame)) {
+        core::AutoJoint joint;
+        joint.name = name;
+        joint.pointInWorld = place;
+        label.joints.push_back(joint);
     }
     return label;
 }
@@ -65,7 +65,7 @@ inline widgets::FirstPassProgram fakeFirstPass(const std::shared_ptr<FakeFirstPa
             for (const core::Side side : {core::Side::Left, core::Side::Right})
                 labels[frame].push_back(madeUpLabel(side, frame, doubt == fake->doubts.end() ? 0.05 : doubt->second));
             journal << frame << std::endl;
-            progress(static_cast<int>(labels.size()), static_cast<int>(work.frames.size()));
+            progress(core::PassStage::Detecting, static_cast<int>(labels.size()), static_cast<int>(work.frames.size()));
         }
         result.isFinished = labels.size() == work.frames.size();
         return result;
