@@ -145,8 +145,11 @@ bool isOffFinding(RigFindingKind kind) {
 std::vector<std::string> rigFindings(const RigHealth& health, const std::vector<std::string>& sequences) {
     const Words words{health, sequences};
     std::vector<std::string> sentences, unknown;
-    for (const RigFinding& finding : findRigFaults(health))
-        (finding.kind == RigFindingKind::CameraUnknown ? unknown : sentences).push_back(words.sentence(finding));
+    const std::vector<RigFinding> findings = findRigFaults(health);
+    const bool isWholeRig = !findings.empty() && findings.front().kind == RigFindingKind::WholeRigOff;
+    for (const RigFinding& finding : findings)
+        if (!isWholeRig || finding.kind != RigFindingKind::CameraOff) // the first sentence is about these
+            (finding.kind == RigFindingKind::CameraUnknown ? unknown : sentences).push_back(words.sentence(finding));
     if (!unknown.empty())
         sentences.push_back("cannot be known of " + listed(unknown) + ": too few clicks that others confirm");
     return sentences;

@@ -38,8 +38,9 @@ std::vector<RigFinding> findRigFaults(const RigHealth& health);
 /// True for findings of cameras that are off by some pixels, always or in some sequences.
 bool isOffFinding(RigFindingKind kind);
 
-/// A sentence per finding, in English: "cam5 is 9.1 px off in every frame: its calibration moved". What cannot be known
-/// is one sentence for all cameras. `sequences` holds the sequences' names.
+/// A sentence per finding, in English: "cam5 is 9.1 px off in every frame: its calibration moved". A rig that is off as
+/// a whole is one sentence, without one for each of its cameras, and so is what cannot be known. `sequences` holds the
+/// sequences' names.
 std::vector<std::string> rigFindings(const RigHealth& health, const std::vector<std::string>& sequences = {});
 
 } // namespace core

@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "tests/app/window_fixture.h"
-#include "tests/support/fake_first_pass.h"
+#include "tests/support/detection/fake_first_pass.h"
 
 namespace {
 

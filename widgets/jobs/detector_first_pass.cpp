@@ -25,7 +25,7 @@ core::FirstPassOptions optionsFor(const FirstPassWork& work) {
     core::FirstPassOptions options;
     options.journal = work.journal;
     options.otherHands = core::makeDemoHands();
-    options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    options.threads = static_cast<int>(std::max(2u, std::thread::hardware_concurrency()) - 1); // one for the window
     return options;
 }
 

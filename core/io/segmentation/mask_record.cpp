@@ -135,7 +135,9 @@ void requireNoOtherMasks(const Dataset& dataset, const Sequence& sequence, const
 std::vector<std::string> attachMadeMasks(const fs::path& datasetFolder, const std::string& sequence,
                                          const fs::path& folder) {
     Dataset dataset = readDataset(datasetFolder);
-    std::vector<std::string> notes = attachMasks(dataset, sequence, {MaskSource{"", patternOf(folder), 0}});
+    std::vector<std::string> notes;
+    for (const MaskNote& note : attachMasks(dataset, sequence, {MaskSource{"", patternOf(folder), 0}}))
+        notes.push_back(maskNoteText(note));
     for (Sequence& one : dataset.sequences)
         if (one.name == sequence)
             if (const auto record = readMaskRecord(folder))

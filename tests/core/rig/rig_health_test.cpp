@@ -58,6 +58,18 @@ TEST(RigHealth, NamesTheCameraThatMovedAndHowFar) {
     EXPECT_NE(findings[0].find("px off in every frame: its calibration moved"), std::string::npos) << findings[0];
 }
 
+TEST(RigHealth, ARigThatIsOffAsAWholeIsOneSentence) {
+    RigScene scene("WholeRig");
+    scene.loosen(3);
+    const core::RigHealth health = core::judgeRig(scene.nominal, scene.clicks(RigScene::frames(6, 10)));
+    const auto faults = core::findRigFaults(health);
+    ASSERT_GT(faults.size(), 4u);
+    EXPECT_EQ(faults.front().kind, core::RigFindingKind::WholeRigOff);
+    const auto findings = core::rigFindings(health);
+    ASSERT_EQ(findings.size(), 1u) << findings[1];
+    EXPECT_NE(findings[0].find("the calibration as a whole does not fit the clicks"), std::string::npos);
+}
+
 TEST(RigHealth, WrongClicksAreNotTakenForAMovedCamera) {
     RigScene scene("Wrong");
     auto joints = scene.clicks(RigScene::frames(6, 10));

@@ -123,12 +123,10 @@ TEST_F(FramesComing, AJumpShowsAStandInOfEveryViewBeforeAnyWholePictureButTheCur
     int standIns = 0;
     for (std::size_t i = 0; i < shown.size(); ++i) {
         standIns += shown[i].isStandIn ? 1 : 0;
-        if (shown[i].isStandIn)
-            EXPECT_EQ(shown[i].grey, 50) << "the key picture";
-        else
-            EXPECT_EQ(shown[i].grey, 73);
-        if (!shown[i].isStandIn && shown[i].camera != 2)
+        EXPECT_EQ(shown[i].grey, shown[i].isStandIn ? 50 : 73) << "the key picture stands in";
+        if (!shown[i].isStandIn && shown[i].camera != 2) {
             EXPECT_EQ(standIns, kCameras);
+        }
         EXPECT_EQ(shown[i].isDraft, shown[i].isStandIn);
     }
 }

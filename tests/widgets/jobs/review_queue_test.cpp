@@ -6,7 +6,7 @@
 #include "core/annotation/edits.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/detector/auto_label_file.h"
-#include "tests/support/fake_first_pass.h"
+#include "tests/support/detection/fake_first_pass.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 #include "tests/support/wait_until.h"

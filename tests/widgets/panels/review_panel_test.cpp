@@ -9,7 +9,7 @@
 #include <QPushButton>
 
 #include "core/io/detector/auto_label_file.h"
-#include "tests/support/fake_first_pass.h"
+#include "tests/support/detection/fake_first_pass.h"
 #include "tests/widgets/panels/panel_fixture.h"
 #include "widgets/text/review_text.h"
 

@@ -248,21 +248,21 @@ TEST(DetectionJournal, GoesOnAfterALineThatWasCutOff) {
         detections[1][0].px[i] = {1.0 / 3 + static_cast<double>(i), 2};
     detections[1][0].sidePx = 200;
     {
-        core::DetectionJournal journal(file, "work", 2);
+        core::DetectionJournal journal(file, {"work", ""}, 2);
         journal.append(4, detections);
         journal.append(9, detections);
     }
     const std::string whole = test::readText(file);
     test::writeText(file, whole.substr(0, whole.size() - 20));
     {
-        core::DetectionJournal journal(file, "work", 2);
+        core::DetectionJournal journal(file, {"work", ""}, 2);
         ASSERT_EQ(journal.frames().size(), 1u);
         EXPECT_EQ(journal.frames().at(4)[1][0].px, detections[1][0].px);
         EXPECT_EQ(journal.frames().at(4)[1][0].sidePx, 200);
         journal.append(9, detections);
     }
     EXPECT_EQ(test::readText(file), whole);
-    EXPECT_TRUE(core::DetectionJournal(file, "other work", 2).frames().empty());
+    EXPECT_TRUE(core::DetectionJournal(file, {"other work", ""}, 2).frames().empty());
 }
 
 } // namespace
