@@ -2,9 +2,11 @@
 #include "widgets/jobs/detector_first_pass.h"
 
 #include <algorithm>
+#include <mutex>
+#include <set>
 #include <thread>
 
-#include "core/annotation/sequence_points.h"
+#include "core/annotation/reconstruction.h"
 #include "core/io/demo/demo_dataset.h"
 #include "core/io/detector/detector_files.h"
 
@@ -12,57 +14,75 @@ namespace widgets {
 
 namespace {
 
+/// The person's hands as the last pass measured them: what corrected frames are followed with.
+struct MeasuredHands {
+    std::mutex mutex;
+    std::filesystem::path dataset;
+    std::vector<core::HandModel> hands;
+};
+
 core::FirstPassOptions optionsFor(const FirstPassWork& work) {
     core::FirstPassOptions options;
-    options.otherHands = core::makeDemoHands();
     options.journal = work.journal;
-    options.threads = static_cast<int>(std::max(2u, std::thread::hardware_concurrency()) - 1);
+    options.otherHands = core::makeDemoHands();
+    options.threads = static_cast<int>(std::max(2u, std::thread::hardware_concurrency()) - 1); // one for the window
     return options;
 }
 
 FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token stop,
-                                  const std::function<void(int, int)>& progress) {
+                                  const core::PassProgress& progress, MeasuredHands& measured) {
     core::FirstPassCallbacks callbacks;
-    callbacks.progress = [&progress](core::PassStage, int done, int total) { progress(done, total); };
+    callbacks.progress = progress;
     core::FirstPassResult result = core::runFirstPass(*work.dataset, work.sequence, core::readDetector(), work.frames,
                                                       optionsFor(work), stop, callbacks);
+    const std::lock_guard lock(measured.mutex);
+    measured.dataset = work.dataset->folder;
+    measured.hands = result.pass.hands;
     return {std::move(result.labels), result.isFinished};
 }
 
-/// The frames of a rater whose proposals wait for a look, and those that hold marks.
-void sortFrames(const core::AnnotationSet& set, const std::string& rater, std::vector<int>& waiting,
-                std::vector<int>& looked) {
-    std::map<int, bool> hasMarks; // by frame; false: proposals alone
+/// The frames around a corrected one: those that wait for a look are followed into, up to those that were reviewed.
+core::AutoLabels followCorrected(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                                 int frame, std::stop_token stop, MeasuredHands& measured) {
+    core::CorrectedFrame corrected{frame, {}};
+    for (auto& [id, joint] : core::reconstructFrame(set, work.dataset->cameras, frame, rater, {{}, false, std::nullopt}))
+        if (joint.hasPoint())
+            corrected.joints.emplace(id, *joint.result.point);
+    std::set<int> waiting, reviewed;
     for (const auto& [key, mark] : set.marks)
         if (key.rater == rater)
-            hasMarks[key.frame] |= mark.placement != core::Placement::Proposed;
-    for (const auto& [frame, marks] : hasMarks)
-        (marks ? looked : waiting).push_back(frame);
-}
-
-core::AutoLabels followWithModel(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
-                                 int frame, std::stop_token stop) {
-    const auto begin = set.marks.lower_bound({frame, "", {}, ""}), end = set.marks.lower_bound({frame + 1, "", {}, ""});
-    core::AnnotationSet here;
-    here.marks.insert(begin, end);
-    core::SequencePoints points = core::sequencePoints(here, work.dataset->cameras, rater);
-    std::vector<int> frames, looked;
-    sortFrames(set, rater, frames, looked);
-    if (!std::binary_search(frames.begin(), frames.end(), frame))
-        frames.insert(std::upper_bound(frames.begin(), frames.end(), frame), frame);
-    std::erase(looked, frame);
-    const core::FirstPassOptions options = optionsFor(work);
-    return core::retrackFrames(*work.dataset, work.sequence,
-                               work.dataset->hands.empty() ? options.otherHands : work.dataset->hands,
-                               {frame, std::move(points[frame])}, frames, looked, options, stop);
+            (mark.isProposal() ? waiting : reviewed).insert(key.frame);
+    for (const int one : waiting)
+        reviewed.erase(one);
+    waiting.insert(frame);
+    std::vector<core::HandModel> hands = work.dataset->hands.empty() ? core::makeDemoHands() : work.dataset->hands;
+    {
+        const std::lock_guard lock(measured.mutex);
+        if (measured.dataset == work.dataset->folder && !measured.hands.empty())
+            hands = measured.hands;
+    }
+    core::AutoLabels labels = core::retrackFrames(*work.dataset, work.sequence, hands, corrected,
+                                                  {waiting.begin(), waiting.end()}, {reviewed.begin(), reviewed.end()},
+                                                  optionsFor(work), stop);
+    labels.erase(frame); // it is the person's
+    return labels;
 }
 
 } // namespace
 
 FirstPassProgram detectorFirstPass() {
-    return {[] { return core::isDetectorInstalled(); },
-            [](const std::filesystem::path& package) { return core::installDetector(package); }, labelWithDetector,
-            followWithModel};
+    const auto measured = std::make_shared<MeasuredHands>();
+    FirstPassProgram program;
+    program.isInstalled = [] { return core::isDetectorInstalled(); };
+    program.install = [](const std::filesystem::path& package) { return core::installDetector(package); };
+    program.label = [measured](const FirstPassWork& work, std::stop_token stop, const core::PassProgress& progress) {
+        return labelWithDetector(work, stop, progress, *measured);
+    };
+    program.follow = [measured](const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                                int frame, std::stop_token stop) {
+        return followCorrected(work, set, rater, frame, stop, *measured);
+    };
+    return program;
 }
 
 } // namespace widgets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -44,8 +45,7 @@ struct FirstPassProgram {
     /// Installs the detector's networks; returns what they are.
     std::function<std::string(const std::filesystem::path& package)> install;
     /// Labels what it can before `stop`. `progress` counts steps.
-    std::function<FirstPassLabels(const FirstPassWork& work, std::stop_token stop,
-                                  const std::function<void(int done, int total)>& progress)>
+    std::function<FirstPassLabels(const FirstPassWork& work, std::stop_token stop, const core::PassProgress& progress)>
         label;
     /// Labels the frames around one that a person has corrected anew, following the hands from there; empty: it cannot.
     std::function<core::AutoLabels(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
@@ -80,16 +80,18 @@ public:
 
     /// finished() or failed() follows.
     void run(const FirstPassRequest& request);
-    /// Ends the run after the frame at work: the frames that are done become proposals.
+    /// Ends the run after the step at work: the frames that are done become proposals. Following ends, too.
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
     /// Proposes the frames around a corrected one anew, in the background, if the program can; one undo step.
+    /// Frames that are corrected meanwhile follow.
     void followFrom(int frame);
+    bool isFollowing() const { return m_following.isRunning(); }
     bool isInstalling() const { return m_installing.isRunning(); }
 
 signals:
     void runningChanged();
-    void progressed(int done, int total);
+    void progressed(core::PassStage stage, int done, int total);
     void finished(const widgets::FirstPassResult& result);
     /// The frames around a corrected one have new proposals.
     void followed(int frame, int proposed);
@@ -98,6 +100,8 @@ signals:
 
 private:
     void deliver(core::Edit edit, FirstPassResult result, const std::filesystem::path& journal);
+    void followNext();
+    void forgetFollowing();
     FirstPassWork workOn(std::vector<int> frames) const;
 
     AnnotationDocument& m_document;
@@ -105,6 +109,7 @@ private:
     Job m_job;
     Job m_installing;
     Job m_following;
+    std::deque<int> m_toFollow;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::optional<core::Sequence> m_sequence;
 };

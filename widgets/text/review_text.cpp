@@ -59,6 +59,23 @@ QString doubtReasonText(const core::ProposedFrame& frame) {
         .arg(localNumber(frame.value, 0));
 }
 
+QString firstPassStageText(core::PassStage stage, int done, int total) {
+    const auto counted = [&](const char* source) {
+        return reviewText(source).arg(QLocale().toString(done), QLocale().toString(total));
+    };
+    switch (stage) {
+    case core::PassStage::Detecting:
+        return counted(QT_TRANSLATE_NOOP("widgets::ReviewText", "First pass, detecting: %1 of %2"));
+    case core::PassStage::Measuring:
+        return counted(QT_TRANSLATE_NOOP("widgets::ReviewText", "First pass, measuring hands: %1 of %2"));
+    case core::PassStage::Fitting:
+        return counted(QT_TRANSLATE_NOOP("widgets::ReviewText", "First pass, fitting: %1 of %2"));
+    case core::PassStage::Tracking:
+        break;
+    }
+    return counted(QT_TRANSLATE_NOOP("widgets::ReviewText", "First pass, tracking: %1 of %2"));
+}
+
 QString reviewProgressText(const core::ReviewProgress& progress, int reviewed) {
     if (progress.left == 0)
         return reviewed == 0

@@ -8,6 +8,7 @@
 #include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/text/review_text.h"
 
 namespace app {
 
@@ -102,14 +103,15 @@ void announceFirstPass(MainWindow& window) {
                 line.showWork(MainWindow::tr("Installing the hand detector"), -1);
             else if (pass.isRunning())
                 line.showWork(MainWindow::tr("First pass"), 0);
+            else if (pass.isFollowing())
+                line.showWork(MainWindow::tr("Following the hands from the corrected frame"), -1);
             else
                 line.hideWork();
         });
     QObject::connect(
         &pass, &widgets::FirstPass::progressed, &line,
-        [&line](int done, int total) {
-            line.showWork(MainWindow::tr("First pass: %1 of %2")
-                              .arg(QLocale().toString(done), QLocale().toString(total)),
+        [&line](core::PassStage stage, int done, int total) {
+            line.showWork(widgets::firstPassStageText(stage, done, total),
                           static_cast<double>(done) / std::max(1, total));
         });
     QObject::connect(&line, &widgets::StatusLine::stopRequested, &pass, &widgets::FirstPass::stop);

@@ -65,7 +65,7 @@ inline widgets::FirstPassProgram fakeFirstPass(const std::shared_ptr<FakeFirstPa
             for (const core::Side side : {core::Side::Left, core::Side::Right})
                 labels[frame].push_back(madeUpLabel(side, frame, doubt == fake->doubts.end() ? 0.05 : doubt->second));
             journal << frame << std::endl;
-            progress(static_cast<int>(labels.size()), static_cast<int>(work.frames.size()));
+            progress(core::PassStage::Detecting, static_cast<int>(labels.size()), static_cast<int>(work.frames.size()));
         }
         result.isFinished = labels.size() == work.frames.size();
         return result;

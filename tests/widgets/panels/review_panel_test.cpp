@@ -87,7 +87,8 @@ TEST_F(ReviewPanelTest, TheFormChoosesFramesHandsAndJoints) {
     widgets::FirstPassForm& form = *panel.firstPass();
     ASSERT_TRUE(form.isVisible()) << "nothing waits: the first pass is what to do";
     EXPECT_EQ(form.request().frames.size(), 30u) << "a short sequence: every frame";
-    EXPECT_TRUE(form.request().joints.empty());
+    EXPECT_TRUE(form.request().joints.contains({Side::Right, "wrist"}));
+    EXPECT_TRUE(form.request().joints.contains({Side::Left, "little_tip"}));
     form.setFrames(2, 20, 6);
     EXPECT_EQ(form.request().frames, (std::vector{2, 8, 14, 20}));
     form.setFrames(0, 1000, 40);

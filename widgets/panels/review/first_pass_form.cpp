@@ -41,7 +41,7 @@ FirstPassForm::FirstPassForm(FirstPass& pass, DatasetSession& datasets, JointLis
     , m_step(frameBox(this))
     , m_left(new QCheckBox(tr("left"), this))
     , m_right(new QCheckBox(tr("right"), this))
-    , m_allJoints(new QCheckBox(tr("all that it finds"), this))
+    , m_allJoints(new QCheckBox(tr("all 21 of a hand"), this))
     , m_choice(new QLabel(this))
     , m_start(new QPushButton(tr("Start"), this))
     , m_stop(new QPushButton(tr("Stop"), this))
@@ -65,7 +65,7 @@ FirstPassForm::FirstPassForm(FirstPass& pass, DatasetSession& datasets, JointLis
     connect(m_close, &QPushButton::clicked, this, &FirstPassForm::closeRequested);
     connect(&pass, &FirstPass::runningChanged, this, &FirstPassForm::showRunning);
     connect(&pass, &FirstPass::failed, m_message, &MessageBar::setMessage);
-    connect(&pass, &FirstPass::progressed, this, [this](int done, int total) {
+    connect(&pass, &FirstPass::progressed, this, [this](core::PassStage, int done, int total) {
         m_progress->setRange(0, total);
         m_progress->setValue(done);
     });
@@ -182,8 +182,11 @@ FirstPassRequest FirstPassForm::request() const {
         request.hands.insert(core::Side::Left);
     if (m_right->isChecked())
         request.hands.insert(core::Side::Right);
-    if (!m_allJoints->isChecked())
-        request.joints = {m_joints.joints().begin(), m_joints.joints().end()};
+    request.joints = {m_joints.joints().begin(), m_joints.joints().end()};
+    if (m_allJoints->isChecked())
+        for (const std::string& name : jointNames(JointChoice::TwentyOne, nullptr))
+            for (const core::Side side : {core::Side::Left, core::Side::Right})
+                request.joints.insert({side, name});
     return request;
 }
 
