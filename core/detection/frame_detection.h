@@ -23,10 +23,10 @@ public:
     /// `cameras` are kept.
     FrameDetector(const DetectorNetworks& networks, std::vector<Camera> cameras, DetectorOptions options = {});
 
-    /// `pictures`: BGR, one per camera; empty where there is none. `known`: recent hands are looked for where they were;
-    /// if all are found again near there, nothing else is searched unless `searchAnyway`. Else a few views are searched
-    /// (around hands that were known, then in tiles), and what they agree about is looked for in the others, until two
-    /// hands are found or no view is left.
+    /// `pictures`: BGR, one per camera; empty where there is none. `known`: recent hands are looked for where they
+    /// were; if all are found again near there, nothing else is searched unless `searchAnyway`. Else a few views are
+    /// searched (around hands that were known, then in tiles), and what they agree about is looked for in the others,
+    /// until two hands are found or no view is left.
     ViewDetections detect(const std::vector<cv::Mat>& pictures, const KnownHands& known, bool searchAnyway = false);
 
 private:
@@ -35,8 +35,8 @@ private:
     void lookFor(const std::vector<SpatialHand>& hands, const Pictures& pictures, int passes, ViewDetections& found);
     /// Searches view after view, in tiles or only around known hands, until two hands are found. False if they are not.
     bool searchViews(const Pictures& pictures, const std::vector<SpatialHand>& around, ViewDetections& found);
-    void search(const std::vector<std::size_t>& views, const Pictures& pictures,
-                const std::vector<SpatialHand>& around, ViewDetections& found);
+    void search(const std::vector<std::size_t>& views, const Pictures& pictures, const std::vector<SpatialHand>& around,
+                ViewDetections& found);
 
     std::vector<Camera> m_cameras;
     std::vector<HandDetector> m_detectors; ///< one per camera that works at the same time

@@ -24,11 +24,12 @@ double signDoubt(double value, double half) {
 
 } // namespace
 
-std::optional<double> landmarkDistanceMm(const HandModel& hand, const Pose& pose, const SpatialHand& detected) {
+std::optional<double> landmarkDistanceMm(const HandModel& hand, const Pose& pose, const SpatialHand& detected,
+                                         bool areJoints) {
     const auto joints = jointPositions(hand.skeleton, pose);
     double sum = 0;
     std::size_t count = 0;
-    for (const JointTarget& target : landmarkTargets(hand, detected)) {
+    for (const JointTarget& target : landmarkTargets(hand, detected, areJoints)) {
         if (target.bone == 0)
             continue;
         sum += (joints[static_cast<std::size_t>(target.bone)] - target.pointInWorld).norm();

@@ -12,7 +12,8 @@ namespace core {
 
 /// How far a model's joints are from where the detector sees them, mean over the landmarks, mm; none if there are few
 /// to compare.
-std::optional<double> landmarkDistanceMm(const HandModel& hand, const Pose& pose, const SpatialHand& detected);
+std::optional<double> landmarkDistanceMm(const HandModel& hand, const Pose& pose, const SpatialHand& detected,
+                                         bool areJoints = false);
 
 /// What speaks for and against a fitted hand.
 struct FitSigns {

@@ -6,11 +6,14 @@
 
 #include "core/fitting/method_name.h"
 #include "core/labelling/fit_doubt.h"
-#include "core/labelling/landmark_fit.h"
 
 namespace core {
 
 namespace {
+
+/// What silhouettes that are made of pictures and a measured hand leave per axis, whatever their normal equations say:
+/// on rendered hands with known joints.
+constexpr double kModelSigmaMm = 0.25;
 
 double worstSigmaMm(const std::vector<Eigen::Matrix3d>& covariances) {
     double most = 0;
@@ -55,11 +58,12 @@ double FrameFit::doubt() const {
 }
 
 FrameFitter::FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, SilhouetteMaker silhouettes,
-                         int threads)
+                         int threads, LandmarkFitOptions landmarks)
     : m_hands(std::move(hands))
     , m_cameras(std::move(cameras))
     , m_silhouettes(std::move(silhouettes))
-    , m_threads(threads) {
+    , m_threads(threads)
+    , m_landmarks(landmarks) {
     m_estimators.emplace_back(m_hands, m_cameras);
     for (std::size_t h = 0; m_hands.size() == 2 && h < 2; ++h)
         m_estimators.emplace_back(std::vector{m_hands[h]}, m_cameras);
@@ -80,12 +84,12 @@ FrameFit FrameFitter::fromLandmarks(const FrameEvidence& evidence, const HandPos
         std::vector<Pose> starts = usualStarts(m_hands[h].skeleton);
         if (h < near.size() && near[h].size() > 0)
             starts.insert(starts.begin(), near[h]);
-        auto fit = fitToLandmarks(m_hands[h], *detected, starts);
+        auto fit = fitToLandmarks(m_hands[h], *detected, starts, m_landmarks);
         if (!fit)
             continue;
         FitSigns signs;
         signs.misfit = fit->misfit;
-        signs.landmarkMm = landmarkDistanceMm(m_hands[h], fit->pose, *detected);
+        signs.landmarkMm = landmarkDistanceMm(m_hands[h], fit->pose, *detected, m_landmarks.areJoints);
         result.hands[h] = {std::move(fit->pose), std::move(fit->jointCovarianceMm2), doubtOf(signs)};
     }
     return result;
@@ -125,12 +129,14 @@ FrameFit FrameFitter::bySilhouettes(const FrameEvidence& evidence, const HandPos
         if (!fit.confidence)
             continue;
         hand.jointCovarianceMm2 = fit.confidence->jointCovarianceMm2[i];
+        for (Eigen::Matrix3d& covariance : hand.jointCovarianceMm2)
+            covariance += kModelSigmaMm * kModelSigmaMm * Eigen::Matrix3d::Identity();
         FitSigns signs;
         signs.deepPx = result.deepPx = fit.confidence->deepPx;
         signs.overlap = result.overlap = fit.confidence->overlap;
         signs.worstSigmaMm = worstSigmaMm(hand.jointCovarianceMm2);
         if (const SpatialHand* detected = detectedHand(evidence, present[i]))
-            signs.landmarkMm = landmarkDistanceMm(m_hands[present[i]], hand.pose, *detected);
+            signs.landmarkMm = landmarkDistanceMm(m_hands[present[i]], hand.pose, *detected, m_landmarks.areJoints);
         hand.doubt = doubtOf(signs);
     }
     if (!fit.confidence)

@@ -9,6 +9,7 @@
 
 #include "core/detection/hand_views.h"
 #include "core/fitting/pose_estimator.h"
+#include "core/labelling/landmark_fit.h"
 #include "core/labelling/model_silhouettes.h"
 
 namespace core {
@@ -52,7 +53,7 @@ class FrameFitter {
 public:
     /// `hands` as withTips gives them; `silhouettes` empty: silhouettesByModel. `threads` never change a result.
     FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, SilhouetteMaker silhouettes = {},
-                int threads = 1);
+                int threads = 1, LandmarkFitOptions landmarks = {});
 
     const std::vector<HandModel>& hands() const { return m_hands; }
     const std::vector<Camera>& cameras() const { return m_cameras; }
@@ -76,6 +77,7 @@ private:
     std::vector<Camera> m_cameras;
     SilhouetteMaker m_silhouettes;
     int m_threads;
+    LandmarkFitOptions m_landmarks;
     std::vector<PoseEstimator> m_estimators; ///< of all hands, then (of two) of each alone
 };
 

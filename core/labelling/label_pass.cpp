@@ -62,6 +62,8 @@ private:
     bool detectKeys();
     void findUnit(const std::map<int, ViewDetections>& views);
     bool measure();
+    bool measureSilhouettes();
+    void takeHands(std::vector<SubjectHand> measured);
     bool fitKeys();
     bool track();
     double doubtAt(int frame) const;
@@ -72,6 +74,10 @@ private:
     FrameFit look(int frame, FrameEvidence evidence, const HandPoses& near);
     std::map<int, std::vector<SpatialHand>> grouped(const std::map<int, ViewDetections>& views) const;
 
+    void makeFitter() {
+        m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads,
+                         LandmarkFitOptions{.areJoints = m_options.landmarksAreJoints});
+    }
     bool isStopped() const { return m_stop.stop_requested(); }
     bool say(PassStage stage) {
         ++m_done;
@@ -96,7 +102,7 @@ private:
     PassResult m_result;
     std::optional<FrameFitter> m_fitter;
     std::map<int, FrameFit> m_pilots; ///< fits of the models before they were measured
-    long m_mostHands = 0; ///< in one frame
+    long m_mostHands = 0;             ///< in one frame
     int m_done = 0, m_total = 1;
 };
 
@@ -143,7 +149,7 @@ bool Run::detectKeys() {
     }
     findUnit(views);
     m_result.detected = assignHands(m_result.hands, grouped(views));
-    m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads);
+    makeFitter();
     return true;
 }
 
@@ -165,8 +171,17 @@ FrameFit Run::freshFit(const FrameFitter& fitter, int frame, const std::string& 
 
 /// The person's hands from the surest key frames.
 bool Run::measure() {
-    if (!m_options.measureHands || !m_options.withSilhouettes)
+    if (!m_options.measureHands)
         return true;
+    if (m_options.landmarksAreJoints) {
+        takeHands(measureLandmarks(m_result.hands, m_cameras, m_result.detected, m_options.mostPilots, m_stop));
+        return !isStopped();
+    }
+    return !m_options.withSilhouettes || measureSilhouettes();
+}
+
+/// From silhouettes that pilot fits of the models explain.
+bool Run::measureSilhouettes() {
     std::vector<int> complete;
     for (const auto& [frame, hands] : m_result.detected)
         if (std::all_of(hands.begin(), hands.end(), [](const auto& hand) { return hand.has_value(); }))
@@ -184,11 +199,15 @@ bool Run::measure() {
     }
     if (measured.size() < kFewestPilots)
         return true;
-    m_result.measured = measureHands(m_result.hands, m_cameras, measured, m_stop);
-    for (std::size_t h = 0; h < m_result.hands.size(); ++h)
-        m_result.hands[h] = m_result.measured[h].hand;
-    m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads);
+    takeHands(measureHands(m_result.hands, m_cameras, measured, m_stop));
     return !isStopped();
+}
+
+void Run::takeHands(std::vector<SubjectHand> measured) {
+    m_result.measured = std::move(measured);
+    for (std::size_t h = 0; h < m_result.measured.size(); ++h)
+        m_result.hands[h] = m_result.measured[h].hand;
+    makeFitter();
 }
 
 bool Run::fitKeys() {

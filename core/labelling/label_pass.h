@@ -29,13 +29,14 @@ public:
 };
 
 struct PassOptions {
-    int keyEveryFrames = 10;     ///< the detector looks at frames that are so far apart; it tracks between them
-    bool withSilhouettes = true; ///< false: landmarks alone, in every frame
-    bool measureHands = true;    ///< the models become this person's hands
-    std::size_t mostPilots = 12; ///< frames that hands are measured from
-    double leastDoubt = 0.5;     ///< from which on a fit is doubted: tracking ends, the detector looks again
-    int mostGapFrames = 30;      ///< frames that lie farther apart are not tracked into each other
-    int threads = 1;             ///< results do not depend on it
+    int keyEveryFrames = 10;         ///< the detector looks at frames that are so far apart; it tracks between them
+    bool withSilhouettes = true;     ///< false: landmarks alone, in every frame
+    bool measureHands = true;        ///< the models become this person's hands
+    bool landmarksAreJoints = false; ///< LandmarkFitOptions::areJoints; bones are measured from landmarks, too
+    std::size_t mostPilots = 12;     ///< frames that hands are measured from
+    double leastDoubt = 0.5;         ///< from which on a fit is doubted: tracking ends, the detector looks again
+    int mostGapFrames = 30;          ///< frames that lie farther apart are not tracked into each other
+    int threads = 1;                 ///< results do not depend on it
     SilhouetteMaker silhouettes{};
 };
 

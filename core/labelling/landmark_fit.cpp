@@ -95,8 +95,8 @@ std::vector<Eigen::Matrix3d> covariancesAt(const Skeleton& skeleton, const std::
 
 } // namespace
 
-std::vector<JointTarget> landmarkTargets(const HandModel& hand, const SpatialHand& detected) {
-    const SpatialHand unbiased = withoutBias(detected, hand.side);
+std::vector<JointTarget> landmarkTargets(const HandModel& hand, const SpatialHand& detected, bool areJoints) {
+    const SpatialHand unbiased = areJoints ? detected : withoutBias(detected, hand.side);
     const bool hasWrist = hand.skeleton.boneIndex(landmarkName(kWristLandmark)) >= 0;
     std::vector<JointTarget> targets;
     for (std::size_t i = 0; i < kLandmarkCount; ++i) {
@@ -107,7 +107,7 @@ std::vector<JointTarget> landmarkTargets(const HandModel& hand, const SpatialHan
         const int bone = isRoot ? 0 : hand.skeleton.boneIndex(name);
         if (bone < 0)
             continue;
-        const double sigma = isRoot ? kRootSigmaMm : name == "thumb_cmc" ? kThumbSigmaMm : 0;
+        const double sigma = isRoot ? kRootSigmaMm : name == "thumb_cmc" && !areJoints ? kThumbSigmaMm : 0;
         targets.push_back(
             {bone, unbiased.landmarks[i]->triangulated.pointInWorld,
              unbiased.landmarks[i]->triangulated.covariance + sigma * sigma * Eigen::Matrix3d::Identity()});
@@ -166,7 +166,7 @@ std::optional<LandmarkFit> fitToTargets(const HandModel& hand, const std::vector
 
 std::optional<LandmarkFit> fitToLandmarks(const HandModel& hand, const SpatialHand& detected,
                                           const std::vector<Pose>& starts, const LandmarkFitOptions& options) {
-    return fitToTargets(hand, landmarkTargets(hand, detected), starts, options);
+    return fitToTargets(hand, landmarkTargets(hand, detected, options.areJoints), starts, options);
 }
 
 } // namespace core

@@ -10,18 +10,20 @@
 
 namespace core {
 
-/// The joints of a model that landmarks stand for, by name, the detector's mean error taken off. A model without a
-/// wrist has its root there, a little off; people and models also differ about where the thumb begins: both get a wide
-/// covariance. Tips count if the model has bones for them (withTips).
-std::vector<JointTarget> landmarkTargets(const HandModel& hand, const SpatialHand& detected);
-
 /// Where the detector's landmarks are expected of a posed model, in a unit of so many mm: only their places are known.
 SpatialHand landmarksOf(const HandModel& hand, const Pose& pose, double unitMm);
 
 struct LandmarkFitOptions {
+    /// The hands' joints are what the detector calls so, because nobody says otherwise: its mean error stays on.
+    bool areJoints = false;
     double modelSigmaMm = 2;    ///< how far the model's joints are from the person's
     double priorSigmaRad = 0.6; ///< how far angles are expected from those of a start
 };
+
+/// The joints of a model that landmarks stand for, by name, the detector's mean error taken off. A model without a
+/// wrist has its root there, a little off; people and models also differ about where the thumb begins: both get a wide
+/// covariance. Tips count if the model has bones for them (withTips).
+std::vector<JointTarget> landmarkTargets(const HandModel& hand, const SpatialHand& detected, bool areJoints = false);
 
 /// A hand model in the pose that landmarks ask for.
 struct LandmarkFit {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/labelling/pass_hands.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/labelling/landmark_fit.h"
+#include "core/labelling/pass_plan.h"
 #include "core/subject/subject_estimate.h"
 
 namespace core {
@@ -33,6 +35,28 @@ SubjectFrame subjectFrame(const std::vector<HandModel>& hands, const std::vector
 }
 
 } // namespace
+
+std::vector<SubjectHand> measureLandmarks(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
+                                          const std::map<int, HandDetections>& detected, std::size_t mostFrames,
+                                          std::stop_token stop) {
+    std::vector<int> seen;
+    for (const auto& [number, list] : detected)
+        if (std::any_of(list.begin(), list.end(), [](const auto& hand) { return hand.has_value(); }))
+            seen.push_back(number);
+    std::vector<SubjectFrame> frames;
+    for (const int number : evenlyDrawn(seen, mostFrames)) {
+        SubjectFrame& frame = frames.emplace_back();
+        const HandDetections& list = detected.at(number);
+        for (std::size_t h = 0; h < hands.size(); ++h)
+            frame.targets.push_back(list[h] ? landmarkTargets(hands[h], *list[h], true) : std::vector<JointTarget>{});
+    }
+    if (frames.empty())
+        return {};
+    SubjectOptions options;
+    options.priors.lengthShare = 0.1; // the models are nobody's hands
+    options.priors.neighbourShare = 0.1;
+    return estimateSubject(hands, cameras, frames, options, stop).hands;
+}
 
 double landmarksOverModelLength(const std::vector<HandModel>& hands, const std::map<int, HandDetections>& detected) {
     std::vector<SubjectFrame> frames;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/subject/calibration_unit.h"
 
+#include <initializer_list>
+
 namespace core {
 
 namespace {

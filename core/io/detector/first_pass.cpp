@@ -74,7 +74,9 @@ FirstPassResult runFirstPass(const Dataset& dataset, const Sequence& sequence, c
         sink = [&](const PassResult& pass, int frame) {
             callbacks.frame(frame, autoHands(pass, frame, dataset.cameras));
         };
-    result.pass = runLabelPass(hands, dataset.cameras, frames, source, options, stop, callbacks.progress, sink);
+    PassOptions passOptions = options;
+    passOptions.landmarksAreJoints = dataset.hands.empty();
+    result.pass = runLabelPass(hands, dataset.cameras, frames, source, passOptions, stop, callbacks.progress, sink);
     result.isFinished = result.pass.isFinished;
     result.labels = autoLabels(result.pass, dataset.cameras);
     return result;

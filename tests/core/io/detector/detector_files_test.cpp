@@ -239,30 +239,83 @@ TEST(Detector, FindsNoHandInAnEmptyPictureWithTheRealNetworks) {
     EXPECT_TRUE(detector.search(cv::Mat(720, 720, CV_8UC3, cv::Scalar(90, 90, 90)), true).empty());
 }
 
-TEST(DetectionJournal, GoesOnAfterALineThatWasCutOff) {
-    const test::TemporaryFolder folder;
-    const auto file = folder / "out.json.progress";
+core::ViewDetections someDetections() {
     core::ViewDetections detections(2);
     detections[1].resize(1);
     for (std::size_t i = 0; i < core::kLandmarkCount; ++i)
         detections[1][0].px[i] = {1.0 / 3 + static_cast<double>(i), 2};
     detections[1][0].sidePx = 200;
+    return detections;
+}
+
+core::FrameFit someFit() {
+    core::FrameFit fit;
+    fit.source = core::FitSource::Tracking;
+    fit.overlap = 0.9;
+    fit.deepPx = 1.0 / 7;
+    fit.hands.resize(2);
+    fit.hands[1] = {
+        Eigen::VectorXd::LinSpaced(9, -1.0 / 3, 1), {Eigen::Matrix3d::Random(), Eigen::Matrix3d::Random()}, 0.25};
+    return fit;
+}
+
+TEST(DetectionJournal, GoesOnAfterALineThatWasCutOff) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "out.json.progress";
+    const core::JournalWork work{"work", "fits"};
+    const core::ViewDetections detections = someDetections();
     {
-        core::DetectionJournal journal(file, {"work", ""}, 2);
+        core::DetectionJournal journal(file, work, 2);
         journal.append(4, detections);
         journal.append(9, detections);
     }
     const std::string whole = test::readText(file);
     test::writeText(file, whole.substr(0, whole.size() - 20));
     {
-        core::DetectionJournal journal(file, {"work", ""}, 2);
+        core::DetectionJournal journal(file, work, 2);
         ASSERT_EQ(journal.frames().size(), 1u);
         EXPECT_EQ(journal.frames().at(4)[1][0].px, detections[1][0].px);
         EXPECT_EQ(journal.frames().at(4)[1][0].sidePx, 200);
         journal.append(9, detections);
     }
     EXPECT_EQ(test::readText(file), whole);
-    EXPECT_TRUE(core::DetectionJournal(file, {"other work", ""}, 2).frames().empty());
+    EXPECT_TRUE(core::DetectionJournal(file, {"other work", "fits"}, 2).frames().empty());
+}
+
+TEST(DetectionJournal, KeepsFitsToTheLastDigitAndDropsThoseOfOtherWork) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "out.json.progress";
+    const core::FrameFit fit = someFit();
+    {
+        core::DetectionJournal journal(file, {"work", "fits"}, 2);
+        journal.append(4, someDetections());
+        journal.append({"key", 4}, fit);
+    }
+    {
+        const core::DetectionJournal journal(file, {"work", "fits"}, 2);
+        ASSERT_EQ(journal.fits().count({"key", 4}), 1u);
+        const core::FrameFit& kept = journal.fits().at({"key", 4});
+        EXPECT_EQ(kept.source, fit.source);
+        EXPECT_EQ(kept.overlap, fit.overlap);
+        EXPECT_EQ(kept.deepPx, fit.deepPx);
+        ASSERT_EQ(kept.hands.size(), 2u);
+        EXPECT_EQ(kept.hands[0].pose.size(), 0);
+        EXPECT_EQ(kept.hands[1].pose, fit.hands[1].pose);
+        EXPECT_EQ(kept.hands[1].jointCovarianceMm2, fit.hands[1].jointCovarianceMm2);
+        EXPECT_EQ(kept.hands[1].doubt, 0.25);
+    }
+    const core::DetectionJournal other(file, {"work", "other frames"}, 2);
+    EXPECT_EQ(other.frames().size(), 1u);
+    EXPECT_TRUE(other.fits().empty());
+}
+
+TEST(DetectionJournal, OfAnEarlierVersionIsBegunAnew) {
+    const test::TemporaryFolder folder;
+    const auto file = folder / "out.json.progress";
+    for (const std::string old : {"{\"work\":\"work\"}\n{\"frame\":4,\"views\":[[],[]]}\n", "", "not json\n", "{\"a"}) {
+        test::writeText(file, old);
+        EXPECT_TRUE(core::DetectionJournal(file, {"work", "fits"}, 2).frames().empty());
+    }
 }
 
 } // namespace
