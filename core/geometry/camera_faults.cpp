@@ -16,11 +16,11 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;
 constexpr double kSamePlaceMm = 0.1;
-constexpr double kSameShape = 0.01;      ///< of the ratio of width and height
-constexpr double kNearMm = 20;           ///< nearer than any rig around a hand
-constexpr double kFarMm = 200e3;         ///< farther than any room is wide
+constexpr double kSameShape = 0.01; ///< of the ratio of width and height
+constexpr double kNearMm = 20;      ///< nearer than any rig around a hand
+constexpr double kFarMm = 200e3;    ///< farther than any room is wide
 constexpr double kCentimetresBelowMm = 100;
-constexpr double kSideBySideMm = 5;      ///< no two cameras with parallel axes stand closer
+constexpr double kSideBySideMm = 5; ///< no two cameras with parallel axes stand closer
 
 std::optional<CameraFault> rotationFault(const Camera& camera) {
     const Eigen::Matrix3d& r = camera.cameraFromWorld.rotation;

@@ -268,7 +268,8 @@ std::optional<double> Hdf5File::numberAttribute(const std::string& path, const s
     const Id id(H5Aopen_by_name(m_file, path.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const Id type(H5Aget_type(id), H5Tclose), space(H5Aget_space(id), H5Sclose);
     double value = 0;
-    if (!isNumber(type) || H5Tget_size(type) > kMostElementBytes || H5Sget_simple_extent_npoints(space) != 1 || H5Aread(id, H5T_NATIVE_DOUBLE, &value) < 0)
+    if (!isNumber(type) || H5Tget_size(type) > kMostElementBytes || H5Sget_simple_extent_npoints(space) != 1 ||
+        H5Aread(id, H5T_NATIVE_DOUBLE, &value) < 0)
         return std::nullopt;
     return value;
 }

@@ -79,8 +79,9 @@ TEST_F(VideoGlances, FramesThatThereWasNoMoreRoomForAreKeptSmall) {
 
 TEST_F(VideoGlances, SmallPicturesAreTheMeansOfLargeOnes) {
     for (const auto& [name, options] :
-         {std::pair("a.mp4", "-c:v libx264 -qp 10 -pix_fmt yuv420p"), std::pair("odd.mp4", "-vf crop=153:91:0:0:exact=1 "
-                                                                                           "-c:v mpeg4 -qscale:v 2"),
+         {std::pair("a.mp4", "-c:v libx264 -qp 10 -pix_fmt yuv420p"),
+          std::pair("odd.mp4", "-vf crop=153:91:0:0:exact=1 "
+                               "-c:v mpeg4 -qscale:v 2"),
           std::pair("grey.mkv", "-c:v ffv1 -pix_fmt gray"),
           std::pair("ten.mkv", "-c:v libx265 -pix_fmt yuv420p10le -x265-params log-level=none")}) {
         core::VideoFile video(encode(name, options, 10), {});
