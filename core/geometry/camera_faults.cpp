@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <Eigen/LU>
 
@@ -15,11 +16,11 @@ namespace {
 
 constexpr double kRotationTolerance = 1e-3;
 constexpr double kSamePlaceMm = 0.1;
-constexpr double kSameShape = 0.01;      ///< of the ratio of width and height
-constexpr double kNearMm = 20;           ///< nearer than any rig around a hand
-constexpr double kFarMm = 200e3;         ///< farther than any room is wide
+constexpr double kSameShape = 0.01; ///< of the ratio of width and height
+constexpr double kNearMm = 20;      ///< nearer than any rig around a hand
+constexpr double kFarMm = 200e3;    ///< farther than any room is wide
 constexpr double kCentimetresBelowMm = 100;
-constexpr double kSideBySideMm = 5;      ///< no two cameras with parallel axes stand closer
+constexpr double kSideBySideMm = 5; ///< no two cameras with parallel axes stand closer
 
 std::optional<CameraFault> rotationFault(const Camera& camera) {
     const Eigen::Matrix3d& r = camera.cameraFromWorld.rotation;
@@ -100,18 +101,22 @@ RigScale rigScale(const std::vector<Camera>& cameras) {
 std::vector<CameraFault> findCameraFaults(const std::vector<Camera>& cameras,
                                           const std::vector<std::optional<ImageSize>>& pictureSizes) {
     std::vector<CameraFault> faults;
-    const std::optional<Eigen::Vector3d> target = commonTarget(cameras);
+    std::vector<Camera> sound; // one without a rotation says nothing of where the others look
+    std::copy_if(cameras.begin(), cameras.end(), std::back_inserter(sound),
+                 [](const Camera& camera) { return !rotationFault(camera); });
+    const std::optional<Eigen::Vector3d> target = commonTarget(sound);
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const std::optional<ImageSize> pictures = i < pictureSizes.size() ? pictureSizes[i] : std::nullopt;
-        for (const auto& fault : {rotationFault(cameras[i]), lensFault(cameras[i]), sizeFault(cameras[i], pictures),
-                                  placeFault(cameras, i, target)}) {
+        const std::optional<CameraFault> rotation = rotationFault(cameras[i]);
+        for (const auto& fault : {rotation, lensFault(cameras[i]), sizeFault(cameras[i], pictures),
+                                  rotation ? std::nullopt : placeFault(cameras, i, target)}) {
             if (!fault)
                 continue;
             faults.push_back(*fault);
             faults.back().camera = static_cast<int>(i);
         }
     }
-    if (const RigScale scale = rigScale(cameras); scale.likelyFactor != 1)
+    if (const RigScale scale = rigScale(sound); scale.likelyFactor != 1)
         faults.push_back({CameraFaultKind::OddUnit, -1, scale.distanceMm});
     return faults;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The window without a dataset, how one is made, and footage that has moved.
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QImage>

@@ -68,15 +68,18 @@ public:
                 m_times.allSeen = nowMs() - m_start;
         };
         QObject::connect(&m_loader, &widgets::FrameLoader::standInLoaded, see);
-        QObject::connect(&m_loader, &widgets::FrameLoader::pictureLoaded,
-                         [this, see](int camera, const widgets::ImagePyramid& picture) {
-                             see(camera);
-                             if (camera == 0 && !picture.isDraft())
-                                 m_times.firstWhole = nowMs() - m_start;
-                         });
-        QObject::connect(&m_loader, &widgets::FrameLoader::pictureFailed, [](int camera, const QString& message) {
-            std::fprintf(stderr, "cam%d: %s\n", camera, qPrintable(message));
-        });
+        QObject::connect(
+            &m_loader, &widgets::FrameLoader::pictureLoaded,
+            [this, see](int camera, const widgets::ImagePyramid& picture) {
+                see(camera);
+                if (camera == 0 && !picture.isDraft())
+                    m_times.firstWhole = nowMs() - m_start;
+            });
+        QObject::connect(
+            &m_loader, &widgets::FrameLoader::pictureFailed,
+            [](int camera, const QString& message) {
+                std::fprintf(stderr, "cam%d: %s\n", camera, qPrintable(message));
+            });
         QObject::connect(&m_loader, &widgets::FrameLoader::frameCompleted, [this] { ++m_completed; });
     }
 
@@ -160,8 +163,8 @@ void play(Trial& trial) {
 void scrub(Trial& trial) {
     constexpr int kMoves = 180;
     int shown = 0, last = -1;
-    const auto connection =
-        QObject::connect(&trial.loader(), &widgets::FrameLoader::standInLoaded, [&](int camera) { shown += camera == 7; });
+    const auto connection = QObject::connect(
+        &trial.loader(), &widgets::FrameLoader::standInLoaded, [&](int camera) { shown += camera == 7; });
     const auto other = QObject::connect(&trial.loader(), &widgets::FrameLoader::pictureLoaded,
                                         [&](int camera, const widgets::ImagePyramid&) { shown += camera == 7; });
     for (int i = 0; i < kMoves; ++i) {

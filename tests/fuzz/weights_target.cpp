@@ -58,7 +58,8 @@ void readFlatBuffer(std::string_view bytes) {
 void readArchive(std::string_view bytes) {
     const MemoryFile file(bytes);
     try {
-        core::readPackage(file.path(), [](const std::string& name) { return name.size() % 2 == 0; });
+        core::readPackage(
+            file.path(), [](const std::string& name) { return name.size() % 2 == 0; });
     } catch (const core::Error&) {
     }
 }

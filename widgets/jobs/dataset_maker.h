@@ -26,7 +26,7 @@ struct NewDatasetRequest {
     bool demoHands = false;          ///< the demo's hands are taken
     std::filesystem::path handsFrom; ///< a dataset whose hands are taken; empty: none
     std::string masks;               ///< a folder or a pattern with {camera} and {frame}; empty: none
-    std::filesystem::path folder; ///< of the dataset; does not exist yet, or is empty
+    std::filesystem::path folder;    ///< of the dataset; does not exist yet, or is empty
 };
 
 /// A calibration as it was read, and what is wrong with it.

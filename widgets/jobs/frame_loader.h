@@ -99,7 +99,7 @@ private:
     JobPool& m_pool;
     JobPool m_decodingPool; ///< for what is decoded ahead, which may take long
     std::shared_ptr<core::PictureSource> m_source;
-    std::vector<QSize> m_sizes; ///< of the pictures, by camera
+    std::vector<QSize> m_sizes;                       ///< of the pictures, by camera
     std::vector<std::unique_ptr<Job>> m_jobs;         ///< one per camera
     std::vector<std::unique_ptr<Job>> m_aheadJobs;    ///< one per camera: the next frame
     std::vector<std::unique_ptr<Job>> m_decodingJobs; ///< one per thread: the frames after that

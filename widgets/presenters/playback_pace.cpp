@@ -8,10 +8,10 @@ namespace widgets {
 
 namespace {
 
-constexpr double kJerkyMs = 125;  ///< a picture that takes longer makes the next steps smaller
-constexpr double kFluentMs = 70;  ///< one that takes less may make them larger
-constexpr int kMost = 16;         ///< frames at once
-constexpr int kFirst = 4;         ///< frames at once, until it is known how fast they come
+constexpr double kJerkyMs = 125; ///< a picture that takes longer makes the next steps smaller
+constexpr double kFluentMs = 70; ///< one that takes less may make them larger
+constexpr int kMost = 16;        ///< frames at once
+constexpr int kFirst = 4;        ///< frames at once, until it is known how fast they come
 constexpr double kRounding = 1e-6;
 
 } // namespace

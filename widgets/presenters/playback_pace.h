@@ -14,7 +14,7 @@ public:
 
 private:
     double m_framesPerMs = 0.025;
-    int m_base = 0;      ///< frame that was due at m_baseMs
+    int m_base = 0; ///< frame that was due at m_baseMs
     double m_baseMs = 0;
     int m_last = 0;      ///< shown
     double m_lastMs = 0; ///< when it was asked for

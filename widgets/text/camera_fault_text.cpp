@@ -33,8 +33,9 @@ QString whatIsWrong(const core::CameraFault& fault, const std::vector<core::Came
                                       "its principal point lies outside the image: is the matrix transposed, or the "
                                       "image size wrong?"));
     case core::CameraFaultKind::OtherSize:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                      "its footage has %1 pixels, the calibration is for %2: another camera's footage?"))
+        return text(
+                   QT_TRANSLATE_NOOP("widgets::CameraFaultText",
+                                     "its footage has %1 pixels, the calibration is for %2: another camera's footage?"))
             .arg(sizeText(fault.pictures), sizeText(cameras[static_cast<std::size_t>(fault.camera)].size));
     case core::CameraFaultKind::OtherScale:
         return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",

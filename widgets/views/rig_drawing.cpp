@@ -84,8 +84,8 @@ void RigDrawing::drawCamera(QPainter& painter, std::size_t index) const {
     for (std::size_t i = 0; i < 4; ++i) {
         const double x = (i == 1 || i == 2 ? camera.size.width : 0) - camera.intrinsics(0, 2);
         const double y = (i >= 2 ? camera.size.height : 0) - camera.intrinsics(1, 2);
-        corners[i] = centre + length * (worldFromCamera * Eigen::Vector3d(x / camera.intrinsics(0, 0),
-                                                                          y / camera.intrinsics(1, 1), 1));
+        corners[i] = centre + length * (worldFromCamera *
+                                        Eigen::Vector3d(x / camera.intrinsics(0, 0), y / camera.intrinsics(1, 1), 1));
     }
     const QColor colour = m_odd.count(static_cast<int>(index)) > 0 ? kOddColour : palette().color(QPalette::WindowText);
     QColor quiet = palette().color(QPalette::Highlight);

@@ -86,9 +86,9 @@ void CalibrationPage::show(const widgets::CalibrationLook& look) {
     m_findings->clear();
     for (const core::CameraFault& fault : look.faults) {
         odd.insert(fault.camera);
-        auto* item = new QListWidgetItem(QIcon::fromTheme(fault.isFatal() ? QStringLiteral("dialog-error")
-                                                                          : QStringLiteral("dialog-warning")),
-                                         widgets::cameraFaultText(fault, look.cameras), m_findings);
+        auto* item = new QListWidgetItem(
+            QIcon::fromTheme(fault.isFatal() ? QStringLiteral("dialog-error") : QStringLiteral("dialog-warning")),
+            widgets::cameraFaultText(fault, look.cameras), m_findings);
         item->setToolTip(item->text());
     }
     if (look.faults.empty())
@@ -101,8 +101,8 @@ void CalibrationPage::show(const widgets::CalibrationLook& look) {
 
 QString CalibrationPage::summary() const {
     const core::RigScale scale = core::rigScale(m_look->cameras);
-    QString text = tr("Recognised as %1: %n camera(s).", nullptr, static_cast<int>(m_look->cameras.size()))
-                       .arg(m_look->kind);
+    QString text =
+        tr("Recognised as %1: %n camera(s).", nullptr, static_cast<int>(m_look->cameras.size())).arg(m_look->kind);
     if (scale.distanceMm > 0 && scale.hasTarget)
         text += QLatin1Char(' ') +
                 tr("They stand about %1 mm from where they look.").arg(QLocale().toString(scale.distanceMm, 'f', 0));
@@ -112,8 +112,8 @@ QString CalibrationPage::summary() const {
 void CalibrationPage::showFailure(const QString& message) {
     clear();
     m_failure = message;
-    m_findings->addItem(new QListWidgetItem(QIcon::fromTheme(QStringLiteral("dialog-error")),
-                                            widgets::withoutDetail(message)));
+    m_findings->addItem(
+        new QListWidgetItem(QIcon::fromTheme(QStringLiteral("dialog-error")), widgets::withoutDetail(message)));
 }
 
 QString CalibrationPage::problem() const {

@@ -55,7 +55,8 @@ void FootagePage::addButtons(QVBoxLayout& column) {
     auto* videos = new QPushButton(tr("Add videos..."), this);
     auto* images = new QPushButton(tr("Add a folder..."), this);
     auto* remove = new QPushButton(tr("Remove"), this);
-    connect(videos, &QPushButton::clicked, this, [this] { askForFootage(false); });
+    connect(
+        videos, &QPushButton::clicked, this, [this] { askForFootage(false); });
     connect(images, &QPushButton::clicked, this, [this] { askForFootage(true); });
     connect(remove, &QPushButton::clicked, this, [this] {
         m_table->removeRow(m_table->currentRow());
@@ -71,8 +72,8 @@ void FootagePage::addButtons(QVBoxLayout& column) {
 }
 
 void FootagePage::askForFootage(bool isFolder) {
-    auto* dialog = new QFileDialog(this, isFolder ? tr("A folder of numbered images, or of videos")
-                                                  : tr("Videos of the cameras"));
+    auto* dialog =
+        new QFileDialog(this, isFolder ? tr("A folder of numbered images, or of videos") : tr("Videos of the cameras"));
     dialog->setFileMode(isFolder ? QFileDialog::Directory : QFileDialog::ExistingFiles);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::filesSelected, this, &FootagePage::chosen);
@@ -132,7 +133,8 @@ std::vector<core::Footage> FootagePage::footage() const {
     for (int row = 0; row < m_table->rowCount(); ++row) {
         if (choiceIn(row)->currentIndex() <= 0)
             continue;
-        core::Footage one{choiceIn(row)->currentText().toStdString(), m_table->item(row, kFootage)->text().toStdString()};
+        core::Footage one{choiceIn(row)->currentText().toStdString(),
+                          m_table->item(row, kFootage)->text().toStdString()};
         if (const int first = qobject_cast<QSpinBox*>(m_table->cellWidget(row, kFirstFrame))->value(); first >= 0)
             one.offsetFrames = first;
         all.push_back(one);

@@ -91,7 +91,8 @@ void NewDatasetWindow::build() {
     m_next = buttons->addButton(tr("Next"), QDialogButtonBox::ActionRole);
     m_make = buttons->addButton(tr("Make the dataset"), QDialogButtonBox::AcceptRole);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    connect(m_back, &QPushButton::clicked, this, [this] { m_steps->setCurrentRow(m_steps->currentRow() - 1); });
+    connect(
+        m_back, &QPushButton::clicked, this, [this] { m_steps->setCurrentRow(m_steps->currentRow() - 1); });
     connect(m_next, &QPushButton::clicked, this, [this] { m_steps->setCurrentRow(m_steps->currentRow() + 1); });
     connect(m_make, &QPushButton::clicked, this, &NewDatasetWindow::make);
     auto* middle = new QHBoxLayout;
@@ -230,9 +231,7 @@ void NewDatasetWindow::refresh() {
     m_make->setEnabled(first.isEmpty() && !isBusy);
     m_make->setToolTip(first);
     (m_make->isEnabled() ? m_make : m_next)->setDefault(true);
-    m_reason->setText(isBusy            ? tr("The footage is looked at...")
-                      : !here.isEmpty() ? here
-                                        : first);
+    m_reason->setText(isBusy ? tr("The footage is looked at...") : !here.isEmpty() ? here : first);
     m_summary->setText(summary());
 }
 

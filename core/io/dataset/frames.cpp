@@ -72,7 +72,7 @@ struct FrameSource::Impl {
     Motion motion;
     std::vector<std::unique_ptr<View>> views; ///< parallel to cameras
     std::atomic<int> firstCamera = -1;
-    std::atomic<std::int64_t> budget = 0;     ///< bytes for decoded pictures of all videos; 0: a few pictures each
+    std::atomic<std::int64_t> budget = 0; ///< bytes for decoded pictures of all videos; 0: a few pictures each
     std::mutex posedMutex;
     std::shared_ptr<const PosedHands> posed; ///< of the frame that was rendered last
 
@@ -119,8 +119,8 @@ int FrameSource::Impl::videoCount() const {
 /// them all.
 int FrameSource::Impl::threadsFor(const View& view) const {
     const int first = firstCamera, cores = static_cast<int>(std::thread::hardware_concurrency());
-    const bool isFirst = first >= 0 && first < static_cast<int>(views.size()) &&
-                         views[static_cast<std::size_t>(first)].get() == &view;
+    const bool isFirst =
+        first >= 0 && first < static_cast<int>(views.size()) && views[static_cast<std::size_t>(first)].get() == &view;
     return std::clamp(isFirst ? cores : cores / std::max(1, videoCount()), 1, 4);
 }
 

@@ -144,8 +144,7 @@ int PictureReader::packetsUntil(int picture) const {
 
 const AVFrame* PictureReader::nearest(int picture, int& number) const {
     auto best = m_kept.lower_bound(picture);
-    if (best != m_kept.begin() &&
-        (best == m_kept.end() || picture - std::prev(best)->first <= best->first - picture))
+    if (best != m_kept.begin() && (best == m_kept.end() || picture - std::prev(best)->first <= best->first - picture))
         best = std::prev(best);
     if (best == m_kept.end())
         return nullptr;

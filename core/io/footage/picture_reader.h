@@ -33,7 +33,9 @@ public:
     /// How many threads decode, from the next start at a key packet on: going on never changes them.
     void setThreads(int threads) { m_threads = threads; }
     /// Sees every whole picture that is let go of for want of room.
-    void setOnForgotten(std::function<void(int picture, const AVFrame& frame)> seen) { m_onForgotten = std::move(seen); }
+    void setOnForgotten(std::function<void(int picture, const AVFrame& frame)> seen) {
+        m_onForgotten = std::move(seen);
+    }
     /// How much memory kept pictures may take; one is always kept.
     void setBudget(std::int64_t bytes);
     /// The picture, as decoded; valid until the next call; null if it was stopped, which loses nothing that is decoded.

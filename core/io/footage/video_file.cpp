@@ -137,7 +137,8 @@ std::optional<VideoGlance> VideoFile::glance(int frame) {
         number = *key;
         picture = m_handle->keys.read(*key);
     }
-    if (picture == nullptr || VideoDecoder::isDamaged(*picture) || picture->width != m_info.size.width || picture->height != m_info.size.height)
+    if (picture == nullptr || VideoDecoder::isDamaged(*picture) || picture->width != m_info.size.width ||
+        picture->height != m_info.size.height)
         return std::nullopt;
     VideoGlance glance{number, m_handle->converter.toBgr(*picture, kGlanceShrink)};
     if (m_handle->shrunk.isUsed() && !glance.picture.empty())

@@ -35,7 +35,8 @@ private:
 };
 
 /// A file may claim any size; no table of annotations comes near.
-constexpr hsize_t kMostElements = 200'000'000;
+constexpr hsize_t kMostElements = 64'000'000;
+constexpr std::size_t kMostElementBytes = 1 << 20; ///< of one number, text or record
 
 std::vector<std::size_t> shapeOf(hid_t space) {
     const int rank = H5Sget_simple_extent_ndims(space);
@@ -69,7 +70,7 @@ std::optional<std::vector<std::string>> readTexts(hid_t fileType, hid_t space, s
         return texts;
     }
     const std::size_t length = H5Tget_size(fileType);
-    if (length == 0 || count > kMostElements / length)
+    if (length == 0 || length > kMostElementBytes || count > kMostElements / length)
         return std::nullopt;
     H5Tset_size(type, length);
     H5Tset_strpad(type, H5T_STR_NULLPAD);
@@ -95,7 +96,7 @@ struct OpenDataset {
         if (!data.isValid())
             file.refuse(path, file.has(path) ? "is a group, a dataset is expected" : "is missing");
         const hssize_t points = H5Sget_simple_extent_npoints(space);
-        if (points < 0 || static_cast<hsize_t>(points) > kMostElements)
+        if (points < 0 || static_cast<hsize_t>(points) > kMostElements || H5Tget_size(type) > kMostElementBytes)
             file.refuse(path, "is damaged or too large");
         count = static_cast<std::size_t>(points);
     }
@@ -204,6 +205,8 @@ std::vector<std::string> Hdf5File::fieldsOf(const std::string& path) const {
     std::vector<std::string> names;
     for (int i = 0; i < H5Tget_nmembers(set.type); ++i) {
         char* name = H5Tget_member_name(set.type, static_cast<unsigned>(i));
+        if (name == nullptr)
+            refuse(path, "is damaged");
         names.emplace_back(name);
         H5free_memory(name);
     }
@@ -265,7 +268,8 @@ std::optional<double> Hdf5File::numberAttribute(const std::string& path, const s
     const Id id(H5Aopen_by_name(m_file, path.c_str(), attribute.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const Id type(H5Aget_type(id), H5Tclose), space(H5Aget_space(id), H5Sclose);
     double value = 0;
-    if (!isNumber(type) || H5Sget_simple_extent_npoints(space) != 1 || H5Aread(id, H5T_NATIVE_DOUBLE, &value) < 0)
+    if (!isNumber(type) || H5Tget_size(type) > kMostElementBytes || H5Sget_simple_extent_npoints(space) != 1 ||
+        H5Aread(id, H5T_NATIVE_DOUBLE, &value) < 0)
         return std::nullopt;
     return value;
 }

@@ -133,8 +133,8 @@ MatValue MatValue::element(std::size_t i) const {
     found.m_isElement = false;
     found.m_field += "{" + number + "}";
     matvar_t* part = m_content->part;
-    found.m_content = std::make_shared<Content>(Content{
-        m_content->whole, holdsParts(*part, i + 1) ? Mat_VarGetCell(part, static_cast<int>(i)) : nullptr});
+    found.m_content = std::make_shared<Content>(
+        Content{m_content->whole, holdsParts(*part, i + 1) ? Mat_VarGetCell(part, static_cast<int>(i)) : nullptr});
     return found;
 }
 

@@ -84,15 +84,20 @@ protected:
             EXPECT_EQ(picture.size(), kSize);
             shown.push_back({camera, qRed(picture.image().pixel(2, 2)), picture.isDraft(), isStandIn});
         };
-        QObject::connect(&loader, &widgets::FrameLoader::pictureLoaded,
-                         [note](int camera, const widgets::ImagePyramid& picture) { note(camera, picture, false); });
-        QObject::connect(&loader, &widgets::FrameLoader::standInLoaded,
-                         [note](int camera, const widgets::ImagePyramid& picture) { note(camera, picture, true); });
-        QObject::connect(&loader, &widgets::FrameLoader::frameCompleted, [this](int frame) { complete.push_back(frame); });
+        QObject::connect(
+            &loader, &widgets::FrameLoader::pictureLoaded,
+            [note](int camera, const widgets::ImagePyramid& picture) { note(camera, picture, false); });
+        QObject::connect(
+            &loader, &widgets::FrameLoader::standInLoaded,
+            [note](int camera, const widgets::ImagePyramid& picture) { note(camera, picture, true); });
+        QObject::connect(&loader, &widgets::FrameLoader::frameCompleted,
+                         [this](int frame) { complete.push_back(frame); });
     }
     ~FramesComing() override { source->isHeld = false; }
 
-    void finish() { ASSERT_TRUE(QTest::qWaitFor([this] { return loader.isComplete(); }, 20'000)); }
+    void finish() {
+        ASSERT_TRUE(QTest::qWaitFor([this] { return loader.isComplete(); }, 20'000));
+    }
 
     std::shared_ptr<FakeSource> source = std::make_shared<FakeSource>();
     widgets::JobPool pool{2};
