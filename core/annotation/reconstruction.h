@@ -67,8 +67,8 @@ struct JointReconstruction {
     std::string suspect;             ///< camera of the manual mark that contradicts the others (p < 0.001), or empty
     /// Where auto and proposed marks put the joint while manual ones give no point; never exported.
     std::optional<Eigen::Vector3d> proposal;
-    /// Nobody clicked the joint: the point is that of accepted proposals. No residuals and no inliers; the covariance is
-    /// that of one look, since all views show the same point.
+    /// Nobody clicked the joint: the point is that of accepted proposals. No residuals and no inliers; the covariance
+    /// is that of one look, since all views show the same point.
     bool isAccepted = false;
     int manualViews = 0;
     int placedViews = 0;  ///< manual and auto

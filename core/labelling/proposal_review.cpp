@@ -32,7 +32,8 @@ double meanOf(const std::vector<double>& values) {
 }
 
 std::ptrdiff_t jointsOf(const JointPoints& points, Side hand) {
-    return std::count_if(points.begin(), points.end(), [hand](const auto& item) { return item.first.hand == hand; });
+    return std::count_if(
+        points.begin(), points.end(), [hand](const auto& item) { return item.first.hand == hand; });
 }
 
 /// The bone of a hand whose length is least usual.
@@ -131,9 +132,8 @@ ProposalReview::Usual ProposalReview::usual() const {
     std::map<Side, std::map<int, int>> frequencies;
     for (const auto& [frame, seen] : m_seen) {
         points[frame] = seen.points;
-        for (const Side hand : {Side::Left, Side::Right}) {
+        for (const Side hand : {Side::Left, Side::Right})
             ++frequencies[hand][static_cast<int>(jointsOf(seen.points, hand))];
-        }
     }
     usual.lengths = medianBoneLengths(points, kFewestFrames);
     for (const auto& [hand, counts] : frequencies) {
@@ -220,12 +220,11 @@ std::vector<ReviewFrame> reviewFrames(const std::vector<ProposedFrame>& frames) 
 }
 
 void followProposals(AnnotationSet& proposed, const Edit& edit) {
-    for (const MarkChange& change : edit.marks) {
+    for (const MarkChange& change : edit.marks)
         if (change.after && change.after->isProposal())
             proposed.marks[change.key] = *change.after;
         else if (!change.after)
             proposed.marks.erase(change.key);
-    }
 }
 
 } // namespace core

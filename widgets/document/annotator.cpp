@@ -195,8 +195,8 @@ bool Annotator::acceptProposals() {
     if (!m_dataset)
         return false;
     const core::Edit edit = whereThereArePictures(
-        core::acceptProposalsEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(),
-                                  m_document.rater(), m_reconstructions.options()));
+        core::acceptProposalsEdit(m_document.annotations(), m_dataset->cameras, m_selection.frame(), m_document.rater(),
+                                  m_reconstructions.options()));
     if (edit.empty())
         emit nothingDone(tr("Nothing waits to be accepted in this frame."));
     m_nudged.reset();

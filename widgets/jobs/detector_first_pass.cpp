@@ -29,8 +29,8 @@ core::FirstPassOptions optionsFor(const FirstPassWork& work) {
     return options;
 }
 
-FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token stop,
-                                  const core::PassProgress& progress, MeasuredHands& measured) {
+FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token stop, const core::PassProgress& progress,
+                                  MeasuredHands& measured) {
     core::FirstPassCallbacks callbacks;
     callbacks.progress = progress;
     core::FirstPassResult result = core::runFirstPass(*work.dataset, work.sequence, core::readDetector(), work.frames,
@@ -45,7 +45,8 @@ FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token sto
 core::AutoLabels followCorrected(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
                                  int frame, std::stop_token stop, MeasuredHands& measured) {
     core::CorrectedFrame corrected{frame, {}};
-    for (auto& [id, joint] : core::reconstructFrame(set, work.dataset->cameras, frame, rater, {{}, false, std::nullopt}))
+    for (auto& [id, joint] :
+         core::reconstructFrame(set, work.dataset->cameras, frame, rater, {{}, false, std::nullopt}))
         if (joint.hasPoint())
             corrected.joints.emplace(id, *joint.result.point);
     std::set<int> waiting, reviewed;
@@ -61,9 +62,9 @@ core::AutoLabels followCorrected(const FirstPassWork& work, const core::Annotati
         if (measured.dataset == work.dataset->folder && !measured.hands.empty())
             hands = measured.hands;
     }
-    core::AutoLabels labels = core::retrackFrames(*work.dataset, work.sequence, hands, corrected,
-                                                  {waiting.begin(), waiting.end()}, {reviewed.begin(), reviewed.end()},
-                                                  optionsFor(work), stop);
+    core::AutoLabels labels =
+        core::retrackFrames(*work.dataset, work.sequence, hands, corrected, {waiting.begin(), waiting.end()},
+                            {reviewed.begin(), reviewed.end()}, optionsFor(work), stop);
     labels.erase(frame); // it is the person's
     return labels;
 }

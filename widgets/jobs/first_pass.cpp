@@ -12,13 +12,14 @@ namespace {
 
 void keepHands(core::AutoLabels& labels, const std::set<core::Side>& hands) {
     for (auto& [frame, list] : labels)
-        std::erase_if(list, [&hands](const core::AutoHand& label) { return !hands.contains(label.side); });
+        std::erase_if(
+            list, [&hands](const core::AutoHand& label) { return !hands.contains(label.side); });
     std::erase_if(labels, [](const auto& item) { return item.second.empty(); });
 }
 
 void keepJoints(core::Edit& edit, const std::set<core::JointId>& joints) {
-    std::erase_if(edit.marks,
-                  [&joints](const core::MarkChange& change) { return !joints.contains(change.key.joint); });
+    std::erase_if(
+        edit.marks, [&joints](const core::MarkChange& change) { return !joints.contains(change.key.joint); });
 }
 
 /// Those that the rater has marks of, proposed or not.
@@ -32,9 +33,8 @@ std::set<core::JointId> jointsOf(const core::AnnotationSet& set, const std::stri
 
 /// Without what the annotations do not hold any more as it was when the run began: a person has worked there.
 void keepCurrent(core::Edit& edit, const core::AnnotationSet& set) {
-    std::erase_if(edit.marks, [&set](const core::MarkChange& change) {
-        return core::markAt(set, change.key) != change.before;
-    });
+    std::erase_if(
+        edit.marks, [&set](const core::MarkChange& change) { return core::markAt(set, change.key) != change.before; });
 }
 
 } // namespace
@@ -102,7 +102,8 @@ void FirstPass::run(const FirstPassRequest& request) {
         emit failed(tr("The first pass needs two cameras with pictures."));
         return;
     }
-    m_job.start([this, work = workOn(request.frames), wanted = request, label = m_program.label, set = m_document.annotations(),
+    m_job.start([this, work = workOn(request.frames), wanted = request, label = m_program.label,
+                 set = m_document.annotations(),
                  rater = m_document.rater()](const JobContext& context) -> Job::Delivery {
         FirstPassResult result;
         result.wanted = static_cast<int>(work.frames.size());
@@ -116,9 +117,8 @@ void FirstPass::run(const FirstPassRequest& request) {
         core::Edit edit = core::autoLabelEdit(set, *work.dataset, labels, rater);
         if (!wanted.joints.empty())
             keepJoints(edit, wanted.joints);
-        edit.description = {.kind = core::EditKind::FirstPass,
-                            .firstFrame = work.frames.front(),
-                            .lastFrame = work.frames.back()};
+        edit.description = {
+            .kind = core::EditKind::FirstPass, .firstFrame = work.frames.front(), .lastFrame = work.frames.back()};
         return [this, edit = std::move(edit), result, journal = work.journal] { deliver(edit, result, journal); };
     });
 }

@@ -55,11 +55,11 @@ struct FirstPassProgram {
 
 /// How a run of the first pass ended.
 struct FirstPassResult {
-    int wanted = 0;                    ///< frames
-    int frames = 0;                    ///< with a hand
-    int proposed = 0;                  ///< marks
+    int wanted = 0;                   ///< frames
+    int frames = 0;                   ///< with a hand
+    int proposed = 0;                 ///< marks
     std::set<core::JointId> joints{}; ///< that were proposed
-    bool isFinished = false;           ///< false: it was stopped
+    bool isFinished = false;          ///< false: it was stopped
 };
 
 /// Labels the frames of the open sequence without a click, in the background: proposals for the document's rater, one

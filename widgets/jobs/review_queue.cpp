@@ -87,8 +87,10 @@ void ReviewQueue::restart() {
     m_progress = {};
     m_reviewed = 0;
     if (m_dataset && m_document.isOpen()) {
-        m_state = std::make_shared<State>(State{m_document.annotations(), proposedSoFar(),
-                                                core::ProposalReview(m_dataset->cameras, m_document.rater()), {}});
+        m_state = std::make_shared<State>(State{m_document.annotations(),
+                                                proposedSoFar(),
+                                                core::ProposalReview(m_dataset->cameras, m_document.rater()),
+                                                {}});
         for (const int frame : core::annotatedFrames(m_state->proposed))
             m_state->unseen.insert(frame);
         if (!m_state->unseen.empty())

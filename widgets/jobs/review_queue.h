@@ -63,7 +63,7 @@ private:
     Job m_job;
     QTimer m_wait;
     std::shared_ptr<const core::Dataset> m_dataset;
-    std::shared_ptr<State> m_state; ///< the worker's while it runs
+    std::shared_ptr<State> m_state;  ///< the worker's while it runs
     std::vector<core::Edit> m_edits; ///< that the state does not know yet
     std::vector<ReviewRow> m_rows;
     std::map<int, std::map<core::Side, double>> m_openHands;

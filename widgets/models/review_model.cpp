@@ -59,7 +59,8 @@ QVariant ReviewModel::headerData(int section, Qt::Orientation orientation, int r
     if (role == Qt::TextAlignmentRole)
         return int((section == Reason ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     const QString names[ColumnCount] = {tr("Reason"), tr("Frame"), tr("Doubt, %"), tr("Near")};
-    const QString tips[ColumnCount] = {tr("Why the frame deserves a look"), {},
+    const QString tips[ColumnCount] = {tr("Why the frame deserves a look"),
+                                       {},
                                        tr("0: sure, 100: lost; of the more doubtful hand"),
                                        tr("Doubtful frames around that a corrected one helps")};
     if (role == Qt::ToolTipRole)

@@ -29,23 +29,23 @@ QColor othersColour(const QPalette& palette) {
 }
 
 std::vector<TimelineMeaning> timelineMeanings(const QPalette& palette) {
-    return {{kDoneColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
-            {kPartialColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
-            {kBadColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
-                                                      "a joint is bad: large error, outlier, or no 3D point"))},
-            {kOccludedColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
-                                                           "at its foot: a joint is occluded, its place estimated"))},
-            {kProposedColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
-                                                           "stripes: proposed by a program, waits for a look"))},
-            {kDoubtfulColour,
-             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "stripes: the same, and doubtful"))},
-            {othersColour(palette),
-             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "between the lanes: marks of other people"))},
-            {palette.color(QPalette::WindowText),
-             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
-            {palette.color(QPalette::Highlight),
-             legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
-                                          "tick below: a test frame of the benchmark; the line: the current frame"))}};
+    return {
+        {kDoneColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "every joint is done"))},
+        {kPartialColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "some joints have marks"))},
+        {kBadColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                                  "a joint is bad: large error, outlier, or no 3D point"))},
+        {kOccludedColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                                       "at its foot: a joint is occluded, its place estimated"))},
+        {kProposedColour,
+         legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "stripes: proposed by a program, waits for a look"))},
+        {kDoubtfulColour, legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "stripes: the same, and doubtful"))},
+        {othersColour(palette),
+         legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "between the lanes: marks of other people"))},
+        {palette.color(QPalette::WindowText),
+         legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend", "tick above: a note"))},
+        {palette.color(QPalette::Highlight),
+         legendText(QT_TRANSLATE_NOOP("widgets::TimelineLegend",
+                                      "tick below: a test frame of the benchmark; the line: the current frame"))}};
 }
 
 QString timelineLegendText(const QPalette& palette) {

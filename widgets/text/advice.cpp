@@ -58,8 +58,9 @@ PlacedCount countPlaced(const core::JointReconstruction& found) {
 }
 
 bool hasOpenProposal(const core::JointReconstruction& found) {
-    return std::any_of(found.views.begin(), found.views.end(),
-                       [](const core::ViewReconstruction& view) { return view.mark && view.mark->isProposal(); });
+    return std::any_of(
+        found.views.begin(), found.views.end(),
+        [](const core::ViewReconstruction& view) { return view.mark && view.mark->isProposal(); });
 }
 
 /// Two clicks that give no point: how far they are off each other's curves.
@@ -120,8 +121,8 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accepted as proposed; click %1 in two views to correct it."))
             .arg(name);
     if (found.manualViews == 0 && found.proposal && hasOpenProposal(found))
-        return text(QT_TRANSLATE_NOOP("widgets::Advice",
-                                      "Proposed by a program: click %1 in two views if it is wrong."))
+        return text(
+                   QT_TRANSLATE_NOOP("widgets::Advice", "Proposed by a program: click %1 in two views if it is wrong."))
             .arg(name);
     if (found.manualViews == 0)
         return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in any view.")).arg(name);

@@ -53,9 +53,8 @@ QString doubtReasonText(const core::ProposedFrame& frame) {
     case core::DoubtReason::Jump:
         break;
     }
-    return (isLeft(frame)
-                ? reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "the left hand jumps by %1 mm"))
-                : reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "the right hand jumps by %1 mm")))
+    return (isLeft(frame) ? reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "the left hand jumps by %1 mm"))
+                          : reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "the right hand jumps by %1 mm")))
         .arg(localNumber(frame.value, 0));
 }
 
@@ -81,10 +80,9 @@ QString reviewProgressText(const core::ReviewProgress& progress, int reviewed) {
         return reviewed == 0
                    ? QString()
                    : reviewText(QT_TRANSLATE_N_NOOP("widgets::ReviewText", "All %n frame(s) are reviewed."), reviewed);
-    QString text =
-        reviewText(QT_TRANSLATE_N_NOOP("widgets::ReviewText", "%n frame(s) left, "), progress.left) +
-        reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "%1 of them doubtful; %2 reviewed."))
-            .arg(QLocale().toString(progress.doubtful), QLocale().toString(reviewed));
+    QString text = reviewText(QT_TRANSLATE_N_NOOP("widgets::ReviewText", "%n frame(s) left, "), progress.left) +
+                   reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText", "%1 of them doubtful; %2 reviewed."))
+                       .arg(QLocale().toString(progress.doubtful), QLocale().toString(reviewed));
     text += QLatin1Char(' ');
     text += progress.expectedErrorMm
                 ? reviewText(QT_TRANSLATE_NOOP(

@@ -54,8 +54,8 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
                                   session.coverage, session.checks, session.raters, session.rig},
                                  this))
     , m_raters(new RatersPanel(session.raters, session.selection, session.reconstructions, session.opened, this))
-    , m_review(new ReviewPanel(
-          {session.review, session.selection, session.firstPass, session.opened, session.joints}, this))
+    , m_review(
+          new ReviewPanel({session.review, session.selection, session.firstPass, session.opened, session.joints}, this))
     , m_viewPanel(new ViewPanel(session.selection, session.opened, session.shownCameras, *m_layers, *m_options, this))
     , m_inspect(
           new InspectPage(session.fits, session.opened, session.selection, session.shownCameras, session.pool, this))

@@ -66,8 +66,8 @@ public:
     WorkWords words() const;
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
-    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "review", "raters", "view",
-    /// "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
+    /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "review",
+    /// "raters", "view", "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
     QByteArray saveState() const;

@@ -108,12 +108,11 @@ void announceFirstPass(MainWindow& window) {
             else
                 line.hideWork();
         });
-    QObject::connect(
-        &pass, &widgets::FirstPass::progressed, &line,
-        [&line](core::PassStage stage, int done, int total) {
-            line.showWork(widgets::firstPassStageText(stage, done, total),
-                          static_cast<double>(done) / std::max(1, total));
-        });
+    QObject::connect(&pass, &widgets::FirstPass::progressed, &line,
+                     [&line](core::PassStage stage, int done, int total) {
+                         line.showWork(widgets::firstPassStageText(stage, done, total),
+                                       static_cast<double>(done) / std::max(1, total));
+                     });
     QObject::connect(&line, &widgets::StatusLine::stopRequested, &pass, &widgets::FirstPass::stop);
     QObject::connect(
         &pass, &widgets::FirstPass::finished, &window,
@@ -122,12 +121,10 @@ void announceFirstPass(MainWindow& window) {
             if (result.proposed > 0 && window.workspaces().current() == widgets::Workspaces::Kind::Annotate)
                 showReview(window).setFormShown(false);
         });
-    QObject::connect(
-        &pass, &widgets::FirstPass::followed, &window,
-        [&window](int frame, int proposed) {
-            window.statusLine().sayBriefly(
-                MainWindow::tr("%n mark(s) around frame %1 are proposed anew.", nullptr, proposed).arg(frame));
-        });
+    QObject::connect(&pass, &widgets::FirstPass::followed, &window, [&window](int frame, int proposed) {
+        window.statusLine().sayBriefly(
+            MainWindow::tr("%n mark(s) around frame %1 are proposed anew.", nullptr, proposed).arg(frame));
+    });
     QObject::connect(&pass, &widgets::FirstPass::failed, &line, &widgets::StatusLine::sayBriefly);
 }
 
@@ -137,9 +134,8 @@ void bindReviewActions(MainWindow& window) {
     bindActions(window);
     announceFirstPass(window);
     const widgets::ReviewQueue& queue = window.session().review;
-    QObject::connect(
-        &queue, &widgets::ReviewQueue::changed, &window,
-        [&window, &queue] { window.framesBar().setProposedHands(queue.openHands()); });
+    QObject::connect(&queue, &widgets::ReviewQueue::changed, &window,
+                     [&window, &queue] { window.framesBar().setProposedHands(queue.openHands()); });
 }
 
 } // namespace app

@@ -24,17 +24,15 @@ QJsonObject runFirstPass(MainWindow& window, const QJsonObject& step) {
     QJsonObject answer;
     bool ended = false;
     QObject scope;
-    QObject::connect(
-        &pass, &widgets::FirstPass::failed, &scope, [&](const QString& message) {
-            error = message;
-            ended = true;
-        });
-    QObject::connect(
-        &pass, &widgets::FirstPass::finished, &scope, [&](const widgets::FirstPassResult& result) {
-            answer[QStringLiteral("frames")] = result.frames;
-            answer[QStringLiteral("proposed")] = result.proposed;
-            ended = true;
-        });
+    QObject::connect(&pass, &widgets::FirstPass::failed, &scope, [&](const QString& message) {
+        error = message;
+        ended = true;
+    });
+    QObject::connect(&pass, &widgets::FirstPass::finished, &scope, [&](const widgets::FirstPassResult& result) {
+        answer[QStringLiteral("frames")] = result.frames;
+        answer[QStringLiteral("proposed")] = result.proposed;
+        ended = true;
+    });
     if (!pass.isInstalled())
         throw core::Error(core::ErrorCode::NotFound, {}, "do", "the hand detector is not installed");
     window.actions().action(QStringLiteral("annotation.firstPass"))->trigger();

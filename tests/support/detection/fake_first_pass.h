@@ -24,9 +24,9 @@ inline std::vector<std::pair<std::string, Eigen::Vector3d>> madeUpHand(core::Sid
 /// What the fake does; shared with the test.
 struct FakeFirstPass {
     bool installed = true;
-    std::map<int, double> doubts{};        ///< of both hands in these frames; 0.05 in others
+    std::map<int, double> doubts{};         ///< of both hands in these frames; 0.05 in others
     std::function<void(int)> beforeFrame{}; ///< on the worker's thread
-    std::vector<int> followed{};           ///< frames that were followed from
+    std::vector<int> followed{};            ///< frames that were followed from
 };
 
 inline core::AutoHand madeUpLabel(core::Side side, int frame, double doubt) {

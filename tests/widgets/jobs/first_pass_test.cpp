@@ -27,9 +27,9 @@ protected:
         document.setRater("ann");
         document.open(widgets::AnnotationDocument::read(core::annotationFile(*dataset, dataset->sequences[0])));
         pass->setSequence(dataset, &dataset->sequences[0]);
-        QObject::connect(pass.get(), &widgets::FirstPass::finished, [this](const widgets::FirstPassResult& result) {
-            finished = result;
-        });
+        QObject::connect(
+            pass.get(), &widgets::FirstPass::finished,
+            [this](const widgets::FirstPassResult& result) { finished = result; });
         QObject::connect(pass.get(), &widgets::FirstPass::failed, [this](const QString& text) { failure = text; });
     }
     ~FirstPassTest() override { isOpen = true; }
@@ -91,7 +91,8 @@ TEST_F(FirstPassTest, ProposesTheJointsOfAllFramesInOneUndoStepWithTheirDoubts) 
 }
 
 TEST_F(FirstPassTest, LeavesSettledMarksAndWhatAPersonDidMeanwhileAlone) {
-    const core::MarkKey before{0, "ann", {Side::Left, "wrist"}, "cam0"}, meanwhile{5, "ann", {Side::Left, "wrist"}, "cam1"};
+    const core::MarkKey before{0, "ann", {Side::Left, "wrist"}, "cam0"},
+        meanwhile{5, "ann", {Side::Left, "wrist"}, "cam1"};
     document.push(core::placeEdit(document.annotations(), before, {20, 30}));
     holdAt(5);
     pass->run({{0, 5}});
@@ -173,9 +174,8 @@ TEST_F(FirstPassTest, FollowsTheHandsFromACorrectedFrame) {
     ASSERT_TRUE(wait());
     pass->followFrom(0);
     const core::MarkKey key{1, "ann", {Side::Left, "wrist"}, "cam0"};
-    ASSERT_TRUE(test::waitUntil([&] {
-        return std::abs(core::markAt(document.annotations(), key)->likelihood.value() - 0.99) < 1e-9;
-    }));
+    ASSERT_TRUE(test::waitUntil(
+        [&] { return std::abs(core::markAt(document.annotations(), key)->likelihood.value() - 0.99) < 1e-9; }));
     EXPECT_EQ(fake->followed, (std::vector{0}));
     EXPECT_EQ(document.undoStack()->count(), 2);
 }

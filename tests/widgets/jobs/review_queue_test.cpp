@@ -53,8 +53,8 @@ protected:
     void click(int frame, const core::JointId& joint, const Eigen::Vector3d& at) {
         for (int camera = 0; camera < 3; ++camera) {
             const core::Camera& seen = dataset->cameras[static_cast<std::size_t>(camera)];
-            document->push(core::placeEdit(document->annotations(), {frame, "ann", joint, seen.name},
-                                           *core::project(seen, at)));
+            document->push(
+                core::placeEdit(document->annotations(), {frame, "ann", joint, seen.name}, *core::project(seen, at)));
         }
     }
     std::vector<int> order() const {

@@ -41,12 +41,12 @@ protected:
     }
 
     std::shared_ptr<test::FakeFirstPass> fake = std::make_shared<test::FakeFirstPass>();
-    widgets::ReviewPanel panel{
-        {session.review, session.selection, session.firstPass, session.opened, session.joints}};
+    widgets::ReviewPanel panel{{session.review, session.selection, session.firstPass, session.opened, session.joints}};
 };
 
 TEST_F(ReviewPanelTest, ListsTheFramesThatWaitAndARowJumpsToItsFrame) {
-    const QAbstractItemModelTester tester(panel.table()->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    const QAbstractItemModelTester tester(panel.table()->model(),
+                                          QAbstractItemModelTester::FailureReportingMode::Fatal);
     EXPECT_FALSE(panel.table()->isVisible());
     propose({{0, 0.05}, {5, 0.6}, {10, 0.85}});
     ASSERT_TRUE(panel.table()->isVisible());

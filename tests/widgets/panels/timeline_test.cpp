@@ -48,7 +48,8 @@ TEST_F(TimelineTest, ShowsEachHandInItsLane) {
 
 TEST_F(TimelineTest, StripesHandsThatWaitForALook) {
     timeline.setFrame(99);
-    timeline.setProposedHands({{20, {{core::Side::Left, 0.05}}}, {30, {{core::Side::Left, 0.1}, {core::Side::Right, 0.9}}}});
+    timeline.setProposedHands(
+        {{20, {{core::Side::Left, 0.05}}}, {30, {{core::Side::Left, 0.1}, {core::Side::Right, 0.9}}}});
     const QImage picture = timeline.grab().toImage();
     const int top = (timeline.height() - 19) / 2;
     const auto at = [&](int frame, int y) { return picture.pixelColor(6 + frame * 8 + 3, top + y); };
@@ -91,9 +92,8 @@ TEST_F(TimelineTest, TheLegendExplainsTheColoursThatArePainted) {
     frames[40][core::Side::Left].bad = 1;
     frames[50][core::Side::Left].occluded = frames[50][core::Side::Left].done = 14;
     timeline.setCoverage(frames, 14, 14);
-    for (const QColor& painted :
-         {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour, widgets::kOccludedColour,
-          widgets::kProposedColour, widgets::kDoubtfulColour})
+    for (const QColor& painted : {widgets::kDoneColour, widgets::kPartialColour, widgets::kBadColour,
+                                  widgets::kOccludedColour, widgets::kProposedColour, widgets::kDoubtfulColour})
         EXPECT_TRUE(explained.count(painted.rgb()));
     const QString tip = timeline.toolTipOf(20);
     EXPECT_TRUE(tip.contains(QStringLiteral("Frame 20")));

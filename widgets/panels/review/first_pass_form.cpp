@@ -49,11 +49,13 @@ FirstPassForm::FirstPassForm(FirstPass& pass, DatasetSession& datasets, JointLis
     , m_progress(new QProgressBar(this)) {
     build();
     connect(&datasets, &DatasetSession::datasetOpened, this, &FirstPassForm::showSequences);
-    connect(&datasets, &DatasetSession::sequenceOpened, this, [this] {
-        m_sequence->setCurrentText(QString::fromStdString(m_datasets.sequence()->name));
-        if (std::exchange(m_startsWhenOpen, false))
-            start();
-    });
+    connect(
+        &datasets, &DatasetSession::sequenceOpened, this,
+        [this] {
+            m_sequence->setCurrentText(QString::fromStdString(m_datasets.sequence()->name));
+            if (std::exchange(m_startsWhenOpen, false))
+                start();
+        });
     connect(&datasets, &DatasetSession::openFailed, this, [this] { m_startsWhenOpen = false; });
     connect(m_sequence, &QComboBox::currentTextChanged, this, &FirstPassForm::takeSequence);
     for (QSpinBox* box : {m_first, m_last, m_step})
@@ -90,7 +92,8 @@ void FirstPassForm::build() {
     m_first->setToolTip(tr("First frame"));
     m_last->setToolTip(tr("Last frame"));
     m_step->setToolTip(tr("Every so many frames"));
-    m_start->setToolTip(tr("Finds the joints in these frames, in the background; they wait for your look as proposals"));
+    m_start->setToolTip(
+        tr("Finds the joints in these frames, in the background; they wait for your look as proposals"));
     m_stop->setToolTip(tr("Keeps the frames that are done; the next start goes on from there"));
     m_choice->setWordWrap(true);
     m_progress->setTextVisible(false);
@@ -217,7 +220,8 @@ void FirstPassForm::listProposed(const FirstPassResult& result) {
     std::vector<std::string> names = jointNames(JointChoice::TwentyOne, nullptr);
     const std::size_t usual = names.size();
     for (const core::JointId& joint : m_joints.joints())
-        if (m_joints.choice() == JointChoice::Custom && std::find(names.begin(), names.end(), joint.joint) == names.end())
+        if (m_joints.choice() == JointChoice::Custom &&
+            std::find(names.begin(), names.end(), joint.joint) == names.end())
             names.push_back(joint.joint);
     for (const core::JointId& joint : result.joints)
         if (std::find(names.begin(), names.end(), joint.joint) == names.end())
