@@ -93,7 +93,10 @@ ResultTable setupsTable(const std::vector<SetupResults>& setups) {
 }
 
 std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>& setups) {
-    if (setups.size() < 2)
+    const bool areFew = std::any_of(setups.begin(), setups.end(), [](const SetupResults& setup) {
+        return setup.results->pairs.size() < kLeastRankedPairs;
+    });
+    if (setups.size() < 2 || areFew)
         return std::nullopt;
     const std::vector<std::string> methods = commonMethods(setups);
     if (methods.size() < 2)
@@ -103,10 +106,16 @@ std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>
 }
 
 std::string setupsAgreement(const std::vector<SetupResults>& setups) {
-    const auto found = setupsRankAgreement(setups);
-    if (!found)
+    const std::vector<std::string> methods = setups.size() < 2 ? std::vector<std::string>{} : commonMethods(setups);
+    if (methods.size() < 2)
         return "";
-    const std::vector<std::string> methods = commonMethods(setups);
+    const auto found = setupsRankAgreement(setups);
+    if (!found) {
+        return "Whether the order on " + setupName(setups[0].setup) + " data predicts the order on " +
+               setupName(setups[1].setup) + " data cannot be told from " +
+               std::to_string(setups[0].results->pairs.size()) + " and " +
+               std::to_string(setups[1].results->pairs.size()) + " pairs.";
+    }
     const RankAgreement& agreement = *found;
     std::string text = "Does the order on " + setupName(setups[0].setup) + " data predict the order on " +
                        setupName(setups[1].setup) + " data? Kendall's tau is " + fixedText(agreement.tau, 2) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,11 +22,13 @@ struct SetupResults {
 /// paper stands below it; the paper's full tracker, which has no method of ours, last, and only for the paper's hands.
 ResultTable setupsTable(const std::vector<SetupResults>& setups);
 
-/// How far the order of the methods in the first setup is that of the second; nothing with fewer than two setups or two
-/// methods that both have.
+/// With fewer pairs in a setup, drawing them again says nothing of how certain an order is.
+inline constexpr std::size_t kLeastRankedPairs = 10;
+/// How far the order of the methods in the first setup is that of the second; nothing with fewer than two setups, two
+/// methods that both have, or kLeastRankedPairs pairs in each.
 std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>& setups);
-/// Whether the order of the methods in the first setup predicts that of the second: one sentence with Kendall's tau.
-/// Empty with fewer than two setups or two methods.
+/// Whether the order of the methods in the first setup predicts that of the second: one sentence with Kendall's tau, or
+/// that there are too few pairs to tell. Empty with fewer than two setups or two methods.
 std::string setupsAgreement(const std::vector<SetupResults>& setups);
 
 /// One page for all of them: the table, the agreement, then every setup's own part.

@@ -65,8 +65,23 @@ TEST(SetupsReport, HoldsBothSetupsAndSaysWhetherTheirOrdersAgree) {
         first.rows.back().method = "best";
         first.rows.back().errorMm -= 0.5;
     }
-    const std::string sentence =
-        setupsAgreement({{BenchmarkSetup::Synthetic, &first}, {BenchmarkSetup::Realistic, &first}});
+    const std::vector<SetupResults> setups{{BenchmarkSetup::Synthetic, &first}, {BenchmarkSetup::Realistic, &first}};
+    ASSERT_LT(first.pairs.size(), kLeastRankedPairs);
+    EXPECT_NE(setupsAgreement(setups).find("cannot be told from"), std::string::npos) << setupsAgreement(setups);
+    EXPECT_FALSE(setupsRankAgreement(setups));
+    const auto pairs = first.pairs;
+    const auto rows = first.rows;
+    for (std::size_t copy = 0; copy < kLeastRankedPairs; ++copy) { // the same of more sequences
+        for (FramePair pair : pairs) {
+            pair.sequence += std::to_string(copy);
+            first.pairs.push_back(pair);
+        }
+        for (PairResult row : rows) {
+            row.pair.sequence += std::to_string(copy);
+            first.rows.push_back(row);
+        }
+    }
+    const std::string sentence = setupsAgreement(setups);
     EXPECT_NE(sentence.find("tau is 1.00"), std::string::npos) << sentence;
     EXPECT_NE(sentence.find("realistic: best < ch."), std::string::npos) << sentence;
     const std::string html = setupsReportHtml({{"d", BenchmarkSetup::Synthetic, false, &first, {}, {}},
