@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every file of tests/data/fuzz through the reader of its folder: what once went wrong there stays mended.
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -42,7 +42,7 @@ TEST_P(Corpus, IsReadOrRefusedSoon) {
     const std::vector<std::string> files = filesOf(GetParam().folder);
     ASSERT_GE(files.size(), 2u);
     for (const std::string& bytes : files) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock(); // of this process: other work on the machine does not count
         // Whole, cut off anywhere, and with each part damaged in turn.
         GetParam().read(bytes);
         for (int part = 1; part < 16; ++part) {
@@ -53,7 +53,7 @@ TEST_P(Corpus, IsReadOrRefusedSoon) {
                 damaged[i] = static_cast<char>(damaged[i] ^ 0x5A);
             GetParam().read(damaged);
         }
-        EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+        EXPECT_LT(std::clock() - start, 30 * CLOCKS_PER_SEC);
     }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr LocalText text{"widgets::CameraFaultText"};
 
-QString sizeText(const core::ImageSize& size) {
+QString pixelsText(const core::ImageSize& size) {
     return QStringLiteral("%1 × %2").arg(size.width).arg(size.height);
 }
 
@@ -36,12 +36,12 @@ QString whatIsWrong(const core::CameraFault& fault, const std::vector<core::Came
         return text(
                    QT_TRANSLATE_NOOP("widgets::CameraFaultText",
                                      "its footage has %1 pixels, the calibration is for %2: another camera's footage?"))
-            .arg(sizeText(fault.pictures), sizeText(cameras[static_cast<std::size_t>(fault.camera)].size));
+            .arg(pixelsText(fault.pictures), pixelsText(cameras[static_cast<std::size_t>(fault.camera)].size));
     case core::CameraFaultKind::OtherScale:
         return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
                                       "its footage is scaled by %1 (%2 pixels, the calibration is for %3)"))
-            .arg(localNumber(fault.value, 3), sizeText(fault.pictures),
-                 sizeText(cameras[static_cast<std::size_t>(fault.camera)].size));
+            .arg(localNumber(fault.value, 3), pixelsText(fault.pictures),
+                 pixelsText(cameras[static_cast<std::size_t>(fault.camera)].size));
     case core::CameraFaultKind::SamePlace:
         return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "it stands where %1 stands"))
             .arg(nameOf(fault.other, cameras));
