@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kSureSide = 0.02;   ///< side doubts below it are not asked again
 constexpr double kClearlyLess = 0.6; ///< of the misfit of the other side
+constexpr double kLeastGain = 0.05;  ///< per hand: less is noise
 
 /// How badly a model of that side explains a hand; large where there is no such model.
 double misfitOf(const std::vector<HandModel>& models, const SpatialHand& hand, Side side) {
@@ -39,7 +40,7 @@ bool areSwapped(const std::vector<HandModel>& models, const std::vector<SidedHan
         as += misfitOf(models, hand.hand, hand.side);
         swapped += misfitOf(models, hand.hand, otherSide(hand.side));
     }
-    return swapped < kClearlyLess * as;
+    return swapped < kClearlyLess * as && as - swapped > kLeastGain * static_cast<double>(hands.size());
 }
 
 } // namespace

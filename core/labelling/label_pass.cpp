@@ -75,8 +75,10 @@ private:
     std::map<int, std::vector<SpatialHand>> grouped(const std::map<int, ViewDetections>& views) const;
 
     void makeFitter() {
-        m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads,
-                         LandmarkFitOptions{.areJoints = m_options.landmarksAreJoints});
+        LandmarkFitOptions landmarks;
+        if (m_options.landmarksAreJoints)
+            landmarks = {.areJoints = true, .modelSigmaMm = 0.5, .priorSigmaRad = 1};
+        m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads, landmarks);
     }
     bool isStopped() const { return m_stop.stop_requested(); }
     bool say(PassStage stage) {

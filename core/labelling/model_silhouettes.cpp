@@ -185,9 +185,7 @@ cv::Mat silhouetteIn(const cv::Mat& bgr, const cv::Mat& model, const cv::Mat& ar
     const cv::Mat reachable = (distance > -reachPx) | arms;
     cv::Mat hand = distance > std::min(0.35 * reachPx, 6.0);
     cv::Mat other = (distance < -reachPx) & ~arms;
-    cv::Mat smooth;
-    cv::GaussianBlur(bgr, smooth, {3, 3}, 0);
-    ColourOdds odds(smooth);
+    ColourOdds odds(bgr);
     const cv::Mat pull = cv::min(cv::max(distance * (kModelPull / reachPx), -kModelPull), kModelPull);
     cv::Mat mask;
     for (int round = 0; round < rounds; ++round) {

@@ -53,8 +53,8 @@ std::vector<SubjectHand> measureLandmarks(const std::vector<HandModel>& hands, c
     if (frames.empty())
         return {};
     SubjectOptions options;
-    options.priors.lengthShare = 0.1; // the models are nobody's hands
-    options.priors.neighbourShare = 0.1;
+    options.priors.lengthShare = 0.2; // the models are nobody's hands
+    options.priors.neighbourShare = 0.2;
     return estimateSubject(hands, cameras, frames, options, stop).hands;
 }
 

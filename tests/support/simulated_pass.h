@@ -20,13 +20,12 @@ public:
     explicit SimulatedPass(std::string seed, int cameraCount = 8, double noisePx = 3)
         : m_seed(std::move(seed))
         , m_noisePx(noisePx)
-        , m_demo(core::makeDemoDataset())
-        , hands(m_demo.dataset.hands)
+        , hands(demo().dataset.hands)
         , person(hands)
-        , motion(m_demo.motions.front()) {
-        const auto step = m_demo.dataset.cameras.size() / static_cast<std::size_t>(cameraCount);
-        for (std::size_t c = 0; c < m_demo.dataset.cameras.size(); c += step)
-            cameras.push_back(core::cropped(m_demo.dataset.cameras[c], {0, 0}, {540, 960}, 0.5));
+        , motion(demo().motions.front()) {
+        const auto& all = demo().dataset.cameras;
+        for (std::size_t c = 0; c < all.size(); c += all.size() / static_cast<std::size_t>(cameraCount))
+            cameras.push_back(core::cropped(all[c], {0, 0}, {540, 960}, 0.5));
     }
 
     core::FrameEvidence evidence(int frame) override {
@@ -69,6 +68,10 @@ public:
     }
 
 private:
+    static const core::NewDataset& demo() {
+        static const core::NewDataset made = core::makeDemoDataset();
+        return made;
+    }
     core::DetectedHand seen(const core::Camera& camera, std::size_t hand, int frame, RandomValues& random) const {
         const auto joints = core::jointPositions(person[hand].skeleton, motion[static_cast<std::size_t>(frame)][hand]);
         core::DetectedHand found;
@@ -85,7 +88,6 @@ private:
 
     std::string m_seed;
     double m_noisePx;
-    core::NewDataset m_demo;
 
 public:
     std::vector<core::HandModel> hands;  ///< the models
