@@ -13,8 +13,6 @@ namespace core {
 
 namespace {
 
-using PixelChain = std::vector<cv::Point>;
-
 /// True if any byte of [begin, end) is not 0. Reads eight bytes at a time.
 bool anyNonZero(const unsigned char* begin, const unsigned char* end) {
     for (; end - begin >= 8; begin += 8) {
@@ -109,21 +107,26 @@ cv::Rect maskBounds(const cv::Mat& mask) {
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options) {
     if (!mask.empty() && mask.type() != CV_8U)
         throw Error(ErrorCode::BadInput, "", "mask", "must be an 8-bit image of one channel");
-    return orientedContour(mask, maskBounds(mask), options);
+    return orientedContour(maskOutlines(mask, maskBounds(mask)), mask.size(), options);
 }
 
-OrientedContour orientedContour(const cv::Mat& mask, const cv::Rect& bounds, const ContourOptions& options) {
-    OrientedContour contour;
+std::vector<PixelChain> maskOutlines(const cv::Mat& mask, const cv::Rect& bounds) {
+    std::vector<PixelChain> chains;
     if (bounds.empty())
-        return contour;
+        return chains;
     // findContours never sees the outermost pixels of what it is given: hand it a frame of background.
     cv::Mat window;
     cv::copyMakeBorder(mask(bounds), window, 1, 1, 1, 1, cv::BORDER_CONSTANT | cv::BORDER_ISOLATED, cv::Scalar(0));
-    std::vector<PixelChain> chains;
     cv::findContours(window, chains, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE, bounds.tl() - cv::Point(1, 1));
-    for (const PixelChain& chain : chains)
+    return chains;
+}
+
+OrientedContour orientedContour(const std::vector<PixelChain>& outlines, const cv::Size& size,
+                                const ContourOptions& options) {
+    OrientedContour contour;
+    for (const PixelChain& chain : outlines)
         if (static_cast<int>(chain.size()) >= options.minLengthPx)
-            appendChain(contour, chain, mask.size(), options);
+            appendChain(contour, chain, size, options);
     return contour;
 }
 

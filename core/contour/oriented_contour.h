@@ -32,12 +32,19 @@ struct ContourOptions {
     double offsetPx = 0.5;          ///< boundary pixel centres lie half a pixel inside: moved outward by this much
 };
 
+/// One closed outline of a mask: neighbouring pixels of the foreground, one after another.
+using PixelChain = std::vector<cv::Point>;
+/// The outlines of a mask, outer ones and holes (cv::findContours with RETR_CCOMP; the region lies on the same side of
+/// both), pixels on the border of the image among them. mask: CV_8U, bounds: maskBounds(mask).
+std::vector<PixelChain> maskOutlines(const cv::Mat& mask, const cv::Rect& bounds);
+
 /// The outlines of a mask, outer ones and holes (cv::findContours with RETR_CCOMP; the region lies on the same side of
 /// both). mask: CV_8U, 0 = background. Pixels on the border of the image do not belong to the outline and are left out.
 /// Empty if the mask is. Throws Error(BadInput) if the mask has another type.
 OrientedContour orientedContour(const cv::Mat& mask, const ContourOptions& options = {});
-/// The same where maskBounds(mask) is known already, and the mask's type with it.
-OrientedContour orientedContour(const cv::Mat& mask, const cv::Rect& bounds, const ContourOptions& options);
+/// The same where the outlines of the mask, which has that size, are known already.
+OrientedContour orientedContour(const std::vector<PixelChain>& outlines, const cv::Size& size,
+                                const ContourOptions& options);
 
 /// The smallest rectangle that holds every pixel that is not 0; empty if there is none. mask: CV_8U.
 cv::Rect maskBounds(const cv::Mat& mask);

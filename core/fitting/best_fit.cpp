@@ -16,36 +16,28 @@ namespace {
 constexpr double kTangentWeight = 0.1; ///< rims may slide along the outline: what is measured is across it
 constexpr double kStartPrior = 1;      ///< mm^2 per rad^2 and correspondence: holds what the outlines do not determine
 
-/// mm^2 per correspondence and squared Mahalanobis distance of the angles from the start's: strong where the outlines
-/// still lead astray; then what the noise's variance makes of it, for a standard deviation of 1 px.
-constexpr double kMotionPrior = 0.02;
-constexpr double kMotionPriorPerNoise = 0.003;
-constexpr double kLeastMotionNoisePx = 0.5;
-
 /// Mean distance of the two silhouettes' outlines, px, above which other starts are tried; good fits reach 0.4 to 0.6.
 constexpr double kUnexplainedPx = 0.75;
-/// The same of the part that the contour's noise cannot explain. Noise leaves less than 0.04, a wrong finger more than
-/// 0.1.
-constexpr double kUnexplainedDeepPx = 0.06;
+/// The same of the part that the contour's noise cannot explain. Noise leaves less than 0.04, in speckled masks of
+/// another hand up to 0.09; a wrong finger more than 0.1.
+constexpr double kUnexplainedDeepPx = 0.06, kUnexplainedNoisyDeepPx = 0.1;
 constexpr int kFingerSearches = 3;
+/// Noisy masks of which attempts from the start and other fingers explain no more than this show something that is no
+/// finger: further starts cannot pay.
+constexpr double kStaysScore = 0.98;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
 constexpr double kRivalScore = 1.1;
 
-/// Cauchy scale of the last iterations in standard deviations of the contour's noise, which is taken to be at least so
-/// much.
-constexpr double kRobustPerNoise = 2;
-constexpr double kLeastNoisePx = 0.75;
-
 /// Whether the contour's noise is measured. The real-time variant has no time for it.
-bool isRelative(const BestOptions& options) {
-    return options.noise && !options.live;
+bool isRelative(const Method& method) {
+    return method.noise && !method.best->live;
 }
 
 IterationSettings baseSettings(const Method& method) {
     IterationSettings settings;
     settings.rule = matchRule(method);
     settings.tangentWeight = method.best->across ? kTangentWeight : 1;
-    const bool learnt = isRelative(*method.best) && method.best->learnt;
+    const bool learnt = isRelative(method) && method.best->learnt;
     settings.startPrior = method.best->prior && !learnt ? kStartPrior : 0;
     settings.motionPrior = method.best->prior && learnt ? kMotionPrior : 0;
     settings.robustMm = method.best->robustMm;
@@ -143,10 +135,12 @@ public:
         , m_scorePx(refiner.silhouetteDifferencePx(best.poses)) {}
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
+    double scorePx() const { return m_scorePx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
     std::function<bool()> explainedByNoise() {
-        return [this, depthPx = beyondNoisePx(m_refiner.contourNoise(m_best.poses).px)] {
-            return m_refiner.deepDifferencePx(m_best.poses, depthPx) <= kUnexplainedDeepPx;
+        const double mostPx = m_refiner.isNoisy() ? kUnexplainedNoisyDeepPx : kUnexplainedDeepPx;
+        return [this, mostPx, depthPx = beyondNoisePx(m_refiner.contourNoise(m_best.poses).px)] {
+            return m_refiner.deepDifferencePx(m_best.poses, depthPx) <= mostPx;
         };
     }
 
@@ -216,33 +210,30 @@ bool OtherStarts::tryFingers(const std::function<bool()>& explained) {
 
 /// Replaces `best` by attempts that explain the masks better, as long as they are left unexplained. False if the fit is
 /// over.
-bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const BestOptions& options,
+bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, const Method& method,
              const HandPoses& start, FitAttempt& best) {
     OtherStarts others(refiner, loop, phases, start, best);
     const std::span<const StartKind> all(kOtherStarts);
-    if (!isRelative(options))
-        return others.tryStarts(
-            options.live ? std::span<const StartKind>(kOtherLiveStarts) : all,
-            [&others] { return others.isExplained(); });
-    const std::array<std::function<bool(const std::function<bool()>&)>, 4> stages{
-        [&](const auto& explained) { return others.tryStarts(all.first(1), explained); },
-        [&](const auto& explained) { return others.tryFingers(explained); },
-        [&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); },
-        [&](const auto& explained) { return others.tryFingers(explained); }};
-    return std::all_of(stages.begin(), stages.end(),
-                       [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); });
+    if (!isRelative(method))
+        return others.tryStarts(method.best->live ? std::span<const StartKind>(kOtherLiveStarts) : all,
+                                [&others] { return others.isExplained(); });
+    if (others.isExplained() || others.explainedByNoise()())
+        return true;
+    const auto search = [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); };
+    const auto fingers = [&](const auto& explained) { return others.tryFingers(explained); };
+    const double firstPx = others.scorePx();
+    if (!search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }) || !search(fingers))
+        return false;
+    if (refiner.isNoisy() && others.scorePx() > kStaysScore * firstPx)
+        return true;
+    return search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
+           search(fingers);
 }
 
 /// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
 IterationSettings polishSettings(PoseRefiner& refiner, const Method& method, const HandPoses& poses) {
-    IterationSettings settings = baseSettings(method);
-    if (!isRelative(*method.best))
-        return settings;
-    const double noisePx = refiner.contourNoise(poses).px;
-    settings.robustPx = kRobustPerNoise * std::max(kLeastNoisePx, noisePx);
-    if (settings.motionPrior > 0)
-        settings.motionPrior = kMotionPriorPerNoise * std::pow(std::max(kLeastMotionNoisePx, noisePx), 2);
-    return settings;
+    const IterationSettings settings = baseSettings(method);
+    return isRelative(method) ? settledOn(settings, refiner.contourNoise(poses).px) : settings;
 }
 
 } // namespace
@@ -250,13 +241,13 @@ IterationSettings polishSettings(PoseRefiner& refiner, const Method& method, con
 FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& start, std::stop_token stop,
                    const FitProgress& progress) {
     const BestOptions& options = *method.best;
-    const BestPhases phases = bestPhases(options);
+    const BestPhases phases = bestPhases(options, refiner.isNoisy());
     const int expected = mostIterations(phases.main) + mostIterations(phases.polish);
     FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
     FitAttempt attempt;
     attempt.poses = start;
     if (loop.run(phases.main, attempt) &&
-        (!options.restarts || improve(refiner, loop, phases, options, start, attempt))) {
+        (!options.restarts || improve(refiner, loop, phases, method, start, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/fitting/fit_target.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -47,11 +48,30 @@ CameraTarget makeTarget(const Camera& camera, int index, const cv::Mat& mask, co
             camera.centreInWorld(),
             std::move(searched),
             std::move(tensor),
+            false,
             0,
             watch.seconds()};
 }
 
+constexpr std::size_t kLeastSpeckPx = 4, kMostSpeckPx = 39; ///< length of a speck's outline
+constexpr double kSpecksPerMask = 8;
+
+template <typename Work>
+void forEachOf(const std::vector<Camera>& cameras, int threads, Work&& work) {
+    tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), work); });
+}
+
 } // namespace
+
+bool isSpeckled(const std::vector<std::vector<PixelChain>>& outlinesPerMask) {
+    std::size_t masks = 0, specks = 0;
+    for (const std::vector<PixelChain>& outlines : outlinesPerMask) {
+        masks += outlines.empty() ? 0 : 1;
+        for (const PixelChain& outline : outlines)
+            specks += outline.size() >= kLeastSpeckPx && outline.size() <= kMostSpeckPx ? 1 : 0;
+    }
+    return static_cast<double>(specks) > kSpecksPerMask * static_cast<double>(masks);
+}
 
 ContourIndex contourIndex(const OrientedContour& contour, const OrientationBins& bins, bool wholePixels) {
     if (!wholePixels)
@@ -66,18 +86,30 @@ ContourIndex contourIndex(const OrientedContour& contour, const OrientationBins&
 
 std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& masks,
                                          const FitTargetOptions& options, int threads) {
-    std::vector<std::optional<CameraTarget>> made(cameras.size());
-    const auto make = [&](std::size_t c) {
+    std::vector<cv::Rect> bounds(cameras.size());
+    std::vector<std::vector<PixelChain>> outlines(cameras.size());
+    std::vector<double> seconds(cameras.size());
+    forEachOf(cameras, threads, [&](std::size_t c) {
         const Stopwatch watch;
-        const cv::Rect bounds = maskBounds(masks[c]);
-        const OrientedContour contour = orientedContour(masks[c], bounds, options.contour);
-        const double seconds = watch.seconds();
+        bounds[c] = maskBounds(masks[c]);
+        outlines[c] = maskOutlines(masks[c], bounds[c]);
+        seconds[c] = watch.seconds();
+    });
+    const bool speckled = options.withoutSpecks && isSpeckled(outlines);
+    ContourOptions contourOptions = options.contour;
+    if (speckled)
+        contourOptions.minLengthPx = std::max(contourOptions.minLengthPx, static_cast<int>(kMostSpeckPx) + 1);
+    std::vector<std::optional<CameraTarget>> made(cameras.size());
+    forEachOf(cameras, threads, [&](std::size_t c) {
+        const Stopwatch watch;
+        const OrientedContour contour = orientedContour(outlines[c], masks[c].size(), contourOptions);
+        seconds[c] += watch.seconds();
         if (!contour.empty()) {
-            made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], bounds, contour, options);
-            made[c]->secondsContour = seconds;
+            made[c] = makeTarget(cameras[c], static_cast<int>(c), masks[c], bounds[c], contour, options);
+            made[c]->secondsContour = seconds[c];
+            made[c]->isSpeckled = speckled;
         }
-    };
-    tbb::task_arena(threads).execute([&] { tbb::parallel_for(std::size_t{0}, cameras.size(), make); });
+    });
     std::vector<CameraTarget> targets;
     for (auto& target : made)
         if (target)

@@ -24,6 +24,7 @@ struct CameraTarget {
     Eigen::Vector3d centre;                    ///< the camera's centre in the world
     ContourIndex index;
     std::optional<Dt3Tensor> tensor; ///< only if the options ask for it
+    bool isSpeckled = false;         ///< all cameras' masks together; only if the options ask
     double secondsContour = 0;       ///< that its outline took
     double secondsTransform = 0;     ///< that the index and the tensor took
 };
@@ -41,7 +42,13 @@ struct FitTargetOptions {
     OrientationBins bins{16, true};
     double tensorLambdaPxPerRad = -1; ///< not negative: also build the DT3 tensor around the outline
     bool wholePixels = false;         ///< match at pixel centres, as a distance transform does
+    bool withoutSpecks = false;       ///< where the masks are speckled, their small outlines are left out
 };
+
+/// Whether the outlines hold more specks and holes than hands have: small ones, more than 8 per mask on average. Holes
+/// between fingers make at most 5 (measured on exact silhouettes, 180 to 1080 px wide), a threshold in a noisy picture
+/// makes 11 and more.
+bool isSpeckled(const std::vector<std::vector<PixelChain>>& outlinesPerMask);
 
 /// Prepares every camera whose mask is not empty and shows an outline, in the cameras' order.
 std::vector<CameraTarget> makeFitTargets(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& masks,

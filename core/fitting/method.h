@@ -29,7 +29,6 @@ struct BestOptions {
     bool learnt = true;     ///< the pull knows how fingers move together (needs prior and noise)
     bool restarts = true;   ///< other starts where silhouettes are left unexplained
     bool polish = true;     ///< the last iterations on the full mesh
-    bool noise = true;      ///< restarts and the last iterations' weights are relative to the contour's noise
     bool bothWays = false;  ///< contour points pull the nearest rim points, too
     bool withinTau = false; ///< only contour points within tau are searched; else the nearest is found, then rejected
     double robustMm = 0;    ///< Cauchy scale of the distance, mm; 0 = none
@@ -56,6 +55,7 @@ struct Method {
     Schedule schedule = Schedule::RigidFirst;
     Dt3Backend backend = Dt3Backend::Direct;
     Forearm forearm = Forearm::Cut;
+    bool noise = true; ///< what counts as a difference is relative to the contour's noise
     bool operator==(const Method&) const = default;
 };
 

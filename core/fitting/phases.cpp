@@ -27,6 +27,16 @@ std::vector<Phase> withNarrowGateFrom(int iteration, const std::vector<Phase>& p
     return cut;
 }
 
+constexpr double kNoisySettledMm = 0.1;
+
+/// The prior's weight for a standard deviation of 1 px, and the least that counts.
+constexpr double kMotionPriorPerNoise = 0.003;
+constexpr double kLeastMotionNoisePx = 0.5;
+/// Cauchy scale of the last iterations in standard deviations of the contour's noise, which is taken to be at least so
+/// much.
+constexpr double kRobustPerNoise = 2;
+constexpr double kLeastNoisePx = 0.75;
+
 // `best`. The palm first, then the fingers, on the coarse level; the last iterations on the full mesh.
 constexpr Phase kPalm{
     .iterations = 8, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 45};
@@ -52,8 +62,9 @@ constexpr Phase kLivePolish{
 
 constexpr double kNarrowTauDeg = 22.5;
 
-std::vector<Phase> withOptions(const BestOptions& options, std::vector<Phase> phases) {
+std::vector<Phase> withOptions(const BestOptions& options, bool isNoisy, std::vector<Phase> phases) {
     for (Phase& phase : phases) {
+        phase.settledMm = isNoisy ? std::max(phase.settledMm, kNoisySettledMm) : phase.settledMm;
         phase.tauDeg = options.wide ? phase.tauDeg : kNarrowTauDeg;
         phase.detail = options.coarse ? phase.detail : Detail::Full;
         phase.contourPoints = options.bothWays ? phase.points : 0;
@@ -88,8 +99,28 @@ std::vector<Phase> schedulePhases(const Method& method) {
     return isGated ? withNarrowGateFrom(static_cast<int>(std::ceil(kNarrowGateShare * last)), phases) : phases;
 }
 
-BestPhases bestPhases(const BestOptions& options) {
-    const auto made = [&](std::vector<Phase> phases) { return withOptions(options, std::move(phases)); };
+std::vector<Phase> noisyPhases(const Method& method) {
+    std::vector<Phase> phases = schedulePhases(method);
+    if (method.schedule == Schedule::Paper) {
+        phases.front().until -= kFullDetailIterations;
+        phases.push_back({.until = method.maxIterations});
+    }
+    for (Phase& phase : phases)
+        phase.settledMm = kNoisySettledMm;
+    phases.back().stage = 2;
+    phases.back().iterations = kFullDetailIterations;
+    return phases;
+}
+
+IterationSettings settledOn(IterationSettings settings, double noisePx) {
+    settings.robustPx = kRobustPerNoise * std::max(kLeastNoisePx, noisePx);
+    if (settings.motionPrior > 0)
+        settings.motionPrior = kMotionPriorPerNoise * std::pow(std::max(kLeastMotionNoisePx, noisePx), 2);
+    return settings;
+}
+
+BestPhases bestPhases(const BestOptions& options, bool isNoisy) {
+    const auto made = [&](std::vector<Phase> phases) { return withOptions(options, isNoisy, std::move(phases)); };
     BestPhases phases;
     phases.main = made(options.live ? std::vector{kLivePalm, kLiveFingers} : std::vector{kPalm, kFingers});
     phases.again = made({kLongPalm, kNarrowFingers});

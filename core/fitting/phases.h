@@ -37,6 +37,17 @@ IterationSettings settingsOf(const Phase& phase, const IterationSettings& base);
 /// mesh; the last two fifths narrow the gate of Quant and Quant2 to 12 px.
 std::vector<Phase> schedulePhases(const Method& method);
 
+/// The same where the outlines are noisy: a phase is settled at steps of 0.1 mm, and the last 5 iterations, on the full
+/// mesh, are a stage of their own, to be done with the settings of settledOn.
+std::vector<Phase> noisyPhases(const Method& method);
+
+/// How strongly angles are held by what the start's fingers probably do (IterationSettings::motionPrior) while the
+/// outlines may still lead astray.
+inline constexpr double kMotionPrior = 0.02;
+/// Settings of iterations near the end, where the rim lies on contours with that noise: matches that are far off for it
+/// count less, and the prior on the angles, if there is one, is what the noise's variance makes of it.
+IterationSettings settledOn(IterationSettings settings, double noisePx);
+
 /// The phases of `best`.
 struct BestPhases {
     std::vector<Phase> main;             ///< from the start: the palm, then all
@@ -44,7 +55,8 @@ struct BestPhases {
     std::vector<Phase> fromOtherFingers; ///< another attempt, from other finger angles
     std::vector<Phase> polish;           ///< on the full mesh; none if the option is off
 };
-BestPhases bestPhases(const BestOptions& options);
+/// isNoisy: steps that noise makes end a phase, as in noisyPhases.
+BestPhases bestPhases(const BestOptions& options, bool isNoisy = false);
 
 /// The most iterations that the phases can take.
 int mostIterations(const std::vector<Phase>& phases);

@@ -44,20 +44,33 @@ FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
     options.contour.polygonEpsilonPx = method.polygonEpsilonPx;
     options.bins = rule.bins;
     options.wholePixels = rule.wholePixels;
+    options.withoutSpecks = method.noise && !(method.best && method.best->live);
     if (method.distance == DistanceKind::DchDt3 && method.backend == Dt3Backend::Tensor)
         options.tensorLambdaPxPerRad = method.lambdaPxPerRad;
     return options;
 }
 
+/// Where the masks are speckled, their outlines are noisy: all distances alike get the prior on the angles and, in the
+/// last iterations, the weights of `best`, and end when steps are small for it. Else the method is the paper's.
 FitAttempt fitPaperMethod(PoseRefiner& refiner, const Method& method, const MatchRule& rule, const HandPoses& start,
                           std::stop_token stop, const FitProgress& progress) {
     IterationSettings settings;
     settings.rule = rule;
     settings.damping = method.damping;
+    settings.motionPrior = refiner.isNoisy() ? kMotionPrior : 0;
     FitLoop loop(refiner, settings, std::move(stop), progress, method.maxIterations);
     FitAttempt attempt;
     attempt.poses = start;
-    loop.run(schedulePhases(method), attempt);
+    if (!refiner.isNoisy()) {
+        loop.run(schedulePhases(method), attempt);
+        return attempt;
+    }
+    const std::vector<Phase> phases = noisyPhases(method);
+    const auto last = std::prev(phases.end());
+    if (loop.run({phases.begin(), last}, attempt)) {
+        loop.setBase(settledOn(settings, refiner.contourNoise(attempt.poses).px));
+        loop.run({last, phases.end()}, attempt);
+    }
     return attempt;
 }
 

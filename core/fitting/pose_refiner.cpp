@@ -222,9 +222,9 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
         upper[k] = std::max(0.0, dof.maxRad + kLimitSlackRad - angle);
     }
     if (settings.motionPrior > 0 && !settings.rigidOnly) {
-        const Eigen::MatrixXd pull = settings.motionPrior * equations.count * m_hands.changePrecision[hand];
-        hessian.bottomRightCorner(pull.rows(), pull.cols()) += pull;
-        gradient.tail(pull.rows()) += pull * (poses[hand] - m_start[hand]).tail(pull.rows());
+        const Eigen::MatrixXd& precision = m_hands.changePrecision[hand];
+        addFingerChange(precision, settings.motionPrior * equations.count,
+                        (poses[hand] - m_start[hand]).tail(precision.rows()), hessian, gradient);
     }
     Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
     step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
@@ -320,7 +320,8 @@ void PoseRefiner::placeForearms(const HandPoses& poses) {
 }
 
 void PoseRefiner::cutForearms(const HandPoses& poses) {
-    constexpr int kFewest = 8; // pixels to judge by
+    constexpr int kFewest = 8;                              // pixels to judge by
+    constexpr double kSureShare = 0.5, kLikelyShare = 0.25; // of them that are foreground
     poseSurfaces(poses, Detail::Coarse);
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
     std::vector<int> seen(poses.size(), 0), foreground(poses.size(), 0);
@@ -341,8 +342,15 @@ void PoseRefiner::cutForearms(const HandPoses& poses) {
             }
         }
     }
+    const auto showsArm = [&](std::size_t h, double share) {
+        return seen[h] >= kFewest && foreground[h] > share * seen[h];
+    };
+    // People show both arms or none: where one is sure, the other may have moved away from where the start has it.
+    bool anyIsSure = false;
     for (std::size_t h = 0; h < poses.size(); ++h)
-        m_hasForearm[h] = seen[h] >= kFewest && 2 * foreground[h] > seen[h];
+        anyIsSure = anyIsSure || showsArm(h, kSureShare);
+    for (std::size_t h = 0; h < poses.size(); ++h)
+        m_hasForearm[h] = anyIsSure && showsArm(h, kLikelyShare);
 }
 
 void PoseRefiner::measureNoise(View& view, const CameraTarget& target) const {

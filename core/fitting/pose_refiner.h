@@ -46,6 +46,8 @@ public:
     IterationMatches matchesAt(const HandPoses& poses);
 
     const FittingHands& hands() const { return m_hands; }
+    /// Whether the masks hold specks, as a threshold in noisy pictures makes them.
+    bool isNoisy() const { return !m_targets.empty() && m_targets.front().isSpeckled; }
 
     /// From now on, leaves out what lies beyond the cut of each hand whose silhouettes go on there: rim, contour and
     /// area. That a hand has a forearm is decided here, once, from the pixels beyond the model's end in `poses` that no

@@ -76,4 +76,15 @@ Eigen::MatrixXd fingerChangePrecision(const Skeleton& skeleton, const FingerMoti
     return covariance.llt().solve(Eigen::MatrixXd::Identity(size, size));
 }
 
+double fingerChangeCost(const Eigen::MatrixXd& precision, double weight, const Eigen::VectorXd& change) {
+    return 0.5 * weight * change.dot(precision * change);
+}
+
+void addFingerChange(const Eigen::MatrixXd& precision, double weight, const Eigen::VectorXd& change,
+                     Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient) {
+    const Eigen::MatrixXd pull = weight * precision;
+    hessian.bottomRightCorner(pull.rows(), pull.cols()) += pull;
+    gradient.tail(pull.rows()) += pull * change;
+}
+
 } // namespace core

@@ -24,4 +24,10 @@ const FingerMotion& learntFingerMotion();
 /// angle changes on its own, by a tenth of its range. Names that are not known belong to the latter.
 Eigen::MatrixXd fingerChangePrecision(const Skeleton& skeleton, const FingerMotion& motion);
 
+/// The prior's cost of a change of all angles, weight / 2 change^T precision change, and its derivatives, added to
+/// those of the angles, the last of a pose.
+double fingerChangeCost(const Eigen::MatrixXd& precision, double weight, const Eigen::VectorXd& change);
+void addFingerChange(const Eigen::MatrixXd& precision, double weight, const Eigen::VectorXd& change,
+                     Eigen::MatrixXd& hessian, Eigen::VectorXd& gradient);
+
 } // namespace core

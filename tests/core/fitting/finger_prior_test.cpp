@@ -108,4 +108,38 @@ TEST(FingerPrior, OtherAnglesChangeOnTheirOwnByATenthOfTheirRange) {
     EXPECT_NEAR(precision.row(twist).cwiseAbs().sum(), precision(twist, twist), 1e-9);
 }
 
+TEST(FingerPrior, DerivativesAreThoseOfTheCost) {
+    const core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    const Eigen::MatrixXd precision = core::fingerChangePrecision(skeleton, core::learntFingerMotion());
+    const Eigen::Index size = precision.rows();
+    constexpr double kWeight = 0.7, kStep = 1e-4;
+    const Eigen::VectorXd change = 0.3 * Eigen::VectorXd::LinSpaced(size, -1, 1.4).array().sin().matrix();
+    const auto cost = [&](Eigen::Index k, double a, Eigen::Index l, double b) {
+        Eigen::VectorXd moved = change;
+        moved[k] += a;
+        moved[l] += b;
+        return core::fingerChangeCost(precision, kWeight, moved);
+    };
+    Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(core::kRigidDofs + size, core::kRigidDofs + size);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(core::kRigidDofs + size);
+    core::addFingerChange(precision, kWeight, change, hessian, gradient);
+    EXPECT_EQ(gradient.head<core::kRigidDofs>().norm(), 0) << "where the hand is costs nothing";
+    EXPECT_EQ(hessian.topRows<core::kRigidDofs>().norm(), 0);
+    const double steep = gradient.cwiseAbs().maxCoeff(), curved = hessian.cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < size; ++k) {
+        EXPECT_NEAR(gradient[core::kRigidDofs + k], (cost(k, kStep, 0, 0) - cost(k, -kStep, 0, 0)) / (2 * kStep),
+                    1e-6 * steep);
+        for (Eigen::Index l = 0; l < size; ++l) {
+            const double mixed = (cost(k, kStep, l, kStep) - cost(k, kStep, l, -kStep) - cost(k, -kStep, l, kStep) +
+                                  cost(k, -kStep, l, -kStep)) /
+                                 (4 * kStep * kStep);
+            EXPECT_NEAR(hessian(core::kRigidDofs + k, core::kRigidDofs + l), mixed, 1e-5 * curved);
+        }
+    }
+    // The residual: the cost is half the square of sqrt(weight) L^T change with precision = L L^T.
+    const Eigen::MatrixXd root = precision.llt().matrixL();
+    const Eigen::VectorXd residual = std::sqrt(kWeight) * root.transpose() * change;
+    EXPECT_NEAR(core::fingerChangeCost(precision, kWeight, change), 0.5 * residual.squaredNorm(), 1e-9);
+}
+
 } // namespace

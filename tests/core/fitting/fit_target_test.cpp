@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
 #include "tests/support/fitting_scene.h"
 
@@ -63,6 +64,30 @@ TEST_F(FitTarget, CamerasWithoutAnOutlineAreLeftOut) {
     for (cv::Mat& mask : m_scene.masks)
         mask = cv::Mat(960, 540, CV_8U, cv::Scalar(255)); // everything is hand: no outline within the image
     EXPECT_TRUE(makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1).empty());
+}
+
+TEST_F(FitTarget, SpecksAreLeftOutOfSpeckledMasksOnly) {
+    const FitTargetOptions options{.withoutSpecks = true};
+    const auto clean = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
+    for (cv::Mat& mask : m_scene.masks) {
+        cv::Mat copy = mask.clone(); // a hole of 8 px in a palm, as between two fingers
+        const cv::Rect bounds = core::maskBounds(copy);
+        cv::circle(copy, {bounds.x + bounds.width / 3, bounds.y + bounds.height / 2}, 4, 0, cv::FILLED);
+        mask = copy;
+    }
+    const auto holed = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
+    test::speckle(m_scene.masks);
+    const auto kept = makeFitTargets(m_scene.cameras, m_scene.masks, {}, 1);
+    const auto left = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
+    for (std::size_t c = 0; c < clean.size(); ++c) {
+        EXPECT_FALSE(clean[c].isSpeckled);
+        EXPECT_FALSE(holed[c].isSpeckled) << "one hole is no noise";
+        EXPECT_FALSE(kept[c].isSpeckled) << "nobody asked";
+        EXPECT_TRUE(left[c].isSpeckled);
+        EXPECT_GT(kept[c].contour.size(), left[c].contour.size() + 60);
+        EXPECT_NEAR(static_cast<double>(left[c].contour.size()), static_cast<double>(clean[c].contour.size()),
+                    0.1 * static_cast<double>(clean[c].contour.size()));
+    }
 }
 
 TEST_F(FitTarget, SearchesWholePixelsIfAskedTo) {

@@ -83,7 +83,8 @@ const std::vector<Bad> kBadOptions{
     {"CH", "CH", "unknown method"},
     {"dch", "dch", "the methods are ch, dch-dt3, dch-quant, dch-quant2, dch-thres, best"},
     {"ch:tau=22.5", "tau",
-     "unknown option; the options of ch are gate, truncate, epsilon, tangent, forearm, iterations, damping, schedule"},
+     "unknown option; the options of ch are noise, gate, truncate, epsilon, tangent, forearm, iterations, damping, "
+     "schedule"},
     {"ch:signed=1", "signed", "unknown option"},
     {"ch:lambda=3", "lambda", "unknown option"},
     {"ch:live=1", "live", "unknown option"},

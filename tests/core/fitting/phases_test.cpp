@@ -66,6 +66,30 @@ TEST(Phases, TheLastTwoFifthsOfQuantHaveANarrowGate) {
     }
 }
 
+TEST(Phases, WhereOutlinesAreNoisyTheLastFiveIterationsAreAStageOfTheirOwn) {
+    for (const std::string name : {"dch-thres", "dch-thres:schedule=paper", "dch-quant"}) {
+        const core::Method method = core::parseMethod(name);
+        const auto phases = core::noisyPhases(method);
+        ASSERT_GE(phases.size(), 2u);
+        EXPECT_GT(phases.back().stage, phases[phases.size() - 2].stage) << name << ": it is never skipped";
+        EXPECT_EQ(phases.back().iterations, 5);
+        EXPECT_EQ(phases.back().detail, core::Detail::Full);
+        EXPECT_EQ(core::mostIterations(phases), method.maxIterations) << name;
+        for (const core::Phase& phase : phases)
+            EXPECT_GT(phase.settledMm, 0.05) << "steps that noise makes do not count";
+    }
+}
+
+TEST(Phases, OnceSettledWeightsAndPriorFollowTheNoise) {
+    core::IterationSettings settings;
+    settings.motionPrior = core::kMotionPrior;
+    const core::IterationSettings quiet = core::settledOn(settings, 1), noisy = core::settledOn(settings, 2);
+    EXPECT_NEAR(noisy.motionPrior, 4 * quiet.motionPrior, 1e-12) << "as the variance";
+    EXPECT_NEAR(noisy.robustPx, 2 * quiet.robustPx, 1e-12);
+    settings.motionPrior = 0;
+    EXPECT_EQ(core::settledOn(settings, 2).motionPrior, 0) << "no prior, however noisy";
+}
+
 TEST(Phases, AfterAnEarlyEndOfTheRigidPhaseTheOthersEndWhereTheyWouldHave) {
     auto phases = core::schedulePhases(core::parseMethod("dch-thres"));
     ASSERT_EQ(phases[0].stage, 0);

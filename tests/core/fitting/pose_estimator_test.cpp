@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
@@ -101,6 +102,30 @@ TEST_F(Estimator, SilhouettesThatEndWithTheHandsAreFittedAsBefore) {
         for (std::size_t h = 0; h < 2; ++h)
             EXPECT_EQ(cut.poses[h], ignored.poses[h]) << method << ": bit by bit";
     }
+}
+
+TEST_F(Estimator, ExactSilhouettesGiveThePapersMethodsWhateverTheyKnowOfNoise) {
+    for (const std::string distance : {"ch", "dch-thres", "dch-quant", "dch-quant2", "dch-dt3"}) {
+        for (const std::string schedule : {"rigid", "paper"}) {
+            const std::string method = distance + ":schedule=" + schedule;
+            const FitResult with = fit(method), without = fit(method + ":noise=0");
+            EXPECT_EQ(with.poses[0], without.poses[0]) << method << ": bit by bit";
+            EXPECT_EQ(with.history.size(), without.history.size()) << method;
+        }
+    }
+}
+
+TEST_F(Estimator, SpecksDoNotDrawTheHandsAway) {
+    std::map<std::string, double> before;
+    for (const std::string method : {"ch", "dch-thres", "dch-dt3"})
+        before[method] = m_scene.errorMm(fit(method).poses);
+    test::speckle(m_scene.masks);
+    for (const auto& [method, errorMm] : before) {
+        EXPECT_LT(m_scene.errorMm(fit(method).poses), errorMm + 0.4) << method;
+        if (method != "ch") // its error in this scene is not that of the specks
+            EXPECT_GT(m_scene.errorMm(fit(method + ":noise=0").poses), m_scene.errorMm(fit(method).poses)) << method;
+    }
+    EXPECT_EQ(fit("dch-thres:schedule=paper", 1).poses[0], fit("dch-thres:schedule=paper", 3).poses[0]);
 }
 
 TEST_F(Estimator, IsTheSameForAnyNumberOfThreadsAndEveryTime) {

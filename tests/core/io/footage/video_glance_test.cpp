@@ -8,7 +8,7 @@
 
 #include "core/io/footage/video_file.h"
 #include "tests/support/expect_error.h"
-#include "tests/support/numbered_video.h"
+#include "tests/support/recordings/numbered_video.h"
 #include "tests/support/temporary_folder.h"
 
 namespace {
