@@ -20,7 +20,7 @@ widgets::ReviewPanel& showReview(MainWindow& window) {
     return *spaces.reviewPanel();
 }
 
-void goToNext(MainWindow& window) {
+void goToNextReviewed(MainWindow& window) {
     widgets::WindowSession& session = window.session();
     if (const auto frame = session.review.next(session.selection.frame()))
         session.selection.setFrame(*frame);
@@ -55,7 +55,7 @@ void acceptFrame(MainWindow& window) {
 void correctFrame(MainWindow& window) {
     widgets::WindowSession& session = window.session();
     if (!session.review.find(session.selection.frame()))
-        goToNext(window);
+        goToNextReviewed(window);
     const widgets::ReviewRow* row = session.review.find(session.selection.frame());
     if (!row)
         return;
@@ -64,7 +64,7 @@ void correctFrame(MainWindow& window) {
                                        .arg(widgets::jointText(row->why.joint)));
 }
 
-void bindActions(MainWindow& window) {
+void bindReviewItems(MainWindow& window) {
     Actions& actions = window.actions();
     actions.bind(
         id("annotation.firstPass"), [&window] { showReview(window).setFormShown(true); });
@@ -75,7 +75,7 @@ void bindActions(MainWindow& window) {
     actions.bind(
         id("review.correct"), [&window] { correctFrame(window); });
     actions.bind(
-        id("review.next"), [&window] { goToNext(window); });
+        id("review.next"), [&window] { goToNextReviewed(window); });
     actions.bind(id("review.show"), [&window] { showReview(window); });
     window.workspaces().reviewPanel()->setActions(
         actions.action(id("review.accept")), actions.action(id("review.correct")), actions.action(id("review.next")),
@@ -131,7 +131,7 @@ void announceFirstPass(MainWindow& window) {
 } // namespace
 
 void bindReviewActions(MainWindow& window) {
-    bindActions(window);
+    bindReviewItems(window);
     announceFirstPass(window);
     const widgets::ReviewQueue& queue = window.session().review;
     QObject::connect(&queue, &widgets::ReviewQueue::changed, &window,

@@ -41,7 +41,7 @@ void showHealth(MainWindow& window) {
     spaces.qualityPanel()->showCameras();
 }
 
-void bindActions(MainWindow& window) {
+void bindRigItems(MainWindow& window) {
     Actions& actions = window.actions();
     actions.bind(
         id("rig.health"), [&window] { showHealth(window); });
@@ -115,7 +115,7 @@ void announceWork(MainWindow& window) {
 } // namespace
 
 void bindRigActions(MainWindow& window) {
-    bindActions(window);
+    bindRigItems(window);
     announceRig(window);
     announceWork(window);
 }

@@ -67,7 +67,8 @@ TEST_F(FitTarget, CamerasWithoutAnOutlineAreLeftOut) {
 }
 
 TEST_F(FitTarget, SpecksAreLeftOutOfSpeckledMasksOnly) {
-    const FitTargetOptions options{.withoutSpecks = true};
+    FitTargetOptions options;
+    options.withoutSpecks = true;
     const auto clean = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
     for (cv::Mat& mask : m_scene.masks) {
         cv::Mat copy = mask.clone(); // a hole of 8 px in a palm, as between two fingers
