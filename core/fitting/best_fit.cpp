@@ -22,9 +22,6 @@ constexpr double kUnexplainedPx = 0.75;
 /// another hand up to 0.09; a wrong finger more than 0.1.
 constexpr double kUnexplainedDeepPx = 0.06, kUnexplainedNoisyDeepPx = 0.1;
 constexpr int kFingerSearches = 3;
-/// Noisy masks of which attempts from the start and other fingers explain no more than this show something that is no
-/// finger: further starts cannot pay.
-constexpr double kStaysScore = 0.98;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
 constexpr double kRivalScore = 1.1;
 
@@ -135,7 +132,6 @@ public:
         , m_scorePx(refiner.silhouetteDifferencePx(best.poses)) {}
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
-    double scorePx() const { return m_scorePx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
     std::function<bool()> explainedByNoise() {
         const double mostPx = m_refiner.isNoisy() ? kUnexplainedNoisyDeepPx : kUnexplainedDeepPx;
@@ -221,12 +217,9 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, cons
         return true;
     const auto search = [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); };
     const auto fingers = [&](const auto& explained) { return others.tryFingers(explained); };
-    const double firstPx = others.scorePx();
-    if (!search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }) || !search(fingers))
-        return false;
-    if (refiner.isNoisy() && others.scorePx() > kStaysScore * firstPx)
-        return true;
-    return search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
+    return search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }) &&
+           search(fingers) &&
+           search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
            search(fingers);
 }
 

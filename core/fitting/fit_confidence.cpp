@@ -107,8 +107,11 @@ std::vector<Eigen::Matrix3d> jointCovariances(const Skeleton& skeleton, const Po
 }
 
 double doubtOf(const FitConfidence& confidence) {
-    // The share without a match and the rival add nothing once these two are known.
-    const double evidence = -7.1 + 15 * confidence.deepPx + 0.9 * largestSigmaMm(confidence);
+    // The share without a match and the rival add nothing once these are known. Silhouettes that overlap less than the
+    // noise alone lets them do tell of another hand or another rig, on which contours agree with each other elsewhere.
+    constexpr double kLeastOverlap = 0.8;
+    const double evidence = -7.1 + 15 * confidence.deepPx + 0.9 * largestSigmaMm(confidence) +
+                            60 * std::max(0.0, kLeastOverlap - confidence.overlap);
     return 1 / (1 + std::exp(-evidence));
 }
 

@@ -90,6 +90,21 @@ TEST(FitConfidence, DoubtsAPoseThatLeavesTheSilhouettesUnexplained) {
     EXPECT_LT(bad.overlap, good.confidence->overlap);
 }
 
+TEST(FitConfidence, DoubtsAHandOfAnotherSizeThanTheOneInTheMasks) {
+    test::FittingScene scene("doubt", 5);
+    for (core::HandModel& hand : scene.hands) { // much thinner than the hands that were drawn
+        const std::vector<Eigen::Vector3d> normals = core::vertexNormals(hand.mesh);
+        for (std::size_t v = 0; v < normals.size(); ++v)
+            hand.mesh.vertices[v] -= 5 * normals[v];
+    }
+    const core::PoseEstimator estimator(scene.hands, scene.cameras);
+    const core::FitResult fit =
+        estimator.fit(scene.masks, scene.start, core::parseMethod("best"), {}, {}, 1, {.confidence = true});
+    ASSERT_TRUE(fit.confidence);
+    EXPECT_LT(fit.confidence->overlap, 0.8);
+    EXPECT_GT(fit.confidence->doubt, core::kTrustedDoubt);
+}
+
 TEST(FitConfidence, TheRealTimeVariantAndEmptyMasksHaveNone) {
     test::FittingScene scene("doubt", 5);
     const core::PoseEstimator estimator(scene.hands, scene.cameras);
