@@ -24,10 +24,11 @@ const std::vector<std::string> kCoreFolders{
     "core/io/store",   "core/io/footage",   "core/io/dataset",      "core/io/derived",
     "core/io/formats", "core/io/detector",  "core/io/segmentation", "core/io/demo",
     "core/io/import",  "core/io/benchmark"};
-const std::vector<std::string> kWidgetFolders{"widgets/text",         "widgets/document",       "widgets/jobs",
-                                              "widgets/session",      "widgets/models",         "widgets/views",
-                                              "widgets/views/camera", "widgets/views/scene",    "widgets/presenters",
-                                              "widgets/panels",       "widgets/panels/quality", "widgets/workspaces"};
+const std::vector<std::string> kWidgetFolders{
+    "widgets/text",       "widgets/document", "widgets/jobs",           "widgets/session",
+    "widgets/models",     "widgets/views",    "widgets/views/camera",   "widgets/views/scene",
+    "widgets/presenters", "widgets/panels",   "widgets/panels/quality", "widgets/panels/silhouettes",
+    "widgets/workspaces"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 
 /// A library: how its headers look, and the paths that may include them.
