@@ -143,8 +143,10 @@ void segment(const SegmentArguments& arguments) {
     core::SegmentationWork work{&dataset, &sequence, run.frames, run.options, &evidence, {}, arguments.out};
     if (!arguments.background.empty())
         work.roomPictures = core::readRoomPictures(arguments.background, dataset.cameras);
-    if (arguments.attach && !arguments.replace)
-        core::requireNoOtherMasks(dataset, sequence, arguments.out);
+    const std::string others = core::otherMasks(dataset, sequence, arguments.out);
+    if (arguments.attach && !arguments.replace && !others.empty())
+        throw core::Error(core::ErrorCode::BadInput, arguments.dataset, "masks of sequence " + sequence.name,
+                          "it has masks already (" + others + "); use --replace to give it these instead");
     core::claimMaskFolder(arguments.out, core::maskRecord("Handlens " HANDLENS_VERSION, sequence, run.options, origin));
     if (networks)
         evidence = detected(run, *networks, arguments);

@@ -71,7 +71,7 @@ cv::Rect boundsOf(const std::vector<HandInView>& hands, const LandmarkSeedOption
             points.emplace_back(static_cast<float>(px.x()), static_cast<float>(px.y()));
         if (hand.forearmEnd)
             points.emplace_back(static_cast<float>(hand.forearmEnd->x()), static_cast<float>(hand.forearmEnd->y()));
-        const double widest = std::max(options.hullPalms, hand.forearmEnd ? options.forearmHullPalms / 2 : 0.0);
+        const double widest = std::max(options.reachPalms, hand.forearmEnd ? options.forearmHullPalms / 2 : 0.0);
         const int margin = static_cast<int>(std::ceil((widest + options.marginPalms) * hand.palmPx));
         const cv::Rect one = grownWindow(cv::boundingRect(points), margin, picture);
         bounds = bounds.empty() ? one : (one.empty() ? bounds : bounds | one);
@@ -79,13 +79,20 @@ cv::Rect boundsOf(const std::vector<HandInView>& hands, const LandmarkSeedOption
     return bounds;
 }
 
+std::vector<Eigen::Vector2d> palmOf(const HandInView& hand) {
+    std::vector<Eigen::Vector2d> palm;
+    for (const std::size_t i : {0, 1, 5, 9, 13, 17})
+        if (hand.px[i])
+            palm.push_back(*hand.px[i]);
+    return palm;
+}
+
 /// From the least sure to the surest, so that no hand takes from another what that is sure of.
 void drawUnknown(SeedPen& pen, const HandInView& hand, const LandmarkSeedOptions& options) {
-    const std::vector<Eigen::Vector2d> points = knownPoints(hand);
-    pen.fill(points, Seed::ProbableBackground);
+    pen.fill(palmOf(hand), Seed::ProbableBackground);
     for (const Bone& bone : bones())
         if (hand.px[bone.first] && hand.px[bone.second])
-            pen.line(*hand.px[bone.first], *hand.px[bone.second], 2 * options.hullPalms * hand.palmPx,
+            pen.line(*hand.px[bone.first], *hand.px[bone.second], 2 * options.reachPalms * hand.palmPx,
                      Seed::ProbableBackground);
     if (hand.forearmEnd)
         pen.line(*hand.px[kWristLandmark], *hand.forearmEnd, options.forearmHullPalms * hand.palmPx,
@@ -93,11 +100,7 @@ void drawUnknown(SeedPen& pen, const HandInView& hand, const LandmarkSeedOptions
 }
 
 void drawProbable(SeedPen& pen, const HandInView& hand, const LandmarkSeedOptions& options) {
-    std::vector<Eigen::Vector2d> palm;
-    for (const std::size_t i : {0, 1, 5, 9, 13, 17})
-        if (hand.px[i])
-            palm.push_back(*hand.px[i]);
-    pen.fill(palm, Seed::ProbableForeground);
+    pen.fill(palmOf(hand), Seed::ProbableForeground);
     for (const Bone& bone : bones())
         if (hand.px[bone.first] && hand.px[bone.second])
             pen.line(*hand.px[bone.first], *hand.px[bone.second], options.probablePalms * hand.palmPx,

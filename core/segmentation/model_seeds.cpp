@@ -75,36 +75,25 @@ cv::Mat regionMask(const ConvexRegion& region, const cv::Rect& window) {
     return mask;
 }
 
-/// Where the model's end is seen: a circle in space, grown by what the pose may be off.
-cv::Mat endMask(const Camera& camera, const ForearmCut& cut, const RigidMotion& motion, const cv::Rect& window,
-                double growPx) {
-    const Eigen::Vector3d a = cut.direction.unitOrthogonal(), b = cut.direction.cross(a);
-    const Eigen::Vector3d centre = cut.centre + cut.endMm * cut.direction;
-    constexpr int kCorners = 24;
-    std::vector<cv::Point> corners, hull;
-    for (int k = 0; k < kCorners; ++k) {
-        const double angle = 2 * M_PI * k / kCorners;
-        const auto px = project(camera, motion * (centre + cut.radiusMm * (std::cos(angle) * a + std::sin(angle) * b)));
-        if (px)
-            corners.emplace_back(cvRound(px->x()) - window.x, cvRound(px->y()) - window.y);
-    }
-    cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
-    if (corners.size() < 3)
-        return mask;
-    cv::convexHull(corners, hull);
-    cv::fillConvexPoly(mask, hull, cv::Scalar(255));
-    return cv::countNonZero(mask) > 0 ? grown(mask, growPx) : mask;
+/// 255 on the far side of a line, of the window's size.
+cv::Mat farSide(const ForearmLine& line, const cv::Rect& window) {
+    cv::Mat mask(window.size(), CV_8U);
+    const Eigen::Vector2d from = line.from - Eigen::Vector2d(window.x, window.y);
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            mask.at<uchar>(y, x) = (Eigen::Vector2d(x, y) - from).dot(line.away) > 0 ? 255 : 0;
+    return mask;
 }
 
+/// An arm goes on beyond the model's end, without an edge there: the model says where the hand ends.
 void addEnd(ModelSeeds& result, const Camera& camera, const HandModel& hand, const Pose& pose) {
-    const ForearmCut cut = forearmCut(hand);
-    const RigidMotion motion = worldFromRest(hand, pose);
-    const ConvexRegion region = forearmRegion(camera, cut, motion);
-    if (!region.empty())
-        result.ends |= regionMask(region, result.seeds.window) &
-                       endMask(camera, cut, motion, result.seeds.window, kEndReach * result.bandPx);
-    if (const auto line = modelEnd(camera, hand, pose))
-        result.cuts.push_back(*line);
+    const std::optional<ForearmLine> line = modelEnd(camera, hand, pose);
+    const ConvexRegion region = forearmRegion(camera, forearmCut(hand), worldFromRest(hand, pose));
+    if (!line || region.empty())
+        return;
+    const cv::Mat beyond = regionMask(region, result.seeds.window) & farSide(*line, result.seeds.window);
+    result.arms |= beyond & ~result.model;
+    result.cuts.push_back(*line);
 }
 
 } // namespace
@@ -137,7 +126,7 @@ ModelSeeds modelSeeds(const Camera& camera, const std::vector<HandModel>& hands,
     if (result.seeds.window.empty())
         return result;
     result.model = whole(result.seeds.window).clone();
-    result.ends = cv::Mat::zeros(result.model.size(), CV_8U);
+    result.arms = cv::Mat::zeros(result.model.size(), CV_8U);
     for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h)
         if (isPosed(hands[h], poses[h]))
             addEnd(result, camera, hands[h], poses[h]);

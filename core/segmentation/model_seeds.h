@@ -20,7 +20,7 @@ struct ModelSeedOptions {
 struct ModelSeeds {
     Seeds seeds;
     cv::Mat model; ///< its silhouette: CV_8U of the window's size, 0 and 255
-    cv::Mat ends;  ///< 255 around the models' ends, where an arm goes on that no edge is seen to; of the same size
+    cv::Mat arms;  ///< 255 where an arm goes on beyond a model's end; of the same size
     double bandPx = 0;
     std::vector<ForearmLine> cuts; ///< where the models end
 };

@@ -29,6 +29,11 @@ cv::Mat scaledLabels(const cv::Mat& labels, const cv::Size& size) {
     return scaled;
 }
 
+void keepSure(cv::Mat& mask, const cv::Mat& labels) {
+    mask.setTo(0, labels == seedValue(Seed::SureBackground));
+    mask.setTo(255, labels == seedValue(Seed::SureForeground));
+}
+
 } // namespace
 
 cv::Mat seededCut(const cv::Mat& picture, const Seeds& seeds, const SeededCutOptions& options) {
@@ -52,9 +57,9 @@ cv::Mat seededCut(const cv::Mat& picture, const Seeds& seeds, const SeededCutOpt
         cv::resize(mask, mask, whole.size(), 0, 0, cv::INTER_LINEAR);
         mask = mask > 127;
     }
+    keepSure(mask, seeds.labels);
     mask = sharpEdge(whole, mask, kEdgeReachPx / scale);
-    mask.setTo(0, seeds.labels == seedValue(Seed::SureBackground));
-    mask.setTo(255, seeds.labels == seedValue(Seed::SureForeground));
+    keepSure(mask, seeds.labels);
     return mask;
 }
 

@@ -92,7 +92,7 @@ std::optional<Silhouette> byModel(const cv::Mat& picture, const Camera& camera, 
     if (model.seeds.window.empty())
         return Silhouette{cv::Mat::zeros(picture.size(), CV_8U), {}};
     cv::Mat mask = seededCut(picture, model.seeds);
-    model.model.copyTo(mask, model.ends);
+    mask.setTo(0, model.arms);
     return Silhouette{
         pasted(cleaned(mask, options.cleaning, sureForeground(model.seeds)), model.seeds.window, picture.size()),
         model.cuts};

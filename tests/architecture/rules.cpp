@@ -47,10 +47,20 @@ const std::vector<std::string> kCoreFolders{"core/processor",
                                             "core/io/demo",
                                             "core/io/import",
                                             "core/io/benchmark"};
-const std::vector<std::string> kWidgetFolders{
-    "widgets/text",           "widgets/document",      "widgets/jobs",        "widgets/session",    "widgets/models",
-    "widgets/views",          "widgets/views/camera",  "widgets/views/scene", "widgets/presenters", "widgets/panels",
-    "widgets/panels/quality", "widgets/panels/review", "widgets/workspaces"};
+const std::vector<std::string> kWidgetFolders{"widgets/text",
+                                              "widgets/document",
+                                              "widgets/jobs",
+                                              "widgets/session",
+                                              "widgets/models",
+                                              "widgets/views",
+                                              "widgets/views/camera",
+                                              "widgets/views/scene",
+                                              "widgets/presenters",
+                                              "widgets/panels",
+                                              "widgets/panels/quality",
+                                              "widgets/panels/review",
+                                              "widgets/panels/silhouettes",
+                                              "widgets/workspaces"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 
 /// A library: how its headers look, and the paths that may include them.

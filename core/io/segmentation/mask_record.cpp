@@ -121,15 +121,12 @@ fs::path madeMaskFile(const fs::path& folder, const std::string& camera, int fra
     return folder / camera / name;
 }
 
-void requireNoOtherMasks(const Dataset& dataset, const Sequence& sequence, const fs::path& folder) {
+std::string otherMasks(const Dataset& dataset, const Sequence& sequence, const fs::path& folder) {
     const std::string own = pathFromDataset(dataset.folder, patternOf(folder));
-    for (const Camera& camera : dataset.cameras) {
-        const std::string pattern = maskPattern(sequence, camera.name);
-        if (!pattern.empty() && pattern != own)
-            throw Error(ErrorCode::BadInput, (dataset.folder / "dataset.json").string(),
-                        "masks of sequence \"" + sequence.name + "\"",
-                        "it has masks already (" + pattern + "); use --replace to give it these instead");
-    }
+    for (const Camera& camera : dataset.cameras)
+        if (const std::string pattern = maskPattern(sequence, camera.name); !pattern.empty() && pattern != own)
+            return pattern;
+    return "";
 }
 
 std::vector<std::string> attachMadeMasks(const fs::path& datasetFolder, const std::string& sequence,

@@ -40,8 +40,8 @@ void claimMaskFolder(const std::filesystem::path& folder, const MaskRecord& reco
 /// FOLDER/<camera>/<frame:06>.png
 std::filesystem::path madeMaskFile(const std::filesystem::path& folder, const std::string& camera, int frame);
 
-/// Throws Error(BadInput), naming the masks, if the sequence has other ones than those of this folder.
-void requireNoOtherMasks(const Dataset& dataset, const Sequence& sequence, const std::filesystem::path& folder);
+/// The pattern of masks that the sequence has and that are not those of this folder; empty if there are none.
+std::string otherMasks(const Dataset& dataset, const Sequence& sequence, const std::filesystem::path& folder);
 
 /// Gives the sequence the masks of a folder, and says in dataset.json how they were made: the file is read again and
 /// rewritten, atomically. Returns notes as attachMasks does.
