@@ -200,8 +200,8 @@ private:
         const JointErrors start = jointErrors(m_results.joints, startJoints(m_scene, pair), reference);
         const JointErrors end = jointErrors(m_results.joints, namedJointPositions(m_scene.hands, fit.poses), reference);
         const int iterations = static_cast<int>(fit.history.size());
-        return {pair,       method,         start.meanMm,         end.meanMm,
-                iterations, costRises(fit), toMillionths(fit.seconds), end.perJointMm};
+        return {pair,          method, start.meanMm, end.meanMm, iterations, costRises(fit), toMillionths(fit.seconds),
+                end.perJointMm};
     }
 
     void add(PairResult row) {

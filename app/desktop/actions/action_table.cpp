@@ -190,10 +190,10 @@ const std::vector<ActionRow> kRows = {
 // clang-format on
 
 const std::vector<MenuRow> kMenus = {
-    {kFile, nullptr},     {kEdit, nullptr},   {kView, nullptr},    {kMaximise, kView},
-    {kMarks, kView},      {kLayers, kFit},    {kMesh, kView},      {kScene, kView},
-    {kAnnotate, nullptr}, {kStep, kAnnotate}, {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate},
-    {kGo, nullptr},       {kFit, nullptr},    {kRaters, nullptr},  {kHelp, nullptr}};
+    {kFile, nullptr},     {kEdit, nullptr},    {kView, nullptr},     {kMaximise, kView},   {kMarks, kView},
+    {kLayers, kFit},      {kMesh, kView},      {kScene, kView},      {kAnnotate, nullptr}, {kStep, kAnnotate},
+    {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate}, {kGo, nullptr},       {kFit, nullptr},
+    {kRaters, nullptr},   {kHelp, nullptr}};
 
 } // namespace
 
