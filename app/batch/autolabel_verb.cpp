@@ -74,14 +74,24 @@ void printLabels(const core::AutoLabels& labels, std::size_t frames) {
     std::printf("%d hands with a doubt of %.1f or more; %d frames without a hand\n", doubtful, kDoubtful, empty);
 }
 
+/// The joints that people click, of the hands of a dataset; all that the detector knows where it has none.
+std::vector<core::JointId> clickableJoints(const core::Dataset& dataset) {
+    if (!dataset.hands.empty())
+        return core::annotatableJoints(dataset.hands);
+    std::vector<core::JointId> joints;
+    for (const core::Side side : {core::Side::Left, core::Side::Right})
+        for (std::size_t i = 0; i < core::kLandmarkCount; ++i)
+            joints.push_back({side, std::string(core::landmarkName(i))});
+    return joints;
+}
+
 void propose(const core::Dataset& dataset, const core::Sequence& sequence, const core::AutoLabels& labels,
              const std::string& rater) {
     auto store = core::AnnotationStore::open(core::annotationFile(dataset, sequence));
     if (store.isReadOnly())
         throw core::Error(core::ErrorCode::Io, store.file().string(), "",
                           "is read-only: " + core::readOnlyText(store.readOnlyReason()));
-    const core::Edit edit =
-        core::autoLabelEdit(store.annotations(), dataset, labels, rater, core::annotatableJoints(dataset.hands));
+    const core::Edit edit = core::autoLabelEdit(store.annotations(), dataset, labels, rater, clickableJoints(dataset));
     store.commit(edit, rater);
     std::printf("%zu marks proposed to %s\n", edit.marks.size(), rater.c_str());
 }
