@@ -90,19 +90,15 @@ TEST(FitConfidence, DoubtsAPoseThatLeavesTheSilhouettesUnexplained) {
     EXPECT_LT(bad.overlap, good.confidence->overlap);
 }
 
-TEST(FitConfidence, DoubtsAHandOfAnotherSizeThanTheOneInTheMasks) {
-    test::FittingScene scene("doubt", 5);
-    for (core::HandModel& hand : scene.hands) { // much thinner than the hands that were drawn
-        const std::vector<Eigen::Vector3d> normals = core::vertexNormals(hand.mesh);
-        for (std::size_t v = 0; v < normals.size(); ++v)
-            hand.mesh.vertices[v] -= 5 * normals[v];
-    }
-    const core::PoseEstimator estimator(scene.hands, scene.cameras);
-    const core::FitResult fit =
-        estimator.fit(scene.masks, scene.start, core::parseMethod("best"), {}, {}, 1, {.confidence = true});
-    ASSERT_TRUE(fit.confidence);
-    EXPECT_LT(fit.confidence->overlap, 0.8);
-    EXPECT_GT(fit.confidence->doubt, core::kTrustedDoubt);
+TEST(FitConfidence, DoubtsSilhouettesThatOverlapTooLittleForTheirNoise) {
+    core::FitConfidence confidence; // nothing else speaks against the pose
+    confidence.overlap = 0.95;
+    const double same = core::doubtOf(confidence);
+    confidence.overlap = 0.82;
+    EXPECT_EQ(core::doubtOf(confidence), same) << "as noise alone does";
+    confidence.overlap = 0.65;
+    EXPECT_LT(same, core::kTrustedDoubt);
+    EXPECT_GT(core::doubtOf(confidence), core::kTrustedDoubt) << "as a hand of another size does";
 }
 
 TEST(FitConfidence, TheRealTimeVariantAndEmptyMasksHaveNone) {
