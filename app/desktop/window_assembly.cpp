@@ -9,6 +9,7 @@
 #include "app/desktop/actions/panel_actions.h"
 #include "app/desktop/actions/people_actions.h"
 #include "app/desktop/actions/rig_actions.h"
+#include "app/desktop/actions/silhouette_actions.h"
 #include "app/desktop/actions/window_actions.h"
 #include "app/desktop/windows/preferences_window.h"
 
@@ -22,6 +23,7 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindFileActions(*window);
     bindDatasetActions(*window);
     bindRigActions(*window);
+    bindSilhouetteActions(*window);
     bindPeopleActions(*window, options.hints && options.rater.empty());
     new NumberKeys(*window);
     buildMenus(*window);

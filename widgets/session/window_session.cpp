@@ -52,6 +52,7 @@ WindowSession::WindowSession(QObject* parent)
     , model(document, selection, reconstructions, pool)
     , raters(document, selection, pool)
     , rig(document, pool)
+    , silhouettes(selection, pool)
     , subject(pool)
     , calibrations(opened, selection, pool) {
     connect(&opened, &DatasetSession::datasetOpened, this, &WindowSession::takeDataset);
@@ -92,6 +93,7 @@ void WindowSession::takeDataset() {
 void WindowSession::takeSequence(int frame) {
     const core::Sequence& sequence = *opened.sequence();
     rig.setSequence(opened.dataset(), sequence.name);
+    silhouettes.setSequence(opened.dataset(), sequence.name);
     frames.setSequence(opened.dataset(), &sequence, opened.motion());
     fits.setSequence(opened.dataset(), &sequence, opened.motion());
     const core::PictureGaps gaps = core::pictureGaps(*opened.dataset(), sequence);

@@ -17,6 +17,7 @@
 #include "widgets/jobs/quality_checks.h"
 #include "widgets/jobs/rater_study.h"
 #include "widgets/jobs/rig_study.h"
+#include "widgets/jobs/silhouette_study.h"
 #include "widgets/jobs/subject_study.h"
 #include "widgets/session/annotation_files.h"
 #include "widgets/session/calibration_choice.h"
@@ -52,6 +53,7 @@ public:
     HandModelFit model;
     RaterStudy raters;
     RigStudy rig;
+    SilhouetteStudy silhouettes;
     SubjectStudy subject;
     CalibrationChoice calibrations;
 
