@@ -7,7 +7,7 @@ namespace core {
 
 /// How a silhouette is tidied. Areas are shares of the silhouette's own.
 struct CleaningOptions {
-    int mostParts = 2;           ///< the largest ones are kept
+    int mostParts = 6;           ///< the largest ones are kept: two hands, each in parts where something is before them
     double leastPart = 0.04;     ///< smaller ones are not, however few there are
     double smallestHole = 0.003; ///< smaller ones are filled; larger ones, as between fingers, are real
 };

@@ -23,7 +23,8 @@ cv::Mat patternedRoom(int seed) {
 
 TEST(BackgroundMask, FindsAHandByItsDifference) {
     const cv::Mat truth = test::discMask(kRoomSize, {150, 120}, 50);
-    const cv::Mat picture = test::composed(test::noisyColour(kRoomSize, test::kSkin, 2, 2), patternedRoom(3), truth, 0.8);
+    const cv::Mat picture =
+        test::composed(test::noisyColour(kRoomSize, test::kSkin, 2, 2), patternedRoom(3), truth, 0.8);
     EXPECT_GT(maskOverlap(backgroundMask(picture, patternedRoom(1)), truth), 0.97);
 }
 
@@ -66,8 +67,8 @@ TEST(MedianPicture, ForgetsWhatMovesThroughTheRoom) {
     std::vector<cv::Mat> pictures;
     for (int i = 0; i < 9; ++i) {
         const cv::Mat hand = test::discMask(kRoomSize, {20.0 + 35 * i, 120}, 25);
-        pictures.push_back(
-            test::composed(test::noisyColour(kRoomSize, test::kSkin, 0, 1), cv::Mat(kRoomSize, CV_8UC3, test::kGrey), hand, 0));
+        pictures.push_back(test::composed(test::noisyColour(kRoomSize, test::kSkin, 0, 1),
+                                          cv::Mat(kRoomSize, CV_8UC3, test::kGrey), hand, 0));
     }
     EXPECT_EQ(cv::norm(medianPicture(pictures), cv::Mat(kRoomSize, CV_8UC3, test::kGrey), cv::NORM_INF), 0);
     EXPECT_TRUE(medianPicture({}).empty());

@@ -25,8 +25,8 @@ Seeds seedsAround(cv::Point2d centre, double sure, double unknown) {
 }
 
 cv::Mat scene(const cv::Mat& truth) {
-    return test::composed(test::noisyColour(kSceneSize, test::kSkin, 5, 1), test::noisyColour(kSceneSize, test::kGrey, 5, 2),
-                          truth, 1);
+    return test::composed(test::noisyColour(kSceneSize, test::kSkin, 5, 1),
+                          test::noisyColour(kSceneSize, test::kGrey, 5, 2), truth, 1);
 }
 
 cv::Mat whole(const cv::Mat& part, const Seeds& seeds) {
