@@ -57,7 +57,7 @@ struct Segmentation {
     core::SilhouetteOptions options;
 };
 
-/// What is known of the hands' poses already: labels that are given, recorded poses, annotated joints; nothing if the
+/// What is known of the hands' poses already: labels that are given, recorded poses, annotated joints. Empty if the
 /// method needs none of them, or if landmarks are still to be detected.
 core::SequenceEvidence knownEvidence(const Segmentation& run, const SegmentArguments& arguments) {
     const bool byModel = run.options.method == SegmentationMethod::Model;

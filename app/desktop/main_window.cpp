@@ -20,6 +20,7 @@
 #include "core/io/files/login_name.h"
 #include "widgets/panels/quality/refinement_page.h"
 #include "widgets/panels/quality/subject_page.h"
+#include "widgets/panels/silhouettes/silhouette_page.h"
 
 namespace app {
 
@@ -219,6 +220,8 @@ QWidget* MainWindow::part(const QString& name) {
         return windowOf<widgets::RefinementPage>(*this);
     if (name == QLatin1String("subject"))
         return windowOf<widgets::SubjectPage>(*this);
+    if (name == QLatin1String("silhouettes"))
+        return windowOf<widgets::SilhouettePage>(*this);
     return m_workspaces->part(name);
 }
 

@@ -10,6 +10,7 @@
 #include "app/desktop/actions/people_actions.h"
 #include "app/desktop/actions/review_actions.h"
 #include "app/desktop/actions/rig_actions.h"
+#include "app/desktop/actions/silhouette_actions.h"
 #include "app/desktop/actions/window_actions.h"
 #include "app/desktop/windows/preferences_window.h"
 
@@ -24,6 +25,7 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindDatasetActions(*window);
     bindRigActions(*window);
     bindReviewActions(*window);
+    bindSilhouetteActions(*window);
     bindPeopleActions(*window, options.hints && options.rater.empty());
     new NumberKeys(*window);
     buildMenus(*window);

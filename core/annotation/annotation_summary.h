@@ -32,7 +32,7 @@ struct RaterSummary {
     int accepted = 0;                     ///< accepted reprojections
     HandCoverage joints;                  ///< over both hands and all frames
     std::map<int, int> doneByFrame;       ///< finished joints of both hands, for frames with marks
-    std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; nothing without them
+    std::optional<RaterSigma> sigma;      ///< what the dataset's sigmas say of the clicks; no value without them
     std::vector<QualityFinding> findings; ///< by frame
 };
 

@@ -10,7 +10,7 @@
 namespace core {
 
 /// The pose of a hand model that explains the 3D joints of its side, weighted by their covariances, from the rest pose.
-/// Joints that are no bones' origins take no part. No value with fewer than three, or with joints on a line.
+/// Joints that are not origins of bones take no part. No value with fewer than three, or with joints on a line.
 std::optional<JointFit> fitHandToPoints(const HandModel& hand, const JointPoints& points);
 
 } // namespace core

@@ -24,7 +24,7 @@ ResultTable setupsTable(const std::vector<SetupResults>& setups);
 
 /// With fewer pairs in a setup, drawing them again says nothing of how certain an order is.
 inline constexpr std::size_t kLeastRankedPairs = 10;
-/// How far the order of the methods in the first setup is that of the second; nothing with fewer than two setups, two
+/// How far the order of the methods in the first setup is that of the second. No value with fewer than two setups, two
 /// methods that both have, or kLeastRankedPairs pairs in each.
 std::optional<RankAgreement> setupsRankAgreement(const std::vector<SetupResults>& setups);
 /// Whether the order of the methods in the first setup predicts that of the second: one sentence with Kendall's tau, or

@@ -35,7 +35,7 @@ struct CameraFault {
 };
 
 /// Faults of each camera in order, then those of all. `pictureSizes` is parallel to cameras: of the footage as it is
-/// recorded; a quarter turn is no fault, the footage's own tag decides it. Empty if all is well.
+/// recorded; a quarter turn is not a fault, the footage's own tag decides it. Empty if all is well.
 std::vector<CameraFault> findCameraFaults(const std::vector<Camera>& cameras,
                                           const std::vector<std::optional<ImageSize>>& pictureSizes);
 

@@ -146,7 +146,7 @@ cv::Mat signedDistance(const cv::Mat& model) {
     return inside - outside;
 }
 
-/// Only the parts that the model reaches and that are no specks.
+/// Only the parts that the model reaches, without specks.
 void keepHands(cv::Mat& mask, const cv::Mat& model) {
     cv::Mat labels, stats, centroids;
     const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8, CV_32S);

@@ -55,7 +55,7 @@ public:
     std::vector<core::BenchmarkSetup> setups() const;
     /// Which of them results() are from now on.
     void show(core::BenchmarkSetup setup);
-    /// How far the orders of the methods in both setups agree; nothing without both, and before a run has ended.
+    /// How far the orders of the methods in both setups agree. No value without both, and before a run has ended.
     std::optional<core::RankAgreement> agreement() const { return m_held ? m_held->agreement : std::nullopt; }
 
 signals:

@@ -282,7 +282,7 @@ void FrameLoader::finish(int camera) {
         const int frame = m_frame;
         emit frameCompleted(frame);
         if (frame != m_frame)
-            return; // somebody wants another one by now
+            return; // another one is wanted by now
         if (!m_next) {
             prefetch();
             return;

@@ -37,7 +37,7 @@ public:
     /// The row of a frame, or null if it does not wait.
     const ReviewRow* find(int frame) const;
     /// The frame that comes after `frame` in the order, from the last one on to the first; the first one if `frame`
-    /// does not wait. Nothing if none is left but `frame`.
+    /// does not wait. No value if none is left but `frame`.
     std::optional<int> next(int frame) const;
     const core::ReviewProgress& progress() const { return m_progress; }
     int reviewed() const { return m_reviewed; }

@@ -53,6 +53,7 @@ WindowSession::WindowSession(QObject* parent)
     , model(document, selection, reconstructions, pool)
     , raters(document, selection, pool)
     , rig(document, pool)
+    , silhouettes(selection, pool)
     , subject(pool)
     , firstPass(document, pool, detectorFirstPass())
     , review(document, pool)
@@ -100,6 +101,7 @@ void WindowSession::takeSequence(int frame) {
     const core::Sequence& sequence = *opened.sequence();
     rig.setSequence(opened.dataset(), sequence.name);
     firstPass.setSequence(opened.dataset(), &sequence);
+    silhouettes.setSequence(opened.dataset(), sequence.name);
     frames.setSequence(opened.dataset(), &sequence, opened.motion());
     fits.setSequence(opened.dataset(), &sequence, opened.motion());
     const core::PictureGaps gaps = core::pictureGaps(*opened.dataset(), sequence);

@@ -19,6 +19,7 @@
 #include "widgets/jobs/rater_study.h"
 #include "widgets/jobs/review_queue.h"
 #include "widgets/jobs/rig_study.h"
+#include "widgets/jobs/silhouette_study.h"
 #include "widgets/jobs/subject_study.h"
 #include "widgets/session/annotation_files.h"
 #include "widgets/session/calibration_choice.h"
@@ -54,6 +55,7 @@ public:
     HandModelFit model;
     RaterStudy raters;
     RigStudy rig;
+    SilhouetteStudy silhouettes;
     SubjectStudy subject;
     FirstPass firstPass;
     ReviewQueue review;

@@ -21,7 +21,7 @@ public:
 
     /// `odd`: indices of cameras that stand out in the colour of errors.
     void setCameras(const std::vector<core::Camera>& cameras, const std::set<int>& odd = {});
-    /// Where a point of the world is drawn; nothing if it lies behind the onlooker.
+    /// Where a point of the world is drawn. No value if it lies behind the onlooker.
     std::optional<QPointF> place(const Eigen::Vector3d& pointInWorld) const;
     QSize sizeHint() const override { return {360, 260}; }
 

@@ -132,6 +132,11 @@ const std::vector<ActionRow> kRows = {
     {"annotation.jointsFile", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Joints from a &file..."), "Ctrl+7", "", ""},
     {"annotation.jointUp", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint up in the list"), "Ctrl+Up", "", "", kPlain, true},
     {"annotation.jointDown", kJoints, QT_TRANSLATE_NOOP("app::ActionTable", "Move the joint down in the list"), "Ctrl+Down", "", ""},
+    {"annotation.silhouettes", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Silhouettes..."), "Ctrl+H", "image-x-generic", QT_TRANSLATE_NOOP("app::ActionTable", "Finds the hands' silhouettes in the pictures, to be looked at, touched up and kept"), kPlain, true},
+    {"annotation.makeSilhouettes", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Make the silhouettes now"), "Ctrl+Shift+G", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "Of the frames that are chosen in the window for silhouettes"), kPlain, false, false},
+    {"annotation.silhouetteBrush", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Brush for silhouettes"), "Shift+H", "draw-brush", QT_TRANSLATE_NOOP("app::ActionTable", "Left button adds, right button takes away, Ctrl and the wheel change its size"), kCheck, false, false},
+    {"annotation.largerBrush", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Larger brush"), "]", "", QT_TRANSLATE_NOOP("app::ActionTable", "Of the brush for silhouettes"), kPlain, false, false},
+    {"annotation.smallerBrush", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Smaller brush"), "[", "", QT_TRANSLATE_NOOP("app::ActionTable", "Of the brush for silhouettes"), kPlain, false, false},
     {"annotation.autoAdvance", kAnnotate, QT_TRANSLATE_NOOP("app::ActionTable", "Next joint when all views are done"), "Ctrl+Shift+A", "", "", kCheck},
 
     {"go.previousFrame", kGo, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous frame"), "A", "media-skip-backward", ""},

@@ -40,7 +40,7 @@ QJsonObject runFirstPass(MainWindow& window, const QJsonObject& step) {
     form->setFrames(intField(step, "first", 0), intField(step, "last", last), intField(step, "step", 1));
     form->start();
     if (!pass.isRunning() && !ended)
-        throw core::Error(core::ErrorCode::Usage, {}, "first", "these are no frames");
+        throw core::Error(core::ErrorCode::Usage, {}, "first", "must be frame numbers of the sequence, first to last");
     waitFor(
         window, [&ended] { return ended; }, kLongestRunMs);
     if (!error.isEmpty())

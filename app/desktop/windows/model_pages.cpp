@@ -102,7 +102,7 @@ QString MasksPage::problem() const {
     if (!m_given->isChecked() || QFileInfo(path).isDir() || path.contains(QLatin1String("{frame")))
         return {};
     return path.isEmpty() ? tr("Choose the folder of the silhouettes.")
-                          : tr("That is no folder, and no pattern with {frame}.");
+                          : tr("This must be a folder, or a pattern with {frame}.");
 }
 
 } // namespace app

@@ -59,7 +59,7 @@ public:
     /// Empty if it was stopped.
     /// `shrink` of 2, 4, 8: may be so much smaller (sides rounded up), where that saves time; else it is whole.
     cv::Mat read(int camera, int frame, const std::stop_token& stop = {}, int shrink = 1) const override;
-    /// What can be shown at once, where reading this frame of a video takes long; nothing where it does not, or where
+    /// What can be shown at once, where reading this frame of a video takes long. No value where it does not, or where
     /// the video was not read before.
     std::optional<Glance> glance(int camera, int frame, const std::stop_token& stop) const override;
 

@@ -18,7 +18,7 @@ class KeyPictures {
 public:
     KeyPictures(std::filesystem::path file, std::shared_ptr<const VideoIndex> index);
 
-    /// The number of the key picture nearest to this one; nothing if none can be told.
+    /// The number of the key picture nearest to this one. No value if none can be told.
     std::optional<int> nearest(int picture) const;
     /// That key picture, valid until the next call; null if the container does not lead there or it is damaged.
     const AVFrame* read(int keyPicture);

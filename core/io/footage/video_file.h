@@ -47,7 +47,7 @@ public:
     /// `shrink` above 1: the picture at 1 / shrink of its size (rounded up), for much less work.
     cv::Mat read(int frame, const std::stop_token& stop = {}, int shrink = 1);
     /// What can be shown at once while that frame would take long to read: the frame itself, kept at 1 / kGlanceShrink
-    /// of its size, or the nearest one that is kept or a key picture. Nothing where read() is quick, or there is none.
+    /// of its size, or the nearest one that is kept or a key picture. No value where read() is quick, or there is none.
     std::optional<VideoGlance> glance(int frame);
     /// How many threads decode, from the next jump on.
     void setThreads(int threads);

@@ -69,7 +69,7 @@ TEST_F(Reconstruction, AcceptedProposalsGiveThePointThatWasAcceptedUntilSomebody
     EXPECT_EQ(joint.manualViews, 0);
     EXPECT_FALSE(core::isBad(joint, 0.5));
     for (const core::ViewReconstruction& view : joint.views)
-        EXPECT_FALSE(view.errorPx) << "it is no evidence";
+        EXPECT_FALSE(view.errorPx) << "it is not evidence";
     EXPECT_GT(core::sigmaMm(joint.result.point->covariance), 1.5) << "eight views of one point are one look";
     click({0});
     EXPECT_FALSE(look().hasPoint()) << "one click contradicts it, and gives no point";

@@ -82,7 +82,7 @@ TEST_F(FitTarget, SpecksAreLeftOutOfSpeckledMasksOnly) {
     const auto left = makeFitTargets(m_scene.cameras, m_scene.masks, options, 1);
     for (std::size_t c = 0; c < clean.size(); ++c) {
         EXPECT_FALSE(clean[c].isSpeckled);
-        EXPECT_FALSE(holed[c].isSpeckled) << "one hole is no noise";
+        EXPECT_FALSE(holed[c].isSpeckled) << "one hole is not noise";
         EXPECT_FALSE(kept[c].isSpeckled) << "nobody asked";
         EXPECT_TRUE(left[c].isSpeckled);
         EXPECT_GT(kept[c].contour.size(), left[c].contour.size() + 60);

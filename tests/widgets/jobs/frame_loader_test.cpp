@@ -176,7 +176,7 @@ TEST_F(FramesComing, OneThatTakesForeverGivesWayToTheNext) {
     source->isHeld = true;
     loader.request(5);
     loader.request(9);
-    QTest::qWait(600); // longer than anybody waits for the first
+    QTest::qWait(600); // longer than the first takes
     source->isHeld = false;
     finish();
     EXPECT_EQ(complete, std::vector<int>{9});
