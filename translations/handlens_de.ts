@@ -831,6 +831,156 @@
         <source>Open a com&amp;parison...</source>
         <translation>Verglei&amp;ch öffnen...</translation>
     </message>
+    <message>
+        <source>R&amp;eview of proposals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First &amp;pass...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds the joints of both hands in many frames without a click, as proposals to be checked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the first pass now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With what is chosen for the first pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Accept the frame, go on to the next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepts all proposed joints of the frame as they stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Correct the most doubtful joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Selects it: click it in two views, then accept the frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next frame to review</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames whose look teaches most come first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show the review queue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouettes...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds the hands&apos; silhouettes in the pictures, to be looked at, touched up and kept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the silhouettes now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the frames that are chosen in the window for silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush for silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left button adds, right button takes away, Ctrl and the wheel change its size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the brush for silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::CalibrationPage</name>
+    <message>
+        <source>as usual for its kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished">Kalibrierung</translation>
+    </message>
+    <message>
+        <source>The calibration</source>
+        <translation type="unfinished">Die Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Unit of length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB and others: the kind is recognised.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sizes, rotations and lenses make sense, and every camera sees where the others look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Recognised as %1: %n camera(s).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>They stand about %1 mm from where they look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the calibration of the cameras.</source>
+        <translation type="unfinished">Wählen Sie die Kalibrierung der Kameras.</translation>
+    </message>
+    <message>
+        <source>There is no such calibration file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The calibration is being read...</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -1068,6 +1218,116 @@
     <message>
         <source>A row per mark of every rater: pixel, state, how it was placed; proposals, too.</source>
         <translation>Eine Zeile je Marke jedes Bewerters: Pixel, Zustand, wie sie gesetzt wurde; auch Vorschläge.</translation>
+    </message>
+</context>
+<context>
+    <name>app::FootagePage</name>
+    <message>
+        <source>The videos of the cameras, or folders of numbered images. Drop them here, or a folder with all of them. Nothing is copied: the footage stays where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Video or image folder</source>
+        <translation type="unfinished">Video oder Bilderordner</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished">Kamera</translation>
+    </message>
+    <message>
+        <source>Starts at frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The frame of this footage that was recorded when the sequence begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name of the sequence</source>
+        <translation type="unfinished">Name der Sequenz</translation>
+    </message>
+    <message>
+        <source>Add videos...</source>
+        <translation type="unfinished">Videos hinzufügen...</translation>
+    </message>
+    <message>
+        <source>Add a folder...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished">Entfernen</translation>
+    </message>
+    <message>
+        <source>A folder of numbered images, or of videos</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Videos of the cameras</source>
+        <translation type="unfinished">Videos der Kameras</translation>
+    </message>
+    <message>
+        <source>its first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation type="unfinished">nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Add the videos or image folders of the cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two pieces of footage are given to %1.</source>
+        <translation type="unfinished">%1 sind zwei Aufnahmen zugeordnet.</translation>
+    </message>
+    <message>
+        <source>Choose the camera of each piece of footage.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give the sequence a name.</source>
+        <translation type="unfinished">Geben Sie der Sequenz einen Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::HandsPage</name>
+    <message>
+        <source>The demo&apos;s hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A left and a right hand of usual size. They can be measured to a person&apos;s own later, from clicked joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hands of another dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Such as this person&apos;s, measured before, or imported ones.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder of a dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No hand model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints can be clicked, of hands or of anything else. Nothing is fitted to silhouettes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the dataset whose hands are taken.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That folder is not a dataset: it has no dataset.json.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1501,6 +1761,94 @@
         <source>It is not known yet where the hands are: mark some joints, then frame them.</source>
         <translation>Noch ist nicht bekannt, wo die Hände sind: erst einige Gelenke markieren, dann einpassen.</translation>
     </message>
+    <message>
+        <source>No frame waits for a look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the only frame that waits for a look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every frame of the first pass is reviewed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click or drag %1 in two views, then accept the frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>First pass: hands in %1 of %2 frames, %n mark(s) proposed.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Installing the hand detector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First pass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Following the hands from the corrected frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) around frame %1 are proposed anew.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Making silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::MasksPage</name>
+    <message>
+        <source>None yet</source>
+        <translation type="unfinished">Noch keine</translation>
+    </message>
+    <message>
+        <source>They can be made from the pictures once the dataset is open, or attached later.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They are there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A folder with a folder of numbered masks per camera, or a pattern with {camera} and {frame}. White is hand, black is not.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder of the silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the folder of the silhouettes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This must be a folder, or a pattern with {frame}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::NewDatasetWindow</name>
@@ -1509,44 +1857,8 @@
         <translation>Einen Datensatz anlegen</translation>
     </message>
     <message>
-        <source>unit: as usual for its kind</source>
-        <translation>Einheit: wie für die Art üblich</translation>
-    </message>
-    <message>
-        <source>unit: millimetres</source>
-        <translation>Einheit: Millimeter</translation>
-    </message>
-    <message>
-        <source>unit: centimetres</source>
-        <translation>Einheit: Zentimeter</translation>
-    </message>
-    <message>
-        <source>unit: metres</source>
-        <translation>Einheit: Meter</translation>
-    </message>
-    <message>
-        <source>Video or image folder</source>
-        <translation>Video oder Bilderordner</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>A calibration and the videos (or folders of numbered images) of its cameras. Nothing is copied: the footage stays where it is.</source>
-        <translation>Eine Kalibrierung und die Videos (oder Ordner nummerierter Bilder) ihrer Kameras. Nichts wird kopiert: Die Aufnahmen bleiben, wo sie sind.</translation>
-    </message>
-    <message>
-        <source>The calibration</source>
-        <translation>Die Kalibrierung</translation>
-    </message>
-    <message>
         <source>Calibration</source>
         <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>Name of the sequence</source>
-        <translation>Name der Sequenz</translation>
     </message>
     <message>
         <source>Folder of the dataset</source>
@@ -1561,52 +1873,8 @@
         <translation>Datensatz anlegen</translation>
     </message>
     <message>
-        <source>Add videos...</source>
-        <translation>Videos hinzufügen...</translation>
-    </message>
-    <message>
-        <source>Add a folder of images...</source>
-        <translation>Bilderordner hinzufügen...</translation>
-    </message>
-    <message>
-        <source>Remove</source>
-        <translation>Entfernen</translation>
-    </message>
-    <message>
         <source>Footage</source>
         <translation>Aufnahmen</translation>
-    </message>
-    <message>
-        <source>Choose...</source>
-        <translation>Wählen...</translation>
-    </message>
-    <message>
-        <source>A folder of numbered images of one camera</source>
-        <translation>Ein Ordner nummerierter Bilder einer Kamera</translation>
-    </message>
-    <message>
-        <source>Videos of the cameras</source>
-        <translation>Videos der Kameras</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <translation>nicht verwendet</translation>
-    </message>
-    <message>
-        <source>Choose the calibration of the cameras.</source>
-        <translation>Wählen Sie die Kalibrierung der Kameras.</translation>
-    </message>
-    <message>
-        <source>Add the videos or image folders, and choose the camera of each.</source>
-        <translation>Fügen Sie Videos oder Bilderordner hinzu und wählen Sie zu jedem die Kamera.</translation>
-    </message>
-    <message>
-        <source>Two pieces of footage are given to %1.</source>
-        <translation>%1 sind zwei Aufnahmen zugeordnet.</translation>
-    </message>
-    <message>
-        <source>Give the sequence a name.</source>
-        <translation>Geben Sie der Sequenz einen Namen.</translation>
     </message>
     <message>
         <source>Choose a folder for the dataset.</source>
@@ -1615,6 +1883,55 @@
     <message>
         <source>The footage is looked at...</source>
         <translation>Die Aufnahmen werden angesehen...</translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished">Weiter</translation>
+    </message>
+    <message>
+        <source>There is neither a video, nor a folder of images, nor a calibration in what was dropped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder of the dataset is not empty: choose another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n piece(s) of footage</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n camera(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::PathField</name>
+    <message>
+        <source>Choose...</source>
+        <translation type="unfinished">Wählen...</translation>
     </message>
 </context>
 <context>
@@ -1836,6 +2153,18 @@
         <source>A joint needs at least two cameras with a picture.</source>
         <translation>Ein Gelenk braucht mindestens zwei Kameras mit einem Bild.</translation>
     </message>
+    <message>
+        <source>as proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepted as proposed; click %1 in two views to correct it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Proposed by a program: click %1 in two views if it is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::AgreementModel</name>
@@ -1948,6 +2277,10 @@
         <source>Nothing to accept: the clicks of %1 give no 3D point.</source>
         <translation>Nichts zu übernehmen: Die Klicks von %1 ergeben keinen 3D-Punkt.</translation>
     </message>
+    <message>
+        <source>Nothing waits to be accepted in this frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPage</name>
@@ -2000,10 +2333,6 @@
         <translation>Realistisch</translation>
     </message>
     <message>
-        <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints.</source>
-        <translation>Synthetisch: Silhouetten der aufgezeichneten Posen, Fehler über alle Gelenke. Realistisch: Maskendateien, Fehler über die markierten Gelenke.</translation>
-    </message>
-    <message>
         <source>Setup</source>
         <translation>Aufbau</translation>
     </message>
@@ -2030,6 +2359,34 @@
     <message>
         <source>Open the results of a folder</source>
         <translation>Die Ergebnisse eines Ordners öffnen</translation>
+    </message>
+    <message>
+        <source>Which setup the tables and curves below are of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kendall&apos;s tau of the methods&apos; mean errors: 1 is the same order, 0 says nothing, -1 is the reverse; in brackets what 95 % of drawings of these pairs give</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints. Both: one after the other, side by side in one report.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Order of the methods in both setups: tau %1 (%2 to %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The results are saved in %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the report</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2106,6 +2463,53 @@
     <message>
         <source>Wait until the sequence is open.</source>
         <translation>Warten Sie, bis die Sequenz geöffnet ist.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CameraFaultText</name>
+    <message>
+        <source>its rotation is a mirror: an axis points the wrong way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its rotation matrix is not a rotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its focal length is not positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its principal point lies outside the image: is the matrix transposed, or the image size wrong?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its footage has %1 pixels, the calibration is for %2: another camera&apos;s footage?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its footage is scaled by %1 (%2 pixels, the calibration is for %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it stands where %1 stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>where the cameras look lies behind it: is its rotation inverted?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it does not see where the other cameras look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its lens model holds in %1 % of the image only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras are %1 mm from where they look: choose another unit.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2236,6 +2640,13 @@
         <source>propose %1 in %2</source>
         <translation>%1 in %2 vorschlagen</translation>
     </message>
+    <message numerus="yes">
+        <source>first pass (%n proposed mark(s))</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>widgets::EmptyState</name>
@@ -2358,6 +2769,135 @@
     </message>
 </context>
 <context>
+    <name>widgets::FirstPass</name>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>These annotations are read-only: nothing can be proposed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first pass needs two cameras with pictures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FirstPassForm</name>
+    <message>
+        <source>left</source>
+        <translation type="unfinished">links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation type="unfinished">rechts</translation>
+    </message>
+    <message>
+        <source>all 21 of a hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished">Start</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished">Stopp</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The hand detector of %1 is installed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The list of joints follows; otherwise only joints of the list are proposed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every so many frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finds the joints in these frames, in the background; they wait for your look as proposals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the frames that are done; the next start goes on from there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sequence</source>
+        <translation type="unfinished">Sequenz</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a dataset first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a hand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last frame comes before the first one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s). Marks that are there already stay.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The hand detector is not installed: get it with &quot;npm pack @mediapipe/hands&quot; (11 MB, Apache-2.0) and choose the file, or run &quot;handlens-batch detector install FILE&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the file...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The package @mediapipe/hands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packages (*.tgz)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::FitPair</name>
     <message>
         <source>This sequence has no recorded motion: mark some joints of every hand in the start frame, and the fit starts from the hand model fitted to them.</source>
@@ -2467,6 +3007,141 @@
     <message>
         <source>not found: %1</source>
         <translation>nicht gefunden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FootageText</name>
+    <message numerus="yes">
+        <source>%1 and %n more place(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n frame(s) missing after frame %2.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 after frame %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n frame(s) missing: %2.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n picture(s) missing: %2.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The pictures start at different numbers (%1); the first ones are taken as the same instant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its time stamps are uneven or missing, so lost frames cannot be told; its frames are taken by number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: frame 0 is picture %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 goes on for %n frame(s) after the last instant.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 has %n frame(s) more than the shortest footage: are they all of the same instants?</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 was recorded at another frame rate than the sequence&apos;s %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its pictures have more than 8 bits; level %2 is shown black, %3 white.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the orientation tag of its pictures says that they are mirrored; they are not mirrored here, but turned by %2°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: turned clockwise by %2°, as its orientation tag says.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its orientation tag says that it is to be turned clockwise by %2°, but it is turned by %3°.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have pictures. The recorded motion is that of the person in the pictures, played by the model&apos;s hand. What it was drawn from is in the folder truth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its frames are taken by number, so the later ones are not of the other cameras&apos; instants.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 frames have a mask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n mask(s) of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>it has %1 frames, but the sequence needs %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has %1 pictures, but the sequence needs %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is %1, but its camera is calibrated for %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>several fit: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has that name, but is other footage of this dataset</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::FramePictures</name>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished">Kein Bild zu diesem Zeitpunkt.</translation>
+    </message>
+    <message>
+        <source>Find...</source>
+        <translation type="unfinished">Suchen...</translation>
     </message>
 </context>
 <context>
@@ -3032,6 +3707,10 @@
         <source>Cameras</source>
         <translation>Kameras</translation>
     </message>
+    <message>
+        <source>Too few clicks to know how far yours scatter: 1 px is assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RatersPanel</name>
@@ -3100,6 +3779,10 @@
     <message>
         <source>Your first marks are hidden until the round has ended.</source>
         <translation>Ihre ersten Marken sind verborgen, bis der Durchgang beendet ist.</translation>
+    </message>
+    <message>
+        <source>%1 has too few clicks to know how far they scatter</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3218,6 +3901,10 @@
         <source>%1 (in use)</source>
         <translation>%1 (in Verwendung)</translation>
     </message>
+    <message>
+        <source>Distances and shapes will be as good as the clicks; the world as a whole stays where it was, known to %1 mm.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ResultTableModel</name>
@@ -3260,6 +3947,174 @@
     <message>
         <source>s</source>
         <translation>s</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReviewModel</name>
+    <message>
+        <source>Reason</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation type="unfinished">Bild</translation>
+    </message>
+    <message>
+        <source>Doubt, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Near</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why the frame deserves a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>0: sure, 100: lost; of the more doubtful hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Doubtful frames around that a corrected one helps</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReviewPanel</name>
+    <message>
+        <source>Accept</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation type="unfinished">Weiter</translation>
+    </message>
+    <message>
+        <source>First pass...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No frame waits for a look.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that the first pass has labelled wait here for a look, doubtful ones first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ReviewText</name>
+    <message>
+        <source>quite sure; left hand first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quite sure; right hand first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>views do not agree on the left hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>views do not agree on the right hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its bone is %2 % longer than usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: its bone is %2 % shorter than usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the left hand was not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the right hand was not found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) of the left hand missing</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n joint(s) of the right hand missing</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>the left hand jumps by %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the right hand jumps by %1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First pass, detecting: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First pass, measuring hands: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First pass, fitting: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First pass, tracking: %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n frame(s) are reviewed.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) left, </source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of them doubtful; %2 reviewed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error to be expected of those left: %1 mm a joint, as far as reviewed ones tell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The error of those left is known once three frames are reviewed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::RigDrawing</name>
+    <message>
+        <source>The cameras of the calibration, and where they look. Drag to turn, wheel to zoom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cameras appear here once the calibration is read.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3439,6 +4294,10 @@
         <source>There are enough clicks to refine the calibration.</source>
         <translation>Es gibt genug Klicks, um die Kalibrierung zu verfeinern.</translation>
     </message>
+    <message>
+        <source>Two cameras cannot tell which of them is off: a refinement needs three.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::ScenePanel</name>
@@ -3468,6 +4327,169 @@
     <message>
         <source>scene</source>
         <translation>Szene</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SilhouettePage</name>
+    <message>
+        <source>Around the joints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Around the posed hand model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What differs from the empty room</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has not the backdrop&apos;s colour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What has the colour of skin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give them to this sequence</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make silhouettes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished">Stopp</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By how much the pose may be wrong: that far from the model the picture decides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much of the forearm is kept, in lengths of the palm from the wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Poses are fitted to them then</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pose may be off by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forearm, in palms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the views: the left button adds to the silhouette, the right one (or Shift) takes away; Ctrl and the wheel change the size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation type="unfinished"> px</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, pixels of the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n silhouette(s) made, %1 were there already.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The sequence uses them now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>This frame: a silhouette in %n view(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n of them kept on disk</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Looking for silhouettes. Nothing appears where no joints of the frame are known: annotate some, or choose another way.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This sequence has masks already (%1). They stay on disk.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the new ones instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make them only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Abbrechen</translation>
+    </message>
+    <message>
+        <source>The last frame lies before the first one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::SilhouetteStudy</name>
+    <message>
+        <source>touch up %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3514,6 +4536,13 @@
         <translation>
             <numerusform>, noch %n s</numerusform>
             <numerusform>, noch %n s</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n min left</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -3778,6 +4807,10 @@
         <source>Marks of %1</source>
         <translation>Marken von %1</translation>
     </message>
+    <message>
+        <source>%1: proposed, doubt %2 %</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::TimelineLegend</name>
@@ -3812,6 +4845,14 @@
     <message>
         <source>tick below: a test frame of the benchmark; the line: the current frame</source>
         <translation>Strich unten: ein Testbild des Benchmarks; die Linie: das aktuelle Bild</translation>
+    </message>
+    <message>
+        <source>stripes: proposed by a program, waits for a look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stripes: the same, and doubtful</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3931,12 +4972,8 @@
         <translation>Bewerter</translation>
     </message>
     <message>
-        <source>No picture at this instant.</source>
-        <translation>Kein Bild zu diesem Zeitpunkt.</translation>
-    </message>
-    <message>
-        <source>Find...</source>
-        <translation>Suchen...</translation>
+        <source>Review</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
