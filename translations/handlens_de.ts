@@ -833,153 +833,153 @@
     </message>
     <message>
         <source>R&amp;eview of proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Durchsicht der Vorschläge</translation>
     </message>
     <message>
         <source>First &amp;pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster D&amp;urchlauf...</translation>
     </message>
     <message>
         <source>Finds the joints of both hands in many frames without a click, as proposals to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet die Gelenke beider Hände in vielen Bildern ohne einen Klick, als Vorschläge zur Prüfung</translation>
     </message>
     <message>
         <source>Start the first pass now</source>
-        <translation type="unfinished"></translation>
+        <translation>Ersten Durchlauf jetzt starten</translation>
     </message>
     <message>
         <source>With what is chosen for the first pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der Auswahl für den ersten Durchlauf</translation>
     </message>
     <message>
         <source>&amp;Accept the frame, go on to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bild übernehmen, weiter zum nächsten</translation>
     </message>
     <message>
         <source>Accepts all proposed joints of the frame as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernimmt alle vorgeschlagenen Gelenke des Bildes, wie sie sind</translation>
     </message>
     <message>
         <source>&amp;Correct the most doubtful joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhaftestes Gelenk &amp;korrigieren</translation>
     </message>
     <message>
         <source>Selects it: click it in two views, then accept the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt es: in zwei Ansichten anklicken, dann das Bild übernehmen</translation>
     </message>
     <message>
         <source>&amp;Next frame to review</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächstes Bild zur Durchsicht</translation>
     </message>
     <message>
         <source>Frames whose look teaches most come first</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder, deren Durchsicht am meisten lehrt, kommen zuerst</translation>
     </message>
     <message>
         <source>&amp;Show the review queue</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Liste zur Durchsicht zeigen</translation>
     </message>
     <message>
         <source>Silhouettes...</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten...</translation>
     </message>
     <message>
         <source>Finds the hands&apos; silhouettes in the pictures, to be looked at, touched up and kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet die Silhouetten der Hände in den Bildern, zum Ansehen, Ausbessern und Behalten</translation>
     </message>
     <message>
         <source>Make the silhouettes now</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten jetzt erzeugen</translation>
     </message>
     <message>
         <source>Of the frames that are chosen in the window for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Bilder, die im Fenster für Silhouetten gewählt sind</translation>
     </message>
     <message>
         <source>Brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel für Silhouetten</translation>
     </message>
     <message>
         <source>Left button adds, right button takes away, Ctrl and the wheel change its size</source>
-        <translation type="unfinished"></translation>
+        <translation>Linke Taste fügt hinzu, rechte nimmt weg, Strg und Rad ändern seine Größe</translation>
     </message>
     <message>
         <source>Larger brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Größerer Pinsel</translation>
     </message>
     <message>
         <source>Of the brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Pinsels für Silhouetten</translation>
     </message>
     <message>
         <source>Smaller brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Kleinerer Pinsel</translation>
     </message>
 </context>
 <context>
     <name>app::CalibrationPage</name>
     <message>
         <source>as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>wie für die Art üblich</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Millimeter</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>Zentimeter</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Meter</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Kalibrierung</translation>
+        <translation>Kalibrierung</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished">Die Kalibrierung</translation>
+        <translation>Die Kalibrierung</translation>
     </message>
     <message>
         <source>Unit of length</source>
-        <translation type="unfinished"></translation>
+        <translation>Längeneinheit</translation>
     </message>
     <message>
         <source>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB and others: the kind is recognised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB und andere: Die Art wird erkannt.</translation>
     </message>
     <message>
         <source>Sizes, rotations and lenses make sense, and every camera sees where the others look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Größen, Rotationen und Linsen sind plausibel, und jede Kamera sieht, wohin die anderen blicken.</translation>
     </message>
     <message numerus="yes">
         <source>Recognised as %1: %n camera(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Erkannt als %1: %n Kamera.</numerusform>
+            <numerusform>Erkannt als %1: %n Kameras.</numerusform>
         </translation>
     </message>
     <message>
         <source>They stand about %1 mm from where they look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie stehen etwa %1 mm von dort entfernt, wohin sie blicken.</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished">Wählen Sie die Kalibrierung der Kameras.</translation>
+        <translation>Wählen Sie die Kalibrierung der Kameras.</translation>
     </message>
     <message>
         <source>There is no such calibration file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Kalibrierungsdatei gibt es nicht.</translation>
     </message>
     <message>
         <source>The calibration cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung kann nicht gelesen werden.</translation>
     </message>
     <message>
         <source>The calibration is being read...</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kalibrierung wird gelesen...</translation>
     </message>
 </context>
 <context>
@@ -1224,110 +1224,110 @@
     <name>app::FootagePage</name>
     <message>
         <source>The videos of the cameras, or folders of numbered images. Drop them here, or a folder with all of them. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Videos der Kameras oder Ordner mit nummerierten Bildern. Legen Sie sie hier ab, oder einen Ordner mit allen. Nichts wird kopiert: Die Aufnahmen bleiben, wo sie sind.</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished">Video oder Bilderordner</translation>
+        <translation>Video oder Bilderordner</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished">Kamera</translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>Starts at frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginnt bei Bild</translation>
     </message>
     <message>
         <source>The frame of this footage that was recorded when the sequence begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild dieser Aufnahme, das zu Beginn der Sequenz aufgenommen wurde.</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished">Name der Sequenz</translation>
+        <translation>Name der Sequenz</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished">Videos hinzufügen...</translation>
+        <translation>Videos hinzufügen...</translation>
     </message>
     <message>
         <source>Add a folder...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner hinzufügen...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Entfernen</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>A folder of numbered images, or of videos</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner mit nummerierten Bildern oder mit Videos</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished">Videos der Kameras</translation>
+        <translation>Videos der Kameras</translation>
     </message>
     <message>
         <source>its first</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr erstes</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished">nicht verwendet</translation>
+        <translation>nicht verwendet</translation>
     </message>
     <message>
         <source>Add the videos or image folders of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügen Sie die Videos oder Bilderordner der Kameras hinzu.</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished">%1 sind zwei Aufnahmen zugeordnet.</translation>
+        <translation>%1 sind zwei Aufnahmen zugeordnet.</translation>
     </message>
     <message>
         <source>Choose the camera of each piece of footage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie zu jeder Aufnahme die Kamera.</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished">Geben Sie der Sequenz einen Namen.</translation>
+        <translation>Geben Sie der Sequenz einen Namen.</translation>
     </message>
 </context>
 <context>
     <name>app::HandsPage</name>
     <message>
         <source>The demo&apos;s hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hände der Demo</translation>
     </message>
     <message>
         <source>A left and a right hand of usual size. They can be measured to a person&apos;s own later, from clicked joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine linke und eine rechte Hand üblicher Größe. Später lassen sich aus angeklickten Gelenken die Hände einer Person vermessen.</translation>
     </message>
     <message>
         <source>The hands of another dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Hände eines anderen Datensatzes</translation>
     </message>
     <message>
         <source>Such as this person&apos;s, measured before, or imported ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Etwa die früher vermessenen dieser Person oder importierte.</translation>
     </message>
     <message>
         <source>The folder of a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner eines Datensatzes</translation>
     </message>
     <message>
         <source>No hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Handmodell</translation>
     </message>
     <message>
         <source>Joints can be clicked, of hands or of anything else. Nothing is fitted to silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke lassen sich anklicken, von Händen oder von anderem. An Silhouetten wird nichts angepasst.</translation>
     </message>
     <message>
         <source>Choose the dataset whose hands are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Datensatz, dessen Hände genommen werden.</translation>
     </message>
     <message>
         <source>That folder is not a dataset: it has no dataset.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Ordner ist kein Datensatz: Er enthält keine dataset.json.</translation>
     </message>
 </context>
 <context>
@@ -1763,91 +1763,91 @@
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Bild wartet auf Durchsicht.</translation>
     </message>
     <message>
         <source>This is the only frame that waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur dieses Bild wartet auf Durchsicht.</translation>
     </message>
     <message>
         <source>Every frame of the first pass is reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Bilder des ersten Durchlaufs sind durchgesehen.</translation>
     </message>
     <message>
         <source>Click or drag %1 in two views, then accept the frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in zwei Ansichten anklicken oder ziehen, dann das Bild übernehmen.</translation>
     </message>
     <message numerus="yes">
         <source>Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Gestoppt: %n Marke in %1 Bildern ist vorgeschlagen; der nächste Start macht dort weiter.</numerusform>
+            <numerusform>Gestoppt: %n Marken in %1 Bildern sind vorgeschlagen; der nächste Start macht dort weiter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>First pass: hands in %1 of %2 frames, %n mark(s) proposed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Erster Durchlauf: Hände in %1 von %2 Bildern, %n Marke vorgeschlagen.</numerusform>
+            <numerusform>Erster Durchlauf: Hände in %1 von %2 Bildern, %n Marken vorgeschlagen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Installing the hand detector</source>
-        <translation type="unfinished"></translation>
+        <translation>Handdetektor wird installiert</translation>
     </message>
     <message>
         <source>First pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf</translation>
     </message>
     <message>
         <source>Following the hands from the corrected frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Hände werden ab dem korrigierten Bild verfolgt</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) around frame %1 are proposed anew.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Marke um Bild %1 ist neu vorgeschlagen.</numerusform>
+            <numerusform>%n Marken um Bild %1 sind neu vorgeschlagen.</numerusform>
         </translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten</translation>
     </message>
     <message>
         <source>Making silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten werden erzeugt</translation>
     </message>
 </context>
 <context>
     <name>app::MasksPage</name>
     <message>
         <source>None yet</source>
-        <translation type="unfinished">Noch keine</translation>
+        <translation>Noch keine</translation>
     </message>
     <message>
         <source>They can be made from the pictures once the dataset is open, or attached later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie lassen sich aus den Bildern erzeugen, sobald der Datensatz geöffnet ist, oder später zuordnen.</translation>
     </message>
     <message>
         <source>They are there</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sind vorhanden</translation>
     </message>
     <message>
         <source>A folder with a folder of numbered masks per camera, or a pattern with {camera} and {frame}. White is hand, black is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Ordner mit einem Ordner nummerierter Masken je Kamera oder ein Muster mit {camera} und {frame}. Weiß ist Hand, Schwarz nicht.</translation>
     </message>
     <message>
         <source>The folder of the silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner der Silhouetten</translation>
     </message>
     <message>
         <source>Choose the folder of the silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie den Ordner der Silhouetten.</translation>
     </message>
     <message>
         <source>This must be a folder, or a pattern with {frame}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das muss ein Ordner sein oder ein Muster mit {frame}.</translation>
     </message>
 </context>
 <context>
@@ -1886,44 +1886,44 @@
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Hände</translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Weiter</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>There is neither a video, nor a folder of images, nor a calibration in what was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Abgelegten ist weder ein Video noch ein Bilderordner noch eine Kalibrierung.</translation>
     </message>
     <message>
         <source>The folder of the dataset is not empty: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner des Datensatzes ist nicht leer: Wählen Sie einen anderen.</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Aufnahme</numerusform>
+            <numerusform>%n Aufnahmen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n camera(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Kamera</numerusform>
+            <numerusform>%n Kameras</numerusform>
         </translation>
     </message>
 </context>
@@ -1931,7 +1931,7 @@
     <name>app::PathField</name>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished">Wählen...</translation>
+        <translation>Wählen...</translation>
     </message>
 </context>
 <context>
@@ -2155,15 +2155,15 @@
     </message>
     <message>
         <source>as proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>wie vorgeschlagen</translation>
     </message>
     <message>
         <source>Accepted as proposed; click %1 in two views to correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernommen wie vorgeschlagen; zum Korrigieren %1 in zwei Ansichten anklicken.</translation>
     </message>
     <message>
         <source>Proposed by a program: click %1 in two views if it is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von einem Programm vorgeschlagen: wenn falsch, %1 in zwei Ansichten anklicken.</translation>
     </message>
 </context>
 <context>
@@ -2279,7 +2279,7 @@
     </message>
     <message>
         <source>Nothing waits to be accepted in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>In diesem Bild wartet nichts auf Übernahme.</translation>
     </message>
 </context>
 <context>
@@ -2362,31 +2362,31 @@
     </message>
     <message>
         <source>Which setup the tables and curves below are of</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu welchem Aufbau die Tabellen und Kurven unten gehören</translation>
     </message>
     <message>
         <source>Kendall&apos;s tau of the methods&apos; mean errors: 1 is the same order, 0 says nothing, -1 is the reverse; in brackets what 95 % of drawings of these pairs give</source>
-        <translation type="unfinished"></translation>
+        <translation>Kendalls Tau der mittleren Fehler der Verfahren: 1 ist dieselbe Reihenfolge, 0 sagt nichts aus, -1 ist die umgekehrte; in Klammern, was 95 % der Ziehungen dieser Paare ergeben</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide</translation>
     </message>
     <message>
         <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints. Both: one after the other, side by side in one report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Synthetisch: Silhouetten der aufgezeichneten Posen, Fehler über alle Gelenke. Realistisch: Maskendateien, Fehler über die markierten Gelenke. Beide: nacheinander berechnet, nebeneinander in einem Bericht.</translation>
     </message>
     <message>
         <source>Order of the methods in both setups: tau %1 (%2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Reihenfolge der Verfahren in beiden Aufbauten: Tau %1 (%2 bis %3)</translation>
     </message>
     <message>
         <source>The results are saved in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse sind in %1 gespeichert.</translation>
     </message>
     <message>
         <source>Show the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht zeigen</translation>
     </message>
 </context>
 <context>
@@ -2469,47 +2469,47 @@
     <name>widgets::CameraFaultText</name>
     <message>
         <source>its rotation is a mirror: an axis points the wrong way</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Rotation ist eine Spiegelung: Eine Achse zeigt in die falsche Richtung</translation>
     </message>
     <message>
         <source>its rotation matrix is not a rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Rotationsmatrix ist keine Rotation</translation>
     </message>
     <message>
         <source>its focal length is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Brennweite ist nicht positiv</translation>
     </message>
     <message>
         <source>its principal point lies outside the image: is the matrix transposed, or the image size wrong?</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Hauptpunkt liegt außerhalb des Bildes: Ist die Matrix transponiert oder die Bildgröße falsch?</translation>
     </message>
     <message>
         <source>its footage has %1 pixels, the calibration is for %2: another camera&apos;s footage?</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Aufnahme hat %1 Pixel, die Kalibrierung gilt für %2: Aufnahme einer anderen Kamera?</translation>
     </message>
     <message>
         <source>its footage is scaled by %1 (%2 pixels, the calibration is for %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>ihre Aufnahme ist um den Faktor %1 skaliert (%2 Pixel, die Kalibrierung gilt für %3)</translation>
     </message>
     <message>
         <source>it stands where %1 stands</source>
-        <translation type="unfinished"></translation>
+        <translation>sie steht, wo %1 steht</translation>
     </message>
     <message>
         <source>where the cameras look lies behind it: is its rotation inverted?</source>
-        <translation type="unfinished"></translation>
+        <translation>wohin die Kameras blicken, liegt hinter ihr: Ist ihre Rotation invertiert?</translation>
     </message>
     <message>
         <source>it does not see where the other cameras look</source>
-        <translation type="unfinished"></translation>
+        <translation>sie sieht nicht, wohin die anderen Kameras blicken</translation>
     </message>
     <message>
         <source>its lens model holds in %1 % of the image only</source>
-        <translation type="unfinished"></translation>
+        <translation>ihr Linsenmodell gilt nur in %1 % des Bildes</translation>
     </message>
     <message>
         <source>The cameras are %1 mm from where they look: choose another unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras sind %1 mm von dort entfernt, wohin sie blicken: Wählen Sie eine andere Einheit.</translation>
     </message>
 </context>
 <context>
@@ -2642,9 +2642,9 @@
     </message>
     <message numerus="yes">
         <source>first pass (%n proposed mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>erster Durchlauf (%n vorgeschlagene Marke)</numerusform>
+            <numerusform>erster Durchlauf (%n vorgeschlagene Marken)</numerusform>
         </translation>
     </message>
 </context>
@@ -2772,129 +2772,129 @@
     <name>widgets::FirstPass</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Datensatz öffnen.</translation>
     </message>
     <message>
         <source>These annotations are read-only: nothing can be proposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Annotationen sind schreibgeschützt: Es kann nichts vorgeschlagen werden.</translation>
     </message>
     <message>
         <source>The first pass needs two cameras with pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der erste Durchlauf braucht zwei Kameras mit Bildern.</translation>
     </message>
 </context>
 <context>
     <name>widgets::FirstPassForm</name>
     <message>
         <source>left</source>
-        <translation type="unfinished">links</translation>
+        <translation>links</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">rechts</translation>
+        <translation>rechts</translation>
     </message>
     <message>
         <source>all 21 of a hand</source>
-        <translation type="unfinished"></translation>
+        <translation>alle 21 einer Hand</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Stopp</translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Verbergen</translation>
     </message>
     <message>
         <source>The hand detector of %1 is installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Handdetektor von %1 ist installiert.</translation>
     </message>
     <message>
         <source>The list of joints follows; otherwise only joints of the list are proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Gelenkliste passt sich an; sonst werden nur Gelenke der Liste vorgeschlagen</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Erstes Bild</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Letztes Bild</translation>
     </message>
     <message>
         <source>Every so many frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite in Bildern</translation>
     </message>
     <message>
         <source>Finds the joints in these frames, in the background; they wait for your look as proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>Findet die Gelenke in diesen Bildern, im Hintergrund; als Vorschläge warten sie auf Ihre Durchsicht</translation>
     </message>
     <message>
         <source>Keeps the frames that are done; the next start goes on from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die fertigen Bilder; der nächste Start macht dort weiter</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation type="unfinished">Sequenz</translation>
+        <translation>Sequenz</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Hände</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenke</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>alle</translation>
     </message>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst einen Datensatz öffnen.</translation>
     </message>
     <message>
         <source>Choose a hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine Hand.</translation>
     </message>
     <message>
         <source>The last frame comes before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das letzte Bild liegt vor dem ersten.</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s). Marks that are there already stay.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild. Vorhandene Marken bleiben.</numerusform>
+            <numerusform>%n Bilder. Vorhandene Marken bleiben.</numerusform>
         </translation>
     </message>
     <message>
         <source>The hand detector is not installed: get it with &quot;npm pack @mediapipe/hands&quot; (11 MB, Apache-2.0) and choose the file, or run &quot;handlens-batch detector install FILE&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Handdetektor ist nicht installiert: mit „npm pack @mediapipe/hands“ holen (11 MB, Apache-2.0) und die Datei wählen oder „handlens-batch detector install DATEI“ ausführen.</translation>
     </message>
     <message>
         <source>Choose the file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Datei wählen...</translation>
     </message>
     <message>
         <source>The package @mediapipe/hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Paket @mediapipe/hands</translation>
     </message>
     <message>
         <source>Packages (*.tgz)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pakete (*.tgz)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -3013,135 +3013,135 @@
     <name>widgets::FootageText</name>
     <message numerus="yes">
         <source>%1 and %n more place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 und %n weitere Stelle</numerusform>
+            <numerusform>%1 und %n weitere Stellen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing after frame %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n Bild fehlt nach Bild %2.</numerusform>
+            <numerusform>%1: %n Bilder fehlen nach Bild %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 after frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nach Bild %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n Bild fehlt: %2.</numerusform>
+            <numerusform>%1: %n Bilder fehlen: %2.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n picture(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n Bilddatei fehlt: %2.</numerusform>
+            <numerusform>%1: %n Bilddateien fehlen: %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>The pictures start at different numbers (%1); the first ones are taken as the same instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilddateien beginnen mit verschiedenen Nummern (%1); die jeweils ersten gelten als derselbe Zeitpunkt.</translation>
     </message>
     <message>
         <source>%1: its time stamps are uneven or missing, so lost frames cannot be told; its frames are taken by number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Die Zeitstempel sind ungleichmäßig oder fehlen, verlorene Bilder sind daher nicht zu erkennen; die Bilder werden nach Nummer genommen.</translation>
     </message>
     <message>
         <source>%1: frame 0 is picture %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Bild 0 ist Bilddatei %2.</translation>
     </message>
     <message numerus="yes">
         <source>%1 goes on for %n frame(s) after the last instant.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 geht nach dem letzten Zeitpunkt noch %n Bild weiter.</numerusform>
+            <numerusform>%1 geht nach dem letzten Zeitpunkt noch %n Bilder weiter.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 has %n frame(s) more than the shortest footage: are they all of the same instants?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 hat %n Bild mehr als die kürzeste Aufnahme: Sind alle von denselben Zeitpunkten?</numerusform>
+            <numerusform>%1 hat %n Bilder mehr als die kürzeste Aufnahme: Sind alle von denselben Zeitpunkten?</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was recorded at another frame rate than the sequence&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde mit einer anderen Bildrate aufgenommen als die Sequenz (%2).</translation>
     </message>
     <message>
         <source>%1: its pictures have more than 8 bits; level %2 is shown black, %3 white.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Die Bilder haben mehr als 8 Bit; Wert %2 wird schwarz gezeigt, %3 weiß.</translation>
     </message>
     <message>
         <source>%1: the orientation tag of its pictures says that they are mirrored; they are not mirrored here, but turned by %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Laut Orientierungsangabe sind die Bilder gespiegelt; hier werden sie nicht gespiegelt, sondern um %2° gedreht.</translation>
     </message>
     <message>
         <source>%1: turned clockwise by %2°, as its orientation tag says.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: um %2° im Uhrzeigersinn gedreht, laut Orientierungsangabe.</translation>
     </message>
     <message>
         <source>%1: its orientation tag says that it is to be turned clockwise by %2°, but it is turned by %3°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Laut Orientierungsangabe um %2° im Uhrzeigersinn zu drehen, gedreht wird aber um %3°.</translation>
     </message>
     <message>
         <source>Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have pictures. The recorded motion is that of the person in the pictures, played by the model&apos;s hand. What it was drawn from is in the folder truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simuliert. Masken sind die Differenz jedes Kamerabilds zum leeren Raum; nur die annotierten Bilder haben Kamerabilder. Die aufgezeichnete Bewegung ist die der Person in den Kamerabildern, ausgeführt von der Hand des Modells. Woraus gezeichnet wurde, liegt im Ordner truth.</translation>
     </message>
     <message>
         <source>Its frames are taken by number, so the later ones are not of the other cameras&apos; instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bilder werden nach Nummer genommen, die späteren sind daher nicht von den Zeitpunkten der anderen Kameras.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 frames have a mask.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 von %3 Bildern haben eine Maske.</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n mask(s) of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n Maske gehört zu keinem Bild der Sequenz: Deren Bilder brauchen die Nummern %2 bis %3, die Masken haben %4 bis %5.</numerusform>
+            <numerusform>%1: %n Masken gehören zu keinem Bild der Sequenz: Deren Bilder brauchen die Nummern %2 bis %3, die Masken haben %4 bis %5.</numerusform>
         </translation>
     </message>
     <message>
         <source>it has %1 frames, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>hat %1 Bilder, aber die Sequenz braucht %2</translation>
     </message>
     <message>
         <source>it has %1 pictures, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>hat %1 Bilddateien, aber die Sequenz braucht %2</translation>
     </message>
     <message>
         <source>it is %1, but its camera is calibrated for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>hat %1 Pixel, aber die Kamera ist für %2 kalibriert</translation>
     </message>
     <message>
         <source>it cannot be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht gelesen werden (%1)</translation>
     </message>
     <message>
         <source>several fit: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>mehrere passen: %1</translation>
     </message>
     <message>
         <source>%1 has that name, but is other footage of this dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 heißt so, ist aber eine andere Aufnahme dieses Datensatzes</translation>
     </message>
 </context>
 <context>
     <name>widgets::FramePictures</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">Kein Bild zu diesem Zeitpunkt.</translation>
+        <translation>Kein Bild zu diesem Zeitpunkt.</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished">Suchen...</translation>
+        <translation>Suchen...</translation>
     </message>
 </context>
 <context>
@@ -3709,7 +3709,7 @@
     </message>
     <message>
         <source>Too few clicks to know how far yours scatter: 1 px is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu wenige Klicks, um Ihre Streuung zu kennen: 1 px wird angenommen.</translation>
     </message>
 </context>
 <context>
@@ -3782,7 +3782,7 @@
     </message>
     <message>
         <source>%1 has too few clicks to know how far they scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat zu wenige Klicks, um ihre Streuung zu kennen</translation>
     </message>
 </context>
 <context>
@@ -3903,7 +3903,7 @@
     </message>
     <message>
         <source>Distances and shapes will be as good as the clicks; the world as a whole stays where it was, known to %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstände und Formen werden so gut wie die Klicks; die Welt als Ganzes bleibt, wo sie war, auf %1 mm genau bekannt.</translation>
     </message>
 </context>
 <context>
@@ -3953,168 +3953,168 @@
     <name>widgets::ReviewModel</name>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished">Bild</translation>
+        <translation>Bild</translation>
     </message>
     <message>
         <source>Doubt, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifel, %</translation>
     </message>
     <message>
         <source>Near</source>
-        <translation type="unfinished"></translation>
+        <translation>Nahe</translation>
     </message>
     <message>
         <source>Why the frame deserves a look</source>
-        <translation type="unfinished"></translation>
+        <translation>Warum das Bild eine Durchsicht verdient</translation>
     </message>
     <message>
         <source>0: sure, 100: lost; of the more doubtful hand</source>
-        <translation type="unfinished"></translation>
+        <translation>0: sicher, 100: verloren; für die zweifelhaftere Hand</translation>
     </message>
     <message>
         <source>Doubtful frames around that a corrected one helps</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweifelhafte Bilder ringsum, denen eine Korrektur hilft</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewPanel</name>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>Correct</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrigieren</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Weiter</translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>First pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf...</translation>
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Bild wartet auf Durchsicht.</translation>
     </message>
     <message>
         <source>Frames that the first pass has labelled wait here for a look, doubtful ones first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder, die der erste Durchlauf markiert hat, warten hier auf Durchsicht, zweifelhafte zuerst.</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewText</name>
     <message>
         <source>quite sure; left hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>recht sicher; linke Hand zuerst</translation>
     </message>
     <message>
         <source>quite sure; right hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>recht sicher; rechte Hand zuerst</translation>
     </message>
     <message>
         <source>views do not agree on the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten widersprechen sich bei der linken Hand</translation>
     </message>
     <message>
         <source>views do not agree on the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten widersprechen sich bei der rechten Hand</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % longer than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Knochen %2 % länger als üblich</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % shorter than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Knochen %2 % kürzer als üblich</translation>
     </message>
     <message>
         <source>the left hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Hand nicht gefunden</translation>
     </message>
     <message>
         <source>the right hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Hand nicht gefunden</translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the left hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gelenk der linken Hand fehlt</numerusform>
+            <numerusform>%n Gelenke der linken Hand fehlen</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the right hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Gelenk der rechten Hand fehlt</numerusform>
+            <numerusform>%n Gelenke der rechten Hand fehlen</numerusform>
         </translation>
     </message>
     <message>
         <source>the left hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Hand springt um %1 mm</translation>
     </message>
     <message>
         <source>the right hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Hand springt um %1 mm</translation>
     </message>
     <message>
         <source>First pass, detecting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf, Erkennung: %1 von %2</translation>
     </message>
     <message>
         <source>First pass, measuring hands: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf, Vermessung der Hände: %1 von %2</translation>
     </message>
     <message>
         <source>First pass, fitting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf, Anpassung: %1 von %2</translation>
     </message>
     <message>
         <source>First pass, tracking: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster Durchlauf, Verfolgung: %1 von %2</translation>
     </message>
     <message numerus="yes">
         <source>All %n frame(s) are reviewed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bild ist durchgesehen, keines ist offen.</numerusform>
+            <numerusform>Alle %n Bilder sind durchgesehen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) left, </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Noch %n Bild, </numerusform>
+            <numerusform>Noch %n Bilder, </numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of them doubtful; %2 reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>davon %1 zweifelhaft; %2 durchgesehen.</translation>
     </message>
     <message>
         <source>Error to be expected of those left: %1 mm a joint, as far as reviewed ones tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu erwartender Fehler der offenen: %1 mm je Gelenk, soweit die durchgesehenen es zeigen.</translation>
     </message>
     <message>
         <source>The error of those left is known once three frames are reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fehler der offenen ist bekannt, sobald drei Bilder durchgesehen sind.</translation>
     </message>
 </context>
 <context>
     <name>widgets::RigDrawing</name>
     <message>
         <source>The cameras of the calibration, and where they look. Drag to turn, wheel to zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras der Kalibrierung und wohin sie blicken. Ziehen dreht, das Rad zoomt.</translation>
     </message>
     <message>
         <source>The cameras appear here once the calibration is read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kameras erscheinen hier, sobald die Kalibrierung gelesen ist.</translation>
     </message>
 </context>
 <context>
@@ -4296,7 +4296,7 @@
     </message>
     <message>
         <source>Two cameras cannot tell which of them is off: a refinement needs three.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Kameras zeigen nicht, welche von beiden danebenliegt: Eine Verfeinerung braucht drei.</translation>
     </message>
 </context>
 <context>
@@ -4333,163 +4333,163 @@
     <name>widgets::SilhouettePage</name>
     <message>
         <source>Around the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Um die Gelenke</translation>
     </message>
     <message>
         <source>Around the posed hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>Um das Handmodell in seiner Pose</translation>
     </message>
     <message>
         <source>What differs from the empty room</source>
-        <translation type="unfinished"></translation>
+        <translation>Was vom leeren Raum abweicht</translation>
     </message>
     <message>
         <source>What has not the backdrop&apos;s colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Was nicht die Farbe des Hintergrunds hat</translation>
     </message>
     <message>
         <source>What has the colour of skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Hautfarbe hat</translation>
     </message>
     <message>
         <source>Give them to this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Sequenz zuordnen</translation>
     </message>
     <message>
         <source>Make silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten erzeugen</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Stopp</translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>By how much the pose may be wrong: that far from the model the picture decides</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel die Pose falsch sein darf: So weit um das Modell entscheidet das Bild</translation>
     </message>
     <message>
         <source>How much of the forearm is kept, in lengths of the palm from the wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel vom Unterarm bleibt, in Handflächenlängen ab dem Handgelenk</translation>
     </message>
     <message>
         <source>Poses are fitted to them then</source>
-        <translation type="unfinished"></translation>
+        <translation>Posen werden dann an sie angepasst</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Gefunden</translation>
     </message>
     <message>
         <source>Pose may be off by</source>
-        <translation type="unfinished"></translation>
+        <translation>Pose ungenau um</translation>
     </message>
     <message>
         <source>Forearm, in palms</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterarm, in Handflächen</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Pinsel</translation>
     </message>
     <message>
         <source>In the views: the left button adds to the silhouette, the right one (or Shift) takes away; Ctrl and the wheel change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>In den Ansichten: Die linke Taste fügt zur Silhouette hinzu, die rechte (oder Umschalt) nimmt weg; Strg und Rad ändern die Größe</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Radius of the brush, pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius des Pinsels, in Bildpixeln</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>bis</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>alle</translation>
     </message>
     <message numerus="yes">
         <source>%n silhouette(s) made, %1 were there already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Silhouette erzeugt, %1 waren schon da.</numerusform>
+            <numerusform>%n Silhouetten erzeugt, %1 waren schon da.</numerusform>
         </translation>
     </message>
     <message>
         <source>The sequence uses them now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sequenz verwendet sie jetzt.</translation>
     </message>
     <message numerus="yes">
         <source>This frame: a silhouette in %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Dieses Bild: eine Silhouette in %n Ansicht</numerusform>
+            <numerusform>Dieses Bild: eine Silhouette in %n Ansichten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n of them kept on disk</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n davon gespeichert</numerusform>
+            <numerusform>, %n davon gespeichert</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for silhouettes. Nothing appears where no joints of the frame are known: annotate some, or choose another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silhouetten werden gesucht. Wo keine Gelenke des Bildes bekannt sind, erscheint nichts: einige annotieren oder einen anderen Weg wählen.</translation>
     </message>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Rückgängig</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen: %1</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>This sequence has masks already (%1). They stay on disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Sequenz hat schon Masken (%1). Die Dateien bleiben erhalten.</translation>
     </message>
     <message>
         <source>Use the new ones instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Die neuen verwenden</translation>
     </message>
     <message>
         <source>Make them only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur erzeugen</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Abbrechen</translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>The last frame lies before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das letzte Bild liegt vor dem ersten.</translation>
     </message>
 </context>
 <context>
     <name>widgets::SilhouetteStudy</name>
     <message>
         <source>touch up %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ausbessern</translation>
     </message>
 </context>
 <context>
@@ -4540,9 +4540,9 @@
     </message>
     <message numerus="yes">
         <source>, %n min left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, noch %n min</numerusform>
+            <numerusform>, noch %n min</numerusform>
         </translation>
     </message>
 </context>
@@ -4809,7 +4809,7 @@
     </message>
     <message>
         <source>%1: proposed, doubt %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: vorgeschlagen, Zweifel %2 %</translation>
     </message>
 </context>
 <context>
@@ -4848,11 +4848,11 @@
     </message>
     <message>
         <source>stripes: proposed by a program, waits for a look</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen: von einem Programm vorgeschlagen, wartet auf Durchsicht</translation>
     </message>
     <message>
         <source>stripes: the same, and doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>Streifen: ebenso, und zweifelhaft</translation>
     </message>
 </context>
 <context>
@@ -4973,7 +4973,7 @@
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchsicht</translation>
     </message>
 </context>
 </TS>

@@ -833,153 +833,153 @@
     </message>
     <message>
         <source>R&amp;eview of proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>Έλ&amp;εγχος προτάσεων</translation>
     </message>
     <message>
         <source>First &amp;pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο &amp;πέρασμα...</translation>
     </message>
     <message>
         <source>Finds the joints of both hands in many frames without a click, as proposals to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>Βρίσκει τις αρθρώσεις και των δύο χεριών σε πολλά καρέ χωρίς κλικ, ως προτάσεις για έλεγχο</translation>
     </message>
     <message>
         <source>Start the first pass now</source>
-        <translation type="unfinished"></translation>
+        <translation>Έναρξη του πρώτου περάσματος τώρα</translation>
     </message>
     <message>
         <source>With what is chosen for the first pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Με ό,τι είναι επιλεγμένο για το πρώτο πέρασμα</translation>
     </message>
     <message>
         <source>&amp;Accept the frame, go on to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Αποδοχή του καρέ, μετάβαση στο επόμενο</translation>
     </message>
     <message>
         <source>Accepts all proposed joints of the frame as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποδέχεται όλες τις προτεινόμενες αρθρώσεις του καρέ ως έχουν</translation>
     </message>
     <message>
         <source>&amp;Correct the most doubtful joint</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Διόρθωση της πιο αμφίβολης άρθρωσης</translation>
     </message>
     <message>
         <source>Selects it: click it in two views, then accept the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Την επιλέγει: κάντε κλικ σε αυτήν σε δύο προβολές και μετά αποδεχτείτε το καρέ</translation>
     </message>
     <message>
         <source>&amp;Next frame to review</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Επόμενο καρέ για έλεγχο</translation>
     </message>
     <message>
         <source>Frames whose look teaches most come first</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτα έρχονται τα καρέ με τον πιο χρήσιμο έλεγχο</translation>
     </message>
     <message>
         <source>&amp;Show the review queue</source>
-        <translation type="unfinished"></translation>
+        <translation>Ε&amp;μφάνιση της ουράς ελέγχου</translation>
     </message>
     <message>
         <source>Silhouettes...</source>
-        <translation type="unfinished"></translation>
+        <translation>Σιλουέτες...</translation>
     </message>
     <message>
         <source>Finds the hands&apos; silhouettes in the pictures, to be looked at, touched up and kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Βρίσκει τις σιλουέτες των χεριών στις εικόνες, για έλεγχο, διόρθωση και φύλαξη</translation>
     </message>
     <message>
         <source>Make the silhouettes now</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία των σιλουετών τώρα</translation>
     </message>
     <message>
         <source>Of the frames that are chosen in the window for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Των καρέ που είναι επιλεγμένα στο παράθυρο για σιλουέτες</translation>
     </message>
     <message>
         <source>Brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Πινέλο για σιλουέτες</translation>
     </message>
     <message>
         <source>Left button adds, right button takes away, Ctrl and the wheel change its size</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αριστερό πλήκτρο προσθέτει, το δεξί αφαιρεί, το Ctrl και ο τροχός αλλάζουν το μέγεθός του</translation>
     </message>
     <message>
         <source>Larger brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Μεγαλύτερο πινέλο</translation>
     </message>
     <message>
         <source>Of the brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Του πινέλου για σιλουέτες</translation>
     </message>
     <message>
         <source>Smaller brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Μικρότερο πινέλο</translation>
     </message>
 </context>
 <context>
     <name>app::CalibrationPage</name>
     <message>
         <source>as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>η συνηθισμένη του είδους της</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>χιλιοστά</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>εκατοστά</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>μέτρα</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">Βαθμονόμηση</translation>
+        <translation>Βαθμονόμηση</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished">Η βαθμονόμηση</translation>
+        <translation>Η βαθμονόμηση</translation>
     </message>
     <message>
         <source>Unit of length</source>
-        <translation type="unfinished"></translation>
+        <translation>Μονάδα μήκους</translation>
     </message>
     <message>
         <source>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB and others: the kind is recognised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB και άλλα: το είδος αναγνωρίζεται.</translation>
     </message>
     <message>
         <source>Sizes, rotations and lenses make sense, and every camera sees where the others look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μεγέθη, στροφές και φακοί είναι λογικά και κάθε κάμερα βλέπει εκεί όπου κοιτούν οι άλλες.</translation>
     </message>
     <message numerus="yes">
         <source>Recognised as %1: %n camera(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Αναγνωρίστηκε ως %1: %n κάμερα.</numerusform>
+            <numerusform>Αναγνωρίστηκε ως %1: %n κάμερες.</numerusform>
         </translation>
     </message>
     <message>
         <source>They stand about %1 mm from where they look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Απέχουν περίπου %1 mm από εκεί όπου κοιτούν.</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished">Επιλέξτε τη βαθμονόμηση των καμερών.</translation>
+        <translation>Επιλέξτε τη βαθμονόμηση των καμερών.</translation>
     </message>
     <message>
         <source>There is no such calibration file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν υπάρχει τέτοιο αρχείο βαθμονόμησης.</translation>
     </message>
     <message>
         <source>The calibration cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η βαθμονόμηση δεν μπορεί να διαβαστεί.</translation>
     </message>
     <message>
         <source>The calibration is being read...</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανάγνωση της βαθμονόμησης...</translation>
     </message>
 </context>
 <context>
@@ -1224,110 +1224,110 @@
     <name>app::FootagePage</name>
     <message>
         <source>The videos of the cameras, or folders of numbered images. Drop them here, or a folder with all of them. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα βίντεο των καμερών ή φάκελοι αριθμημένων εικόνων. Σύρετέ τα εδώ, ή έναν φάκελο με όλα. Δεν αντιγράφεται τίποτα: το υλικό μένει στη θέση του.</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished">Βίντεο ή φάκελος εικόνων</translation>
+        <translation>Βίντεο ή φάκελος εικόνων</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished">Κάμερα</translation>
+        <translation>Κάμερα</translation>
     </message>
     <message>
         <source>Starts at frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρχικό καρέ</translation>
     </message>
     <message>
         <source>The frame of this footage that was recorded when the sequence begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το καρέ αυτού του υλικού που καταγράφηκε όταν αρχίζει η ακολουθία.</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished">Όνομα της ακολουθίας</translation>
+        <translation>Όνομα της ακολουθίας</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished">Προσθήκη βίντεο...</translation>
+        <translation>Προσθήκη βίντεο...</translation>
     </message>
     <message>
         <source>Add a folder...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη φακέλου...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">Αφαίρεση</translation>
+        <translation>Αφαίρεση</translation>
     </message>
     <message>
         <source>A folder of numbered images, or of videos</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος αριθμημένων εικόνων ή βίντεο</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished">Βίντεο των καμερών</translation>
+        <translation>Βίντεο των καμερών</translation>
     </message>
     <message>
         <source>its first</source>
-        <translation type="unfinished"></translation>
+        <translation>το πρώτο του</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished">δεν χρησιμοποιείται</translation>
+        <translation>δεν χρησιμοποιείται</translation>
     </message>
     <message>
         <source>Add the videos or image folders of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθέστε τα βίντεο ή τους φακέλους εικόνων των καμερών.</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished">Στην %1 δόθηκαν δύο υλικά.</translation>
+        <translation>Στην %1 δόθηκαν δύο υλικά.</translation>
     </message>
     <message>
         <source>Choose the camera of each piece of footage.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε την κάμερα κάθε υλικού.</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished">Δώστε όνομα στην ακολουθία.</translation>
+        <translation>Δώστε όνομα στην ακολουθία.</translation>
     </message>
 </context>
 <context>
     <name>app::HandsPage</name>
     <message>
         <source>The demo&apos;s hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα χέρια της επίδειξης</translation>
     </message>
     <message>
         <source>A left and a right hand of usual size. They can be measured to a person&apos;s own later, from clicked joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ένα αριστερό και ένα δεξί χέρι συνηθισμένου μεγέθους. Αργότερα μπορούν να μετρηθούν τα χέρια ενός ατόμου, από αρθρώσεις με κλικ.</translation>
     </message>
     <message>
         <source>The hands of another dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα χέρια άλλου συνόλου δεδομένων</translation>
     </message>
     <message>
         <source>Such as this person&apos;s, measured before, or imported ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Όπως του ίδιου ατόμου, από παλαιότερη μέτρηση, ή εισαγμένα.</translation>
     </message>
     <message>
         <source>The folder of a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο φάκελος ενός συνόλου δεδομένων</translation>
     </message>
     <message>
         <source>No hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>Χωρίς μοντέλο χεριού</translation>
     </message>
     <message>
         <source>Joints can be clicked, of hands or of anything else. Nothing is fitted to silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μπορείτε να κάνετε κλικ σε αρθρώσεις, χεριών ή οτιδήποτε άλλου. Τίποτα δεν προσαρμόζεται σε σιλουέτες.</translation>
     </message>
     <message>
         <source>Choose the dataset whose hands are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε το σύνολο δεδομένων με τα χέρια.</translation>
     </message>
     <message>
         <source>That folder is not a dataset: it has no dataset.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτός ο φάκελος δεν είναι σύνολο δεδομένων: δεν έχει dataset.json.</translation>
     </message>
 </context>
 <context>
@@ -1763,91 +1763,91 @@
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανένα καρέ δεν περιμένει έλεγχο.</translation>
     </message>
     <message>
         <source>This is the only frame that waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτό είναι το μόνο καρέ που περιμένει έλεγχο.</translation>
     </message>
     <message>
         <source>Every frame of the first pass is reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Όλα τα καρέ του πρώτου περάσματος ελέγχθηκαν.</translation>
     </message>
     <message>
         <source>Click or drag %1 in two views, then accept the frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κάντε κλικ στο %1 ή σύρετέ το σε δύο προβολές και μετά αποδεχτείτε το καρέ.</translation>
     </message>
     <message numerus="yes">
         <source>Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Διακοπή: προτείνεται %n σημάδι σε %1 καρέ· η επόμενη έναρξη συνεχίζει από εκεί.</numerusform>
+            <numerusform>Διακοπή: προτείνονται %n σημάδια σε %1 καρέ· η επόμενη έναρξη συνεχίζει από εκεί.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>First pass: hands in %1 of %2 frames, %n mark(s) proposed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Πρώτο πέρασμα: χέρια σε %1 από %2 καρέ, προτείνεται %n σημάδι.</numerusform>
+            <numerusform>Πρώτο πέρασμα: χέρια σε %1 από %2 καρέ, προτείνονται %n σημάδια.</numerusform>
         </translation>
     </message>
     <message>
         <source>Installing the hand detector</source>
-        <translation type="unfinished"></translation>
+        <translation>Εγκατάσταση του ανιχνευτή χεριών</translation>
     </message>
     <message>
         <source>First pass</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα</translation>
     </message>
     <message>
         <source>Following the hands from the corrected frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Παρακολούθηση των χεριών από το διορθωμένο καρέ</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) around frame %1 are proposed anew.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n σημάδι γύρω από το καρέ %1 προτείνεται εκ νέου.</numerusform>
+            <numerusform>%n σημάδια γύρω από το καρέ %1 προτείνονται εκ νέου.</numerusform>
         </translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Σιλουέτες</translation>
     </message>
     <message>
         <source>Making silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία σιλουετών</translation>
     </message>
 </context>
 <context>
     <name>app::MasksPage</name>
     <message>
         <source>None yet</source>
-        <translation type="unfinished">Κανένα ακόμα</translation>
+        <translation>Κανένα ακόμα</translation>
     </message>
     <message>
         <source>They can be made from the pictures once the dataset is open, or attached later.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μπορούν να δημιουργηθούν από τις εικόνες όταν ανοίξει το σύνολο ή να συνδεθούν αργότερα.</translation>
     </message>
     <message>
         <source>They are there</source>
-        <translation type="unfinished"></translation>
+        <translation>Υπάρχουν ήδη</translation>
     </message>
     <message>
         <source>A folder with a folder of numbered masks per camera, or a pattern with {camera} and {frame}. White is hand, black is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος με έναν φάκελο αριθμημένων μασκών ανά κάμερα ή μοτίβο με {camera} και {frame}. Λευκό είναι το χέρι, μαύρο όλα τα άλλα.</translation>
     </message>
     <message>
         <source>The folder of the silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο φάκελος των σιλουετών</translation>
     </message>
     <message>
         <source>Choose the folder of the silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε τον φάκελο των σιλουετών.</translation>
     </message>
     <message>
         <source>This must be a folder, or a pattern with {frame}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρέπει να είναι φάκελος ή μοτίβο με {frame}.</translation>
     </message>
 </context>
 <context>
@@ -1886,44 +1886,44 @@
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Χέρια</translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Σιλουέτες</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Φάκελος</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Πίσω</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Επόμενη</translation>
+        <translation>Επόμενη</translation>
     </message>
     <message>
         <source>There is neither a video, nor a folder of images, nor a calibration in what was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σε ό,τι σύρατε δεν υπάρχει ούτε βίντεο ούτε φάκελος εικόνων ούτε βαθμονόμηση.</translation>
     </message>
     <message>
         <source>The folder of the dataset is not empty: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο φάκελος του συνόλου δεν είναι κενός: επιλέξτε άλλον.</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n υλικό</numerusform>
+            <numerusform>%n υλικά</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n camera(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n κάμερα</numerusform>
+            <numerusform>%n κάμερες</numerusform>
         </translation>
     </message>
 </context>
@@ -1931,7 +1931,7 @@
     <name>app::PathField</name>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished">Επιλογή...</translation>
+        <translation>Επιλογή...</translation>
     </message>
 </context>
 <context>
@@ -2155,15 +2155,15 @@
     </message>
     <message>
         <source>as proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>όπως προτάθηκε</translation>
     </message>
     <message>
         <source>Accepted as proposed; click %1 in two views to correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποδεκτή όπως προτάθηκε· για διόρθωση κάντε κλικ στο %1 σε δύο προβολές.</translation>
     </message>
     <message>
         <source>Proposed by a program: click %1 in two views if it is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρόταση προγράμματος: αν είναι λάθος, κάντε κλικ στο %1 σε δύο προβολές.</translation>
     </message>
 </context>
 <context>
@@ -2279,7 +2279,7 @@
     </message>
     <message>
         <source>Nothing waits to be accepted in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τίποτα δεν περιμένει αποδοχή σε αυτό το καρέ.</translation>
     </message>
 </context>
 <context>
@@ -2362,31 +2362,31 @@
     </message>
     <message>
         <source>Which setup the tables and curves below are of</source>
-        <translation type="unfinished"></translation>
+        <translation>Ποιας διάταξης είναι οι πίνακες και οι καμπύλες παρακάτω</translation>
     </message>
     <message>
         <source>Kendall&apos;s tau of the methods&apos; mean errors: 1 is the same order, 0 says nothing, -1 is the reverse; in brackets what 95 % of drawings of these pairs give</source>
-        <translation type="unfinished"></translation>
+        <translation>Ταυ του Kendall των μέσων σφαλμάτων των μεθόδων: 1 είναι η ίδια σειρά, 0 δεν λέει τίποτα, -1 είναι η αντίστροφη· σε παρένθεση ό,τι δίνει το 95 % των κληρώσεων αυτών των ζευγών</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>Και οι δύο</translation>
     </message>
     <message>
         <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints. Both: one after the other, side by side in one report.</source>
-        <translation type="unfinished"></translation>
+        <translation>Συνθετική: σιλουέτες των καταγεγραμμένων ποζών, σφάλματα σε όλες τις αρθρώσεις. Ρεαλιστική: αρχεία μάσκας, σφάλματα στις σημειωμένες αρθρώσεις. Και οι δύο: η μία μετά την άλλη, δίπλα δίπλα σε μία αναφορά.</translation>
     </message>
     <message>
         <source>Order of the methods in both setups: tau %1 (%2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>Σειρά των μεθόδων και στις δύο διατάξεις: ταυ %1 (%2 έως %3)</translation>
     </message>
     <message>
         <source>The results are saved in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα αποτελέσματα αποθηκεύτηκαν στο %1.</translation>
     </message>
     <message>
         <source>Show the report</source>
-        <translation type="unfinished"></translation>
+        <translation>Εμφάνιση αναφοράς</translation>
     </message>
 </context>
 <context>
@@ -2469,47 +2469,47 @@
     <name>widgets::CameraFaultText</name>
     <message>
         <source>its rotation is a mirror: an axis points the wrong way</source>
-        <translation type="unfinished"></translation>
+        <translation>η στροφή της είναι κατοπτρισμός: ένας άξονας δείχνει ανάποδα</translation>
     </message>
     <message>
         <source>its rotation matrix is not a rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>ο πίνακας στροφής της δεν είναι στροφή</translation>
     </message>
     <message>
         <source>its focal length is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>η εστιακή της απόσταση δεν είναι θετική</translation>
     </message>
     <message>
         <source>its principal point lies outside the image: is the matrix transposed, or the image size wrong?</source>
-        <translation type="unfinished"></translation>
+        <translation>το πρωτεύον σημείο της είναι έξω από την εικόνα: μήπως ο πίνακας είναι ανάστροφος ή το μέγεθος εικόνας λάθος;</translation>
     </message>
     <message>
         <source>its footage has %1 pixels, the calibration is for %2: another camera&apos;s footage?</source>
-        <translation type="unfinished"></translation>
+        <translation>το υλικό της έχει %1 πίξελ, η βαθμονόμηση είναι για %2: μήπως είναι υλικό άλλης κάμερας;</translation>
     </message>
     <message>
         <source>its footage is scaled by %1 (%2 pixels, the calibration is for %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>το υλικό της έχει κλίμακα %1 (%2 πίξελ, η βαθμονόμηση είναι για %3)</translation>
     </message>
     <message>
         <source>it stands where %1 stands</source>
-        <translation type="unfinished"></translation>
+        <translation>βρίσκεται εκεί όπου και η %1</translation>
     </message>
     <message>
         <source>where the cameras look lies behind it: is its rotation inverted?</source>
-        <translation type="unfinished"></translation>
+        <translation>εκεί όπου κοιτούν οι κάμερες είναι πίσω της: μήπως η στροφή της είναι αντίστροφη;</translation>
     </message>
     <message>
         <source>it does not see where the other cameras look</source>
-        <translation type="unfinished"></translation>
+        <translation>δεν βλέπει εκεί όπου κοιτούν οι άλλες κάμερες</translation>
     </message>
     <message>
         <source>its lens model holds in %1 % of the image only</source>
-        <translation type="unfinished"></translation>
+        <translation>το μοντέλο του φακού της ισχύει μόνο στο %1 % της εικόνας</translation>
     </message>
     <message>
         <source>The cameras are %1 mm from where they look: choose another unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι κάμερες απέχουν %1 mm από εκεί όπου κοιτούν: επιλέξτε άλλη μονάδα.</translation>
     </message>
 </context>
 <context>
@@ -2642,9 +2642,9 @@
     </message>
     <message numerus="yes">
         <source>first pass (%n proposed mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>πρώτο πέρασμα (%n προτεινόμενο σημάδι)</numerusform>
+            <numerusform>πρώτο πέρασμα (%n προτεινόμενα σημάδια)</numerusform>
         </translation>
     </message>
 </context>
@@ -2772,129 +2772,129 @@
     <name>widgets::FirstPass</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished">Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+        <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
     </message>
     <message>
         <source>These annotations are read-only: nothing can be proposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτές οι επισημειώσεις είναι μόνο για ανάγνωση: δεν μπορεί να προταθεί τίποτα.</translation>
     </message>
     <message>
         <source>The first pass needs two cameras with pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το πρώτο πέρασμα χρειάζεται δύο κάμερες με εικόνες.</translation>
     </message>
 </context>
 <context>
     <name>widgets::FirstPassForm</name>
     <message>
         <source>left</source>
-        <translation type="unfinished">αριστερό</translation>
+        <translation>αριστερό</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">δεξί</translation>
+        <translation>δεξί</translation>
     </message>
     <message>
         <source>all 21 of a hand</source>
-        <translation type="unfinished"></translation>
+        <translation>και οι 21 κάθε χεριού</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished">Αρχή</translation>
+        <translation>Αρχή</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Διακοπή</translation>
+        <translation>Διακοπή</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>Απόκρυψη</translation>
     </message>
     <message>
         <source>The hand detector of %1 is installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο ανιχνευτής χεριών του %1 εγκαταστάθηκε.</translation>
     </message>
     <message>
         <source>The list of joints follows; otherwise only joints of the list are proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>Η λίστα αρθρώσεων ακολουθεί· αλλιώς προτείνονται μόνο αρθρώσεις της λίστας</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο καρέ</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Τελευταίο καρέ</translation>
     </message>
     <message>
         <source>Every so many frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανά πόσα καρέ</translation>
     </message>
     <message>
         <source>Finds the joints in these frames, in the background; they wait for your look as proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>Βρίσκει τις αρθρώσεις σε αυτά τα καρέ, στο παρασκήνιο· περιμένουν τον έλεγχό σας ως προτάσεις</translation>
     </message>
     <message>
         <source>Keeps the frames that are done; the next start goes on from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Διατηρεί τα έτοιμα καρέ· η επόμενη έναρξη συνεχίζει από εκεί</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation type="unfinished">Ακολουθία</translation>
+        <translation>Ακολουθία</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Καρέ</translation>
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Χέρια</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρθρώσεις</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>ανά</translation>
     </message>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished">Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+        <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
     </message>
     <message>
         <source>Choose a hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε ένα χέρι.</translation>
     </message>
     <message>
         <source>The last frame comes before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το τελευταίο καρέ είναι πριν από το πρώτο.</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s). Marks that are there already stay.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n καρέ. Τα σημάδια που υπάρχουν ήδη μένουν.</numerusform>
+            <numerusform>%n καρέ. Τα σημάδια που υπάρχουν ήδη μένουν.</numerusform>
         </translation>
     </message>
     <message>
         <source>The hand detector is not installed: get it with &quot;npm pack @mediapipe/hands&quot; (11 MB, Apache-2.0) and choose the file, or run &quot;handlens-batch detector install FILE&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ο ανιχνευτής χεριών δεν είναι εγκατεστημένος: κατεβάστε τον με «npm pack @mediapipe/hands» (11 MB, Apache-2.0) και επιλέξτε το αρχείο ή εκτελέστε «handlens-batch detector install FILE».</translation>
     </message>
     <message>
         <source>Choose the file...</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή αρχείου...</translation>
     </message>
     <message>
         <source>The package @mediapipe/hands</source>
-        <translation type="unfinished"></translation>
+        <translation>Το πακέτο @mediapipe/hands</translation>
     </message>
     <message>
         <source>Packages (*.tgz)</source>
-        <translation type="unfinished"></translation>
+        <translation>Πακέτα (*.tgz)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Όλα τα αρχεία (*)</translation>
     </message>
 </context>
 <context>
@@ -3013,135 +3013,135 @@
     <name>widgets::FootageText</name>
     <message numerus="yes">
         <source>%1 and %n more place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 και %n ακόμη θέση</numerusform>
+            <numerusform>%1 και %n ακόμη θέσεις</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing after frame %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: λείπει %n καρέ μετά το καρέ %2.</numerusform>
+            <numerusform>%1: λείπουν %n καρέ μετά το καρέ %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 after frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 μετά το καρέ %2</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: λείπει %n καρέ: %2.</numerusform>
+            <numerusform>%1: λείπουν %n καρέ: %2.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n picture(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: λείπει %n εικόνα: %2.</numerusform>
+            <numerusform>%1: λείπουν %n εικόνες: %2.</numerusform>
         </translation>
     </message>
     <message>
         <source>The pictures start at different numbers (%1); the first ones are taken as the same instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι εικόνες αρχίζουν από διαφορετικούς αριθμούς (%1)· οι πρώτες θεωρούνται της ίδιας στιγμής.</translation>
     </message>
     <message>
         <source>%1: its time stamps are uneven or missing, so lost frames cannot be told; its frames are taken by number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: οι χρονοσημάνσεις της είναι άνισες ή λείπουν, οπότε χαμένα καρέ δεν διακρίνονται· τα καρέ της λαμβάνονται κατά αριθμό.</translation>
     </message>
     <message>
         <source>%1: frame 0 is picture %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: το καρέ 0 είναι η εικόνα %2.</translation>
     </message>
     <message numerus="yes">
         <source>%1 goes on for %n frame(s) after the last instant.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Η %1 συνεχίζει για %n καρέ μετά την τελευταία στιγμή.</numerusform>
+            <numerusform>Η %1 συνεχίζει για %n καρέ μετά την τελευταία στιγμή.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 has %n frame(s) more than the shortest footage: are they all of the same instants?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Η %1 έχει %n καρέ περισσότερο από το συντομότερο υλικό: είναι όλα των ίδιων στιγμών;</numerusform>
+            <numerusform>Η %1 έχει %n καρέ περισσότερα από το συντομότερο υλικό: είναι όλα των ίδιων στιγμών;</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was recorded at another frame rate than the sequence&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η %1 καταγράφηκε με άλλον ρυθμό καρέ από τον %2 της ακολουθίας.</translation>
     </message>
     <message>
         <source>%1: its pictures have more than 8 bits; level %2 is shown black, %3 white.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: οι εικόνες της έχουν πάνω από 8 bit· η στάθμη %2 εμφανίζεται μαύρη, η %3 λευκή.</translation>
     </message>
     <message>
         <source>%1: the orientation tag of its pictures says that they are mirrored; they are not mirrored here, but turned by %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: η ετικέτα προσανατολισμού των εικόνων της λέει ότι είναι κατοπτρισμένες· εδώ δεν κατοπτρίζονται, αλλά στρέφονται κατά %2°.</translation>
     </message>
     <message>
         <source>%1: turned clockwise by %2°, as its orientation tag says.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: στροφή δεξιόστροφα κατά %2°, όπως λέει η ετικέτα προσανατολισμού της.</translation>
     </message>
     <message>
         <source>%1: its orientation tag says that it is to be turned clockwise by %2°, but it is turned by %3°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: η ετικέτα προσανατολισμού της ζητά στροφή δεξιόστροφα κατά %2°, αλλά στρέφεται κατά %3°.</translation>
     </message>
     <message>
         <source>Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have pictures. The recorded motion is that of the person in the pictures, played by the model&apos;s hand. What it was drawn from is in the folder truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσομοίωση. Οι μάσκες είναι η διαφορά κάθε εικόνας από το άδειο δωμάτιο· μόνο τα επισημειωμένα καρέ έχουν εικόνες. Η καταγεγραμμένη κίνηση είναι του ατόμου στις εικόνες, εκτελεσμένη από το χέρι του μοντέλου. Ό,τι χρησίμευσε για τη σχεδίαση είναι στον φάκελο truth.</translation>
     </message>
     <message>
         <source>Its frames are taken by number, so the later ones are not of the other cameras&apos; instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα καρέ της λαμβάνονται κατά αριθμό, οπότε τα επόμενα δεν είναι των στιγμών των άλλων καμερών.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 frames have a mask.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 από %3 καρέ έχουν μάσκα.</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n mask(s) of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n μάσκα δεν ανήκει σε καρέ της ακολουθίας: τα καρέ της χρειάζονται τους αριθμούς %2 έως %3, οι μάσκες έχουν %4 έως %5.</numerusform>
+            <numerusform>%1: %n μάσκες δεν ανήκουν σε καρέ της ακολουθίας: τα καρέ της χρειάζονται τους αριθμούς %2 έως %3, οι μάσκες έχουν %4 έως %5.</numerusform>
         </translation>
     </message>
     <message>
         <source>it has %1 frames, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>έχει %1 καρέ, αλλά η ακολουθία χρειάζεται %2</translation>
     </message>
     <message>
         <source>it has %1 pictures, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>έχει %1 εικόνες, αλλά η ακολουθία χρειάζεται %2</translation>
     </message>
     <message>
         <source>it is %1, but its camera is calibrated for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>είναι %1, αλλά η κάμερά του είναι βαθμονομημένη για %2</translation>
     </message>
     <message>
         <source>it cannot be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>δεν μπορεί να διαβαστεί (%1)</translation>
     </message>
     <message>
         <source>several fit: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ταιριάζουν πολλά: %1</translation>
     </message>
     <message>
         <source>%1 has that name, but is other footage of this dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>το %1 έχει αυτό το όνομα, αλλά είναι άλλο υλικό αυτού του συνόλου</translation>
     </message>
 </context>
 <context>
     <name>widgets::FramePictures</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">Καμία εικόνα αυτή τη στιγμή.</translation>
+        <translation>Καμία εικόνα αυτή τη στιγμή.</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished">Εύρεση...</translation>
+        <translation>Εύρεση...</translation>
     </message>
 </context>
 <context>
@@ -3709,7 +3709,7 @@
     </message>
     <message>
         <source>Too few clicks to know how far yours scatter: 1 px is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Πολύ λίγα κλικ για να είναι γνωστή η διασπορά των δικών σας: θεωρείται 1 px.</translation>
     </message>
 </context>
 <context>
@@ -3782,7 +3782,7 @@
     </message>
     <message>
         <source>%1 has too few clicks to know how far they scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: πολύ λίγα κλικ για να είναι γνωστή η διασπορά τους</translation>
     </message>
 </context>
 <context>
@@ -3903,7 +3903,7 @@
     </message>
     <message>
         <source>Distances and shapes will be as good as the clicks; the world as a whole stays where it was, known to %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποστάσεις και σχήματα θα είναι όσο καλά είναι τα κλικ· ο κόσμος ως σύνολο μένει όπου ήταν, γνωστός με ακρίβεια %1 mm.</translation>
     </message>
 </context>
 <context>
@@ -3953,168 +3953,168 @@
     <name>widgets::ReviewModel</name>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>Λόγος</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished">Καρέ</translation>
+        <translation>Καρέ</translation>
     </message>
     <message>
         <source>Doubt, %</source>
-        <translation type="unfinished"></translation>
+        <translation>Αμφιβολία, %</translation>
     </message>
     <message>
         <source>Near</source>
-        <translation type="unfinished"></translation>
+        <translation>Κοντά</translation>
     </message>
     <message>
         <source>Why the frame deserves a look</source>
-        <translation type="unfinished"></translation>
+        <translation>Γιατί το καρέ αξίζει έλεγχο</translation>
     </message>
     <message>
         <source>0: sure, 100: lost; of the more doubtful hand</source>
-        <translation type="unfinished"></translation>
+        <translation>0: βέβαιο, 100: χαμένο· του πιο αμφίβολου χεριού</translation>
     </message>
     <message>
         <source>Doubtful frames around that a corrected one helps</source>
-        <translation type="unfinished"></translation>
+        <translation>Αμφίβολα καρέ γύρω που ωφελεί η διόρθωσή του</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewPanel</name>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποδοχή</translation>
     </message>
     <message>
         <source>Correct</source>
-        <translation type="unfinished"></translation>
+        <translation>Διόρθωση</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">Επόμενη</translation>
+        <translation>Επόμενη</translation>
     </message>
     <message>
         <source>First pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα...</translation>
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανένα καρέ δεν περιμένει έλεγχο.</translation>
     </message>
     <message>
         <source>Frames that the first pass has labelled wait here for a look, doubtful ones first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα καρέ που σημείωσε το πρώτο πέρασμα περιμένουν εδώ έλεγχο, πρώτα τα αμφίβολα.</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewText</name>
     <message>
         <source>quite sure; left hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>αρκετά βέβαιο· πρώτα το αριστερό χέρι</translation>
     </message>
     <message>
         <source>quite sure; right hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>αρκετά βέβαιο· πρώτα το δεξί χέρι</translation>
     </message>
     <message>
         <source>views do not agree on the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>οι προβολές δεν συμφωνούν για το αριστερό χέρι</translation>
     </message>
     <message>
         <source>views do not agree on the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>οι προβολές δεν συμφωνούν για το δεξί χέρι</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % longer than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: το οστό είναι %2 % μακρύτερο από το συνηθισμένο</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % shorter than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: το οστό είναι %2 % κοντύτερο από το συνηθισμένο</translation>
     </message>
     <message>
         <source>the left hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>το αριστερό χέρι δεν βρέθηκε</translation>
     </message>
     <message>
         <source>the right hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>το δεξί χέρι δεν βρέθηκε</translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the left hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>λείπει %n άρθρωση του αριστερού χεριού</numerusform>
+            <numerusform>λείπουν %n αρθρώσεις του αριστερού χεριού</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the right hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>λείπει %n άρθρωση του δεξιού χεριού</numerusform>
+            <numerusform>λείπουν %n αρθρώσεις του δεξιού χεριού</numerusform>
         </translation>
     </message>
     <message>
         <source>the left hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>το αριστερό χέρι κάνει άλμα %1 mm</translation>
     </message>
     <message>
         <source>the right hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>το δεξί χέρι κάνει άλμα %1 mm</translation>
     </message>
     <message>
         <source>First pass, detecting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα, ανίχνευση: %1 από %2</translation>
     </message>
     <message>
         <source>First pass, measuring hands: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα, μέτρηση χεριών: %1 από %2</translation>
     </message>
     <message>
         <source>First pass, fitting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα, προσαρμογή: %1 από %2</translation>
     </message>
     <message>
         <source>First pass, tracking: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτο πέρασμα, παρακολούθηση: %1 από %2</translation>
     </message>
     <message numerus="yes">
         <source>All %n frame(s) are reviewed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Το %n καρέ ελέγχθηκε.</numerusform>
+            <numerusform>Και τα %n καρέ ελέγχθηκαν.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) left, </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Απομένει %n καρέ, </numerusform>
+            <numerusform>Απομένουν %n καρέ, </numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of them doubtful; %2 reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>από αυτά %1 αμφίβολα· %2 ελεγμένα.</translation>
     </message>
     <message>
         <source>Error to be expected of those left: %1 mm a joint, as far as reviewed ones tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναμενόμενο σφάλμα όσων απομένουν: %1 mm ανά άρθρωση, όπως δείχνουν τα ελεγμένα.</translation>
     </message>
     <message>
         <source>The error of those left is known once three frames are reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το σφάλμα όσων απομένουν γίνεται γνωστό μετά τον έλεγχο τριών καρέ.</translation>
     </message>
 </context>
 <context>
     <name>widgets::RigDrawing</name>
     <message>
         <source>The cameras of the calibration, and where they look. Drag to turn, wheel to zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι κάμερες της βαθμονόμησης και πού κοιτούν. Σύρετε για περιστροφή, τροχός για ζουμ.</translation>
     </message>
     <message>
         <source>The cameras appear here once the calibration is read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι κάμερες εμφανίζονται εδώ μόλις διαβαστεί η βαθμονόμηση.</translation>
     </message>
 </context>
 <context>
@@ -4296,7 +4296,7 @@
     </message>
     <message>
         <source>Two cameras cannot tell which of them is off: a refinement needs three.</source>
-        <translation type="unfinished"></translation>
+        <translation>Με δύο κάμερες δεν φαίνεται ποια αποκλίνει: μια βελτίωση χρειάζεται τρεις.</translation>
     </message>
 </context>
 <context>
@@ -4333,163 +4333,163 @@
     <name>widgets::SilhouettePage</name>
     <message>
         <source>Around the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>Γύρω από τις αρθρώσεις</translation>
     </message>
     <message>
         <source>Around the posed hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>Γύρω από το μοντέλο χεριού στην πόζα του</translation>
     </message>
     <message>
         <source>What differs from the empty room</source>
-        <translation type="unfinished"></translation>
+        <translation>Ό,τι διαφέρει από το άδειο δωμάτιο</translation>
     </message>
     <message>
         <source>What has not the backdrop&apos;s colour</source>
-        <translation type="unfinished"></translation>
+        <translation>Ό,τι δεν έχει το χρώμα του φόντου</translation>
     </message>
     <message>
         <source>What has the colour of skin</source>
-        <translation type="unfinished"></translation>
+        <translation>Ό,τι έχει το χρώμα του δέρματος</translation>
     </message>
     <message>
         <source>Give them to this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύνδεση με αυτή την ακολουθία</translation>
     </message>
     <message>
         <source>Make silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>Δημιουργία σιλουετών</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">Διακοπή</translation>
+        <translation>Διακοπή</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>By how much the pose may be wrong: that far from the model the picture decides</source>
-        <translation type="unfinished"></translation>
+        <translation>Πόσο λάθος μπορεί να είναι η πόζα: ως αυτή την απόσταση από το μοντέλο αποφασίζει η εικόνα</translation>
     </message>
     <message>
         <source>How much of the forearm is kept, in lengths of the palm from the wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>Πόσο από τον πήχη κρατιέται, σε μήκη παλάμης από τον καρπό</translation>
     </message>
     <message>
         <source>Poses are fitted to them then</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι πόζες προσαρμόζονται τότε σε αυτές</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>Εύρεση</translation>
     </message>
     <message>
         <source>Pose may be off by</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανοχή πόζας</translation>
     </message>
     <message>
         <source>Forearm, in palms</source>
-        <translation type="unfinished"></translation>
+        <translation>Πήχης, σε παλάμες</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>Πινέλο</translation>
     </message>
     <message>
         <source>In the views: the left button adds to the silhouette, the right one (or Shift) takes away; Ctrl and the wheel change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Στις προβολές: το αριστερό πλήκτρο προσθέτει στη σιλουέτα, το δεξί (ή το Shift) αφαιρεί· το Ctrl και ο τροχός αλλάζουν το μέγεθος</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Radius of the brush, pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Ακτίνα του πινέλου, σε πίξελ της εικόνας</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Καρέ</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>έως</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>ανά</translation>
     </message>
     <message numerus="yes">
         <source>%n silhouette(s) made, %1 were there already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Έγινε %n σιλουέτα, %1 υπήρχαν ήδη.</numerusform>
+            <numerusform>Έγιναν %n σιλουέτες, %1 υπήρχαν ήδη.</numerusform>
         </translation>
     </message>
     <message>
         <source>The sequence uses them now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η ακολουθία τις χρησιμοποιεί τώρα.</translation>
     </message>
     <message numerus="yes">
         <source>This frame: a silhouette in %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Αυτό το καρέ: σιλουέτα σε %n προβολή</numerusform>
+            <numerusform>Αυτό το καρέ: σιλουέτα σε %n προβολές</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n of them kept on disk</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n από αυτές φυλάσσεται στον δίσκο</numerusform>
+            <numerusform>, %n από αυτές φυλάσσονται στον δίσκο</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for silhouettes. Nothing appears where no joints of the frame are known: annotate some, or choose another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναζήτηση σιλουετών. Τίποτα δεν εμφανίζεται όπου δεν είναι γνωστές αρθρώσεις του καρέ: επισημειώστε μερικές ή επιλέξτε άλλον τρόπο.</translation>
     </message>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναίρεση: %1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναίρεση</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ακύρωση αναίρεσης: %1</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>Ακύρωση αναίρεσης</translation>
     </message>
     <message>
         <source>This sequence has masks already (%1). They stay on disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτή η ακολουθία έχει ήδη μάσκες (%1). Μένουν στον δίσκο.</translation>
     </message>
     <message>
         <source>Use the new ones instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Χρήση των νέων</translation>
     </message>
     <message>
         <source>Make them only</source>
-        <translation type="unfinished"></translation>
+        <translation>Μόνο δημιουργία</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Ακύρωση</translation>
+        <translation>Ακύρωση</translation>
     </message>
     <message>
         <source>The last frame lies before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το τελευταίο καρέ είναι πριν από το πρώτο.</translation>
     </message>
 </context>
 <context>
     <name>widgets::SilhouetteStudy</name>
     <message>
         <source>touch up %1</source>
-        <translation type="unfinished"></translation>
+        <translation>διόρθωση σιλουέτας (%1)</translation>
     </message>
 </context>
 <context>
@@ -4540,9 +4540,9 @@
     </message>
     <message numerus="yes">
         <source>, %n min left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, απομένει %n λεπτό</numerusform>
+            <numerusform>, απομένουν %n λεπτά</numerusform>
         </translation>
     </message>
 </context>
@@ -4809,7 +4809,7 @@
     </message>
     <message>
         <source>%1: proposed, doubt %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: πρόταση, αμφιβολία %2 %</translation>
     </message>
 </context>
 <context>
@@ -4848,11 +4848,11 @@
     </message>
     <message>
         <source>stripes: proposed by a program, waits for a look</source>
-        <translation type="unfinished"></translation>
+        <translation>ρίγες: πρόταση προγράμματος, περιμένει έλεγχο</translation>
     </message>
     <message>
         <source>stripes: the same, and doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>ρίγες: το ίδιο, και αμφίβολο</translation>
     </message>
 </context>
 <context>
@@ -4973,7 +4973,7 @@
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>Έλεγχος</translation>
     </message>
 </context>
 </TS>

@@ -5,9 +5,9 @@
     <name>app::CalibrationPage</name>
     <message numerus="yes">
         <source>Recognised as %1: %n camera(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Recognised as %1: %n camera.</numerusform>
+            <numerusform>Recognised as %1: %n cameras.</numerusform>
         </translation>
     </message>
 </context>
@@ -64,23 +64,23 @@
     </message>
     <message numerus="yes">
         <source>Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Stopped: %n mark in %1 frames is proposed; the next start goes on from there.</numerusform>
+            <numerusform>Stopped: %n marks in %1 frames are proposed; the next start goes on from there.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>First pass: hands in %1 of %2 frames, %n mark(s) proposed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>First pass: hands in %1 of %2 frames, %n mark proposed.</numerusform>
+            <numerusform>First pass: hands in %1 of %2 frames, %n marks proposed.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) around frame %1 are proposed anew.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n mark around frame %1 is proposed anew.</numerusform>
+            <numerusform>%n marks around frame %1 are proposed anew.</numerusform>
         </translation>
     </message>
 </context>
@@ -88,16 +88,16 @@
     <name>app::NewDatasetWindow</name>
     <message numerus="yes">
         <source>%n piece(s) of footage</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n piece of footage</numerusform>
+            <numerusform>%n pieces of footage</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n camera(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n camera</numerusform>
+            <numerusform>%n cameras</numerusform>
         </translation>
     </message>
 </context>
@@ -188,9 +188,9 @@
     </message>
     <message numerus="yes">
         <source>first pass (%n proposed mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>first pass (%n proposed mark)</numerusform>
+            <numerusform>first pass (%n proposed marks)</numerusform>
         </translation>
     </message>
 </context>
@@ -198,9 +198,9 @@
     <name>widgets::FirstPassForm</name>
     <message numerus="yes">
         <source>%n frame(s). Marks that are there already stay.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame. Marks that are there already stay.</numerusform>
+            <numerusform>%n frames. Marks that are there already stay.</numerusform>
         </translation>
     </message>
 </context>
@@ -208,51 +208,51 @@
     <name>widgets::FootageText</name>
     <message numerus="yes">
         <source>%1 and %n more place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 and %n more place</numerusform>
+            <numerusform>%1 and %n more places</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing after frame %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n frame missing after frame %2.</numerusform>
+            <numerusform>%1: %n frames missing after frame %2.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n frame missing: %2.</numerusform>
+            <numerusform>%1: %n frames missing: %2.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n picture(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n picture missing: %2.</numerusform>
+            <numerusform>%1: %n pictures missing: %2.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 goes on for %n frame(s) after the last instant.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 goes on for %n frame after the last instant.</numerusform>
+            <numerusform>%1 goes on for %n frames after the last instant.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 has %n frame(s) more than the shortest footage: are they all of the same instants?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 has %n frame more than the shortest footage: are they all of the same instants?</numerusform>
+            <numerusform>%1 has %n frames more than the shortest footage: are they all of the same instants?</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n mask(s) of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1: %n mask of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</numerusform>
+            <numerusform>%1: %n masks of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</numerusform>
         </translation>
     </message>
 </context>
@@ -321,30 +321,30 @@
     <name>widgets::ReviewText</name>
     <message numerus="yes">
         <source>%n joint(s) of the left hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n joint of the left hand missing</numerusform>
+            <numerusform>%n joints of the left hand missing</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the right hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n joint of the right hand missing</numerusform>
+            <numerusform>%n joints of the right hand missing</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>All %n frame(s) are reviewed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame is reviewed, none is left.</numerusform>
+            <numerusform>All %n frames are reviewed.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) left, </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n frame left, </numerusform>
+            <numerusform>%n frames left, </numerusform>
         </translation>
     </message>
 </context>
@@ -379,23 +379,23 @@
     <name>widgets::SilhouettePage</name>
     <message numerus="yes">
         <source>%n silhouette(s) made, %1 were there already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n silhouette made, %1 were there already.</numerusform>
+            <numerusform>%n silhouettes made, %1 were there already.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>This frame: a silhouette in %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>This frame: a silhouette in %n view</numerusform>
+            <numerusform>This frame: a silhouette in %n views</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n of them kept on disk</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n of them kept on disk</numerusform>
+            <numerusform>, %n of them kept on disk</numerusform>
         </translation>
     </message>
 </context>
@@ -431,9 +431,9 @@
     </message>
     <message numerus="yes">
         <source>, %n min left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>, %n min left</numerusform>
+            <numerusform>, %n min left</numerusform>
         </translation>
     </message>
 </context>

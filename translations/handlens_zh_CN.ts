@@ -833,152 +833,152 @@
     </message>
     <message>
         <source>R&amp;eview of proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>审核建议(&amp;E)</translation>
     </message>
     <message>
         <source>First &amp;pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标(&amp;P)...</translation>
     </message>
     <message>
         <source>Finds the joints of both hands in many frames without a click, as proposals to be checked</source>
-        <translation type="unfinished"></translation>
+        <translation>无需点击即可在许多帧中找出双手关节，作为待检查的建议</translation>
     </message>
     <message>
         <source>Start the first pass now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即开始自动初标</translation>
     </message>
     <message>
         <source>With what is chosen for the first pass</source>
-        <translation type="unfinished"></translation>
+        <translation>使用为自动初标所选的内容</translation>
     </message>
     <message>
         <source>&amp;Accept the frame, go on to the next</source>
-        <translation type="unfinished"></translation>
+        <translation>接受本帧，转到下一帧(&amp;A)</translation>
     </message>
     <message>
         <source>Accepts all proposed joints of the frame as they stand</source>
-        <translation type="unfinished"></translation>
+        <translation>按现状接受本帧所有建议的关节</translation>
     </message>
     <message>
         <source>&amp;Correct the most doubtful joint</source>
-        <translation type="unfinished"></translation>
+        <translation>修正最存疑的关节(&amp;C)</translation>
     </message>
     <message>
         <source>Selects it: click it in two views, then accept the frame</source>
-        <translation type="unfinished"></translation>
+        <translation>选中该关节：请在两个视图中点击它，然后接受本帧</translation>
     </message>
     <message>
         <source>&amp;Next frame to review</source>
-        <translation type="unfinished"></translation>
+        <translation>下一个待审核帧(&amp;N)</translation>
     </message>
     <message>
         <source>Frames whose look teaches most come first</source>
-        <translation type="unfinished"></translation>
+        <translation>最值得查看的帧排在前面</translation>
     </message>
     <message>
         <source>&amp;Show the review queue</source>
-        <translation type="unfinished"></translation>
+        <translation>显示审核队列(&amp;S)</translation>
     </message>
     <message>
         <source>Silhouettes...</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓...</translation>
     </message>
     <message>
         <source>Finds the hands&apos; silhouettes in the pictures, to be looked at, touched up and kept</source>
-        <translation type="unfinished"></translation>
+        <translation>在图像中找出手的轮廓，供查看、修整和保存</translation>
     </message>
     <message>
         <source>Make the silhouettes now</source>
-        <translation type="unfinished"></translation>
+        <translation>立即生成轮廓</translation>
     </message>
     <message>
         <source>Of the frames that are chosen in the window for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>针对轮廓窗口中所选的帧</translation>
     </message>
     <message>
         <source>Brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓画笔</translation>
     </message>
     <message>
         <source>Left button adds, right button takes away, Ctrl and the wheel change its size</source>
-        <translation type="unfinished"></translation>
+        <translation>左键添加，右键去除，Ctrl 加滚轮更改大小</translation>
     </message>
     <message>
         <source>Larger brush</source>
-        <translation type="unfinished"></translation>
+        <translation>增大画笔</translation>
     </message>
     <message>
         <source>Of the brush for silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓画笔的大小</translation>
     </message>
     <message>
         <source>Smaller brush</source>
-        <translation type="unfinished"></translation>
+        <translation>减小画笔</translation>
     </message>
 </context>
 <context>
     <name>app::CalibrationPage</name>
     <message>
         <source>as usual for its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>该类文件的惯用单位</translation>
     </message>
     <message>
         <source>millimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>毫米</translation>
     </message>
     <message>
         <source>centimetres</source>
-        <translation type="unfinished"></translation>
+        <translation>厘米</translation>
     </message>
     <message>
         <source>metres</source>
-        <translation type="unfinished"></translation>
+        <translation>米</translation>
     </message>
     <message>
         <source>Calibration</source>
-        <translation type="unfinished">标定</translation>
+        <translation>标定</translation>
     </message>
     <message>
         <source>The calibration</source>
-        <translation type="unfinished">标定文件</translation>
+        <translation>标定文件</translation>
     </message>
     <message>
         <source>Unit of length</source>
-        <translation type="unfinished"></translation>
+        <translation>长度单位</translation>
     </message>
     <message>
         <source>Anipose, OpenCV, EasyMocap, JARVIS, MATLAB and others: the kind is recognised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anipose、OpenCV、EasyMocap、JARVIS、MATLAB 等：自动识别类型。</translation>
     </message>
     <message>
         <source>Sizes, rotations and lenses make sense, and every camera sees where the others look.</source>
-        <translation type="unfinished"></translation>
+        <translation>尺寸、旋转和镜头均合理，且每台相机都能看到其他相机所对准之处。</translation>
     </message>
     <message numerus="yes">
         <source>Recognised as %1: %n camera(s).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>识别为 %1：%n 台相机。</numerusform>
         </translation>
     </message>
     <message>
         <source>They stand about %1 mm from where they look.</source>
-        <translation type="unfinished"></translation>
+        <translation>相机距其所对准之处约 %1 mm。</translation>
     </message>
     <message>
         <source>Choose the calibration of the cameras.</source>
-        <translation type="unfinished">请选择相机的标定文件。</translation>
+        <translation>请选择相机的标定文件。</translation>
     </message>
     <message>
         <source>There is no such calibration file.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有此标定文件。</translation>
     </message>
     <message>
         <source>The calibration cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取标定文件。</translation>
     </message>
     <message>
         <source>The calibration is being read...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在读取标定文件...</translation>
     </message>
 </context>
 <context>
@@ -1223,110 +1223,110 @@
     <name>app::FootagePage</name>
     <message>
         <source>The videos of the cameras, or folders of numbered images. Drop them here, or a folder with all of them. Nothing is copied: the footage stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>各相机的视频，或带编号图像的文件夹。将其或包含全部素材的文件夹拖放到此处。不会复制任何内容：素材留在原处。</translation>
     </message>
     <message>
         <source>Video or image folder</source>
-        <translation type="unfinished">视频或图像文件夹</translation>
+        <translation>视频或图像文件夹</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished">相机</translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>Starts at frame</source>
-        <translation type="unfinished"></translation>
+        <translation>起始帧</translation>
     </message>
     <message>
         <source>The frame of this footage that was recorded when the sequence begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>序列开始时此素材所录制的帧。</translation>
     </message>
     <message>
         <source>Name of the sequence</source>
-        <translation type="unfinished">序列名称</translation>
+        <translation>序列名称</translation>
     </message>
     <message>
         <source>Add videos...</source>
-        <translation type="unfinished">添加视频...</translation>
+        <translation>添加视频...</translation>
     </message>
     <message>
         <source>Add a folder...</source>
-        <translation type="unfinished"></translation>
+        <translation>添加文件夹...</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished">移除</translation>
+        <translation>移除</translation>
     </message>
     <message>
         <source>A folder of numbered images, or of videos</source>
-        <translation type="unfinished"></translation>
+        <translation>带编号图像或视频的文件夹</translation>
     </message>
     <message>
         <source>Videos of the cameras</source>
-        <translation type="unfinished">各相机的视频</translation>
+        <translation>各相机的视频</translation>
     </message>
     <message>
         <source>its first</source>
-        <translation type="unfinished"></translation>
+        <translation>第一帧</translation>
     </message>
     <message>
         <source>not used</source>
-        <translation type="unfinished">未使用</translation>
+        <translation>未使用</translation>
     </message>
     <message>
         <source>Add the videos or image folders of the cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>请添加各相机的视频或图像文件夹。</translation>
     </message>
     <message>
         <source>Two pieces of footage are given to %1.</source>
-        <translation type="unfinished">%1 被分配了两份素材。</translation>
+        <translation>%1 被分配了两份素材。</translation>
     </message>
     <message>
         <source>Choose the camera of each piece of footage.</source>
-        <translation type="unfinished"></translation>
+        <translation>请为每份素材选择相机。</translation>
     </message>
     <message>
         <source>Give the sequence a name.</source>
-        <translation type="unfinished">请为序列命名。</translation>
+        <translation>请为序列命名。</translation>
     </message>
 </context>
 <context>
     <name>app::HandsPage</name>
     <message>
         <source>The demo&apos;s hands</source>
-        <translation type="unfinished"></translation>
+        <translation>演示中的手</translation>
     </message>
     <message>
         <source>A left and a right hand of usual size. They can be measured to a person&apos;s own later, from clicked joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>普通大小的左手和右手。之后可由点击的关节测量出此人自己的双手。</translation>
     </message>
     <message>
         <source>The hands of another dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>另一数据集的手</translation>
     </message>
     <message>
         <source>Such as this person&apos;s, measured before, or imported ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>例如先前测量的此人双手，或导入的手。</translation>
     </message>
     <message>
         <source>The folder of a dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>数据集的文件夹</translation>
     </message>
     <message>
         <source>No hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>无手部模型</translation>
     </message>
     <message>
         <source>Joints can be clicked, of hands or of anything else. Nothing is fitted to silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>可点击手或任何其他对象的关节。不会拟合到轮廓。</translation>
     </message>
     <message>
         <source>Choose the dataset whose hands are taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择要采用其双手的数据集。</translation>
     </message>
     <message>
         <source>That folder is not a dataset: it has no dataset.json.</source>
-        <translation type="unfinished"></translation>
+        <translation>该文件夹不是数据集：其中没有 dataset.json。</translation>
     </message>
 </context>
 <context>
@@ -1755,88 +1755,88 @@
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有等待审核的帧。</translation>
     </message>
     <message>
         <source>This is the only frame that waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>这是唯一等待审核的帧。</translation>
     </message>
     <message>
         <source>Every frame of the first pass is reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标的每一帧都已审核。</translation>
     </message>
     <message>
         <source>Click or drag %1 in two views, then accept the frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>请在两个视图中点击或拖动 %1，然后接受本帧。</translation>
     </message>
     <message numerus="yes">
         <source>Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已停止：在 %1 帧中建议了 %n 个标记；下次开始时从此处继续。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>First pass: hands in %1 of %2 frames, %n mark(s) proposed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>自动初标：%2 帧中有 %1 帧找到手，建议了 %n 个标记。</numerusform>
         </translation>
     </message>
     <message>
         <source>Installing the hand detector</source>
-        <translation type="unfinished"></translation>
+        <translation>正在安装手部检测器</translation>
     </message>
     <message>
         <source>First pass</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标</translation>
     </message>
     <message>
         <source>Following the hands from the corrected frame</source>
-        <translation type="unfinished"></translation>
+        <translation>正在从修正后的帧开始跟踪双手</translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) around frame %1 are proposed anew.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已重新建议第 %1 帧前后的 %n 个标记。</numerusform>
         </translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Making silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>正在生成轮廓</translation>
     </message>
 </context>
 <context>
     <name>app::MasksPage</name>
     <message>
         <source>None yet</source>
-        <translation type="unfinished">暂无</translation>
+        <translation>暂无</translation>
     </message>
     <message>
         <source>They can be made from the pictures once the dataset is open, or attached later.</source>
-        <translation type="unfinished"></translation>
+        <translation>打开数据集后可由图像生成，或稍后附加。</translation>
     </message>
     <message>
         <source>They are there</source>
-        <translation type="unfinished"></translation>
+        <translation>已有轮廓</translation>
     </message>
     <message>
         <source>A folder with a folder of numbered masks per camera, or a pattern with {camera} and {frame}. White is hand, black is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>每台相机有一个带编号掩膜子文件夹的文件夹，或含 {camera} 和 {frame} 的模式。白色为手，黑色不是。</translation>
     </message>
     <message>
         <source>The folder of the silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓的文件夹</translation>
     </message>
     <message>
         <source>Choose the folder of the silhouettes.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择轮廓的文件夹。</translation>
     </message>
     <message>
         <source>This must be a folder, or a pattern with {frame}.</source>
-        <translation type="unfinished"></translation>
+        <translation>此处必须是文件夹，或含 {frame} 的模式。</translation>
     </message>
 </context>
 <context>
@@ -1875,42 +1875,42 @@
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>手</translation>
     </message>
     <message>
         <source>Silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓</translation>
     </message>
     <message>
         <source>Folder</source>
-        <translation type="unfinished"></translation>
+        <translation>文件夹</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>上一步</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">下一个</translation>
+        <translation>下一步</translation>
     </message>
     <message>
         <source>There is neither a video, nor a folder of images, nor a calibration in what was dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖放的内容中没有视频、图像文件夹或标定文件。</translation>
     </message>
     <message>
         <source>The folder of the dataset is not empty: choose another.</source>
-        <translation type="unfinished"></translation>
+        <translation>数据集的文件夹不为空：请另选。</translation>
     </message>
     <message numerus="yes">
         <source>%n piece(s) of footage</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 份素材</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n camera(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 台相机</numerusform>
         </translation>
     </message>
 </context>
@@ -1918,7 +1918,7 @@
     <name>app::PathField</name>
     <message>
         <source>Choose...</source>
-        <translation type="unfinished">选择...</translation>
+        <translation>选择...</translation>
     </message>
 </context>
 <context>
@@ -2140,15 +2140,15 @@
     </message>
     <message>
         <source>as proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>按建议</translation>
     </message>
     <message>
         <source>Accepted as proposed; click %1 in two views to correct it.</source>
-        <translation type="unfinished"></translation>
+        <translation>已按建议接受；如需修正，请在两个视图中点击 %1。</translation>
     </message>
     <message>
         <source>Proposed by a program: click %1 in two views if it is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>由程序建议：如有错误，请在两个视图中点击 %1。</translation>
     </message>
 </context>
 <context>
@@ -2264,7 +2264,7 @@
     </message>
     <message>
         <source>Nothing waits to be accepted in this frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>此帧没有等待接受的标记。</translation>
     </message>
 </context>
 <context>
@@ -2347,31 +2347,31 @@
     </message>
     <message>
         <source>Which setup the tables and curves below are of</source>
-        <translation type="unfinished"></translation>
+        <translation>下方表格和曲线所属的设置</translation>
     </message>
     <message>
         <source>Kendall&apos;s tau of the methods&apos; mean errors: 1 is the same order, 0 says nothing, -1 is the reverse; in brackets what 95 % of drawings of these pairs give</source>
-        <translation type="unfinished"></translation>
+        <translation>各方法平均误差的 Kendall tau：1 为顺序相同，0 为无关，-1 为顺序相反；括号内为这些配对重抽样的 95 % 范围</translation>
     </message>
     <message>
         <source>Both</source>
-        <translation type="unfinished"></translation>
+        <translation>两者</translation>
     </message>
     <message>
         <source>Synthetic: silhouettes of the recorded poses, errors over all joints. Realistic: mask files, errors over the marked joints. Both: one after the other, side by side in one report.</source>
-        <translation type="unfinished"></translation>
+        <translation>合成：记录姿态的轮廓，误差按所有关节计算。真实：掩膜文件，误差按已标记的关节计算。两者：依次进行，并排列于同一报告。</translation>
     </message>
     <message>
         <source>Order of the methods in both setups: tau %1 (%2 to %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>两种设置下各方法的顺序：tau %1（%2 至 %3）</translation>
     </message>
     <message>
         <source>The results are saved in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>结果已保存到 %1。</translation>
     </message>
     <message>
         <source>Show the report</source>
-        <translation type="unfinished"></translation>
+        <translation>显示报告</translation>
     </message>
 </context>
 <context>
@@ -2453,47 +2453,47 @@
     <name>widgets::CameraFaultText</name>
     <message>
         <source>its rotation is a mirror: an axis points the wrong way</source>
-        <translation type="unfinished"></translation>
+        <translation>其旋转为镜像：有一个轴方向错误</translation>
     </message>
     <message>
         <source>its rotation matrix is not a rotation</source>
-        <translation type="unfinished"></translation>
+        <translation>其旋转矩阵不是旋转</translation>
     </message>
     <message>
         <source>its focal length is not positive</source>
-        <translation type="unfinished"></translation>
+        <translation>其焦距不是正值</translation>
     </message>
     <message>
         <source>its principal point lies outside the image: is the matrix transposed, or the image size wrong?</source>
-        <translation type="unfinished"></translation>
+        <translation>其主点位于图像之外：矩阵被转置，或图像尺寸有误？</translation>
     </message>
     <message>
         <source>its footage has %1 pixels, the calibration is for %2: another camera&apos;s footage?</source>
-        <translation type="unfinished"></translation>
+        <translation>其素材为 %1 像素，而标定针对 %2：是否为另一台相机的素材？</translation>
     </message>
     <message>
         <source>its footage is scaled by %1 (%2 pixels, the calibration is for %3)</source>
-        <translation type="unfinished"></translation>
+        <translation>其素材缩放了 %1 倍（%2 像素，而标定针对 %3）</translation>
     </message>
     <message>
         <source>it stands where %1 stands</source>
-        <translation type="unfinished"></translation>
+        <translation>它与 %1 位置相同</translation>
     </message>
     <message>
         <source>where the cameras look lies behind it: is its rotation inverted?</source>
-        <translation type="unfinished"></translation>
+        <translation>各相机所对准之处位于其后方：其旋转是否取反？</translation>
     </message>
     <message>
         <source>it does not see where the other cameras look</source>
-        <translation type="unfinished"></translation>
+        <translation>它看不到其他相机所对准之处</translation>
     </message>
     <message>
         <source>its lens model holds in %1 % of the image only</source>
-        <translation type="unfinished"></translation>
+        <translation>其镜头模型仅在图像的 %1 % 内有效</translation>
     </message>
     <message>
         <source>The cameras are %1 mm from where they look: choose another unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>相机距其所对准之处 %1 mm：请选择其他单位。</translation>
     </message>
 </context>
 <context>
@@ -2618,8 +2618,8 @@
     </message>
     <message numerus="yes">
         <source>first pass (%n proposed mark(s))</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>自动初标（%n 个建议的标记）</numerusform>
         </translation>
     </message>
 </context>
@@ -2747,128 +2747,128 @@
     <name>widgets::FirstPass</name>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先打开一个数据集。</translation>
     </message>
     <message>
         <source>These annotations are read-only: nothing can be proposed.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些标注为只读：无法提出建议。</translation>
     </message>
     <message>
         <source>The first pass needs two cameras with pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标需要两台有图像的相机。</translation>
     </message>
 </context>
 <context>
     <name>widgets::FirstPassForm</name>
     <message>
         <source>left</source>
-        <translation type="unfinished">左</translation>
+        <translation>左</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">右</translation>
+        <translation>右</translation>
     </message>
     <message>
         <source>all 21 of a hand</source>
-        <translation type="unfinished"></translation>
+        <translation>每只手全部 21 个</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished">起始</translation>
+        <translation>开始</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">停止</translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source>Hide</source>
-        <translation type="unfinished"></translation>
+        <translation>隐藏</translation>
     </message>
     <message>
         <source>The hand detector of %1 is installed.</source>
-        <translation type="unfinished"></translation>
+        <translation>已安装 %1 的手部检测器。</translation>
     </message>
     <message>
         <source>The list of joints follows; otherwise only joints of the list are proposed</source>
-        <translation type="unfinished"></translation>
+        <translation>关节列表随之更改；否则仅建议列表中的关节</translation>
     </message>
     <message>
         <source>First frame</source>
-        <translation type="unfinished"></translation>
+        <translation>第一帧</translation>
     </message>
     <message>
         <source>Last frame</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一帧</translation>
     </message>
     <message>
         <source>Every so many frames</source>
-        <translation type="unfinished"></translation>
+        <translation>每隔多少帧</translation>
     </message>
     <message>
         <source>Finds the joints in these frames, in the background; they wait for your look as proposals</source>
-        <translation type="unfinished"></translation>
+        <translation>在后台找出这些帧中的关节；它们作为建议等待您审核</translation>
     </message>
     <message>
         <source>Keeps the frames that are done; the next start goes on from there</source>
-        <translation type="unfinished"></translation>
+        <translation>保留已完成的帧；下次开始时从此处继续</translation>
     </message>
     <message>
         <source>Sequence</source>
-        <translation type="unfinished">序列</translation>
+        <translation>序列</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>Hands</source>
-        <translation type="unfinished"></translation>
+        <translation>手</translation>
     </message>
     <message>
         <source>Joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>间隔</translation>
     </message>
     <message>
         <source>Open a dataset first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先打开一个数据集。</translation>
     </message>
     <message>
         <source>Choose a hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>请选择一只手。</translation>
     </message>
     <message>
         <source>The last frame comes before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一帧在第一帧之前。</translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s). Marks that are there already stay.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 帧。已有的标记保留。</numerusform>
         </translation>
     </message>
     <message>
         <source>The hand detector is not installed: get it with &quot;npm pack @mediapipe/hands&quot; (11 MB, Apache-2.0) and choose the file, or run &quot;handlens-batch detector install FILE&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>未安装手部检测器：请用“npm pack @mediapipe/hands”获取（11 MB，Apache-2.0）并选择该文件，或运行“handlens-batch detector install FILE”。</translation>
     </message>
     <message>
         <source>Choose the file...</source>
-        <translation type="unfinished"></translation>
+        <translation>选择文件...</translation>
     </message>
     <message>
         <source>The package @mediapipe/hands</source>
-        <translation type="unfinished"></translation>
+        <translation>软件包 @mediapipe/hands</translation>
     </message>
     <message>
         <source>Packages (*.tgz)</source>
-        <translation type="unfinished"></translation>
+        <translation>软件包 (*.tgz)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>所有文件 (*)</translation>
     </message>
 </context>
 <context>
@@ -2987,128 +2987,128 @@
     <name>widgets::FootageText</name>
     <message numerus="yes">
         <source>%1 and %n more place(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1，另有 %n 处</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing after frame %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：第 %2 帧之后缺失 %n 帧。</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 after frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>第 %2 帧之后 %1 帧</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n frame(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：缺失 %n 帧：%2。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1: %n picture(s) missing: %2.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：缺失 %n 幅图像：%2。</numerusform>
         </translation>
     </message>
     <message>
         <source>The pictures start at different numbers (%1); the first ones are taken as the same instant.</source>
-        <translation type="unfinished"></translation>
+        <translation>图像的起始编号不同 (%1)；将各自的第一幅视为同一时刻。</translation>
     </message>
     <message>
         <source>%1: its time stamps are uneven or missing, so lost frames cannot be told; its frames are taken by number.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其时间戳不均匀或缺失，因此无法判断丢帧；按编号取帧。</translation>
     </message>
     <message>
         <source>%1: frame 0 is picture %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：第 0 帧为图像 %2。</translation>
     </message>
     <message numerus="yes">
         <source>%1 goes on for %n frame(s) after the last instant.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 在最后时刻之后还有 %n 帧。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%1 has %n frame(s) more than the shortest footage: are they all of the same instants?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 比最短的素材多 %n 帧：它们是否都属于相同的时刻？</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 was recorded at another frame rate than the sequence&apos;s %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的录制帧率与序列的 %2 不同。</translation>
     </message>
     <message>
         <source>%1: its pictures have more than 8 bits; level %2 is shown black, %3 white.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其图像超过 8 位；灰度 %2 显示为黑色，%3 显示为白色。</translation>
     </message>
     <message>
         <source>%1: the orientation tag of its pictures says that they are mirrored; they are not mirrored here, but turned by %2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其图像的方向标签表示为镜像；此处不作镜像，而是旋转 %2°。</translation>
     </message>
     <message>
         <source>%1: turned clockwise by %2°, as its orientation tag says.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：按其方向标签顺时针旋转 %2°。</translation>
     </message>
     <message>
         <source>%1: its orientation tag says that it is to be turned clockwise by %2°, but it is turned by %3°.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其方向标签要求顺时针旋转 %2°，但实际旋转了 %3°。</translation>
     </message>
     <message>
         <source>Simulated. Masks are the difference of each picture to the empty room; only the annotated frames have pictures. The recorded motion is that of the person in the pictures, played by the model&apos;s hand. What it was drawn from is in the folder truth.</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟数据。掩膜为每幅图像与空房间的差异；仅已标注帧有图像。记录的运动是图像中人物的运动，由模型的手呈现。绘制所依据的数据在文件夹 truth 中。</translation>
     </message>
     <message>
         <source>Its frames are taken by number, so the later ones are not of the other cameras&apos; instants.</source>
-        <translation type="unfinished"></translation>
+        <translation>其帧按编号选取，因此后面的帧与其他相机的时刻不一致。</translation>
     </message>
     <message>
         <source>%1: %2 of %3 frames have a mask.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%3 帧中有 %2 帧有掩膜。</translation>
     </message>
     <message numerus="yes">
         <source>%1: %n mask(s) of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1：%n 个掩膜不对应序列的任何帧：其帧需要编号 %2 至 %3，而掩膜为 %4 至 %5。</numerusform>
         </translation>
     </message>
     <message>
         <source>it has %1 frames, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>它有 %1 帧，但序列需要 %2 帧</translation>
     </message>
     <message>
         <source>it has %1 pictures, but the sequence needs %2</source>
-        <translation type="unfinished"></translation>
+        <translation>它有 %1 幅图像，但序列需要 %2 幅</translation>
     </message>
     <message>
         <source>it is %1, but its camera is calibrated for %2</source>
-        <translation type="unfinished"></translation>
+        <translation>它是 %1，但其相机按 %2 标定</translation>
     </message>
     <message>
         <source>it cannot be read (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>无法读取 (%1)</translation>
     </message>
     <message>
         <source>several fit: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>有多个符合：%1</translation>
     </message>
     <message>
         <source>%1 has that name, but is other footage of this dataset</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 具有该名称，但属于此数据集的其他素材</translation>
     </message>
 </context>
 <context>
     <name>widgets::FramePictures</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">此时刻没有图像。</translation>
+        <translation>此时刻没有图像。</translation>
     </message>
     <message>
         <source>Find...</source>
-        <translation type="unfinished">查找...</translation>
+        <translation>查找...</translation>
     </message>
 </context>
 <context>
@@ -3672,7 +3672,7 @@
     </message>
     <message>
         <source>Too few clicks to know how far yours scatter: 1 px is assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>您的点击太少，离散度未知：假定为 1 px。</translation>
     </message>
 </context>
 <context>
@@ -3743,7 +3743,7 @@
     </message>
     <message>
         <source>%1 has too few clicks to know how far they scatter</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的点击太少，离散度未知</translation>
     </message>
 </context>
 <context>
@@ -3863,7 +3863,7 @@
     </message>
     <message>
         <source>Distances and shapes will be as good as the clicks; the world as a whole stays where it was, known to %1 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>距离和形状的精度将与点击相当；世界坐标系整体保持原位，精度为 %1 mm。</translation>
     </message>
 </context>
 <context>
@@ -3913,164 +3913,164 @@
     <name>widgets::ReviewModel</name>
     <message>
         <source>Reason</source>
-        <translation type="unfinished"></translation>
+        <translation>原因</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished">帧</translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>Doubt, %</source>
-        <translation type="unfinished"></translation>
+        <translation>存疑度，%</translation>
     </message>
     <message>
         <source>Near</source>
-        <translation type="unfinished"></translation>
+        <translation>邻近</translation>
     </message>
     <message>
         <source>Why the frame deserves a look</source>
-        <translation type="unfinished"></translation>
+        <translation>此帧值得审核的原因</translation>
     </message>
     <message>
         <source>0: sure, 100: lost; of the more doubtful hand</source>
-        <translation type="unfinished"></translation>
+        <translation>0：确定，100：丢失；取较存疑的手</translation>
     </message>
     <message>
         <source>Doubtful frames around that a corrected one helps</source>
-        <translation type="unfinished"></translation>
+        <translation>修正此帧可改善的邻近存疑帧</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewPanel</name>
     <message>
         <source>Accept</source>
-        <translation type="unfinished"></translation>
+        <translation>接受</translation>
     </message>
     <message>
         <source>Correct</source>
-        <translation type="unfinished"></translation>
+        <translation>修正</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished">下一个</translation>
+        <translation>下一个</translation>
     </message>
     <message>
         <source>First pass...</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标...</translation>
     </message>
     <message>
         <source>No frame waits for a look.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有等待审核的帧。</translation>
     </message>
     <message>
         <source>Frames that the first pass has labelled wait here for a look, doubtful ones first.</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标已标注的帧在此等待审核，存疑的在前。</translation>
     </message>
 </context>
 <context>
     <name>widgets::ReviewText</name>
     <message>
         <source>quite sure; left hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>相当确定；先看左手</translation>
     </message>
     <message>
         <source>quite sure; right hand first</source>
-        <translation type="unfinished"></translation>
+        <translation>相当确定；先看右手</translation>
     </message>
     <message>
         <source>views do not agree on the left hand</source>
-        <translation type="unfinished"></translation>
+        <translation>各视图的左手不一致</translation>
     </message>
     <message>
         <source>views do not agree on the right hand</source>
-        <translation type="unfinished"></translation>
+        <translation>各视图的右手不一致</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % longer than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其骨骼比通常长 %2 %</translation>
     </message>
     <message>
         <source>%1: its bone is %2 % shorter than usual</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其骨骼比通常短 %2 %</translation>
     </message>
     <message>
         <source>the left hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到左手</translation>
     </message>
     <message>
         <source>the right hand was not found</source>
-        <translation type="unfinished"></translation>
+        <translation>未找到右手</translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the left hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>左手缺少 %n 个关节</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n joint(s) of the right hand missing</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>右手缺少 %n 个关节</numerusform>
         </translation>
     </message>
     <message>
         <source>the left hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>左手跳动 %1 mm</translation>
     </message>
     <message>
         <source>the right hand jumps by %1 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>右手跳动 %1 mm</translation>
     </message>
     <message>
         <source>First pass, detecting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标，检测：%1 / %2</translation>
     </message>
     <message>
         <source>First pass, measuring hands: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标，测量双手：%1 / %2</translation>
     </message>
     <message>
         <source>First pass, fitting: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标，拟合：%1 / %2</translation>
     </message>
     <message>
         <source>First pass, tracking: %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>自动初标，跟踪：%1 / %2</translation>
     </message>
     <message numerus="yes">
         <source>All %n frame(s) are reviewed.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>全部 %n 帧均已审核。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n frame(s) left, </source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>剩余 %n 帧， </numerusform>
         </translation>
     </message>
     <message>
         <source>%1 of them doubtful; %2 reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>其中 %1 帧存疑；已审核 %2 帧。</translation>
     </message>
     <message>
         <source>Error to be expected of those left: %1 mm a joint, as far as reviewed ones tell.</source>
-        <translation type="unfinished"></translation>
+        <translation>据已审核的帧推断，剩余帧的预期误差为每个关节 %1 mm。</translation>
     </message>
     <message>
         <source>The error of those left is known once three frames are reviewed.</source>
-        <translation type="unfinished"></translation>
+        <translation>审核三帧后即可得知剩余帧的误差。</translation>
     </message>
 </context>
 <context>
     <name>widgets::RigDrawing</name>
     <message>
         <source>The cameras of the calibration, and where they look. Drag to turn, wheel to zoom.</source>
-        <translation type="unfinished"></translation>
+        <translation>标定中的相机及其朝向。拖动旋转，滚轮缩放。</translation>
     </message>
     <message>
         <source>The cameras appear here once the calibration is read.</source>
-        <translation type="unfinished"></translation>
+        <translation>读取标定文件后，相机将显示在此处。</translation>
     </message>
 </context>
 <context>
@@ -4249,7 +4249,7 @@
     </message>
     <message>
         <source>Two cameras cannot tell which of them is off: a refinement needs three.</source>
-        <translation type="unfinished"></translation>
+        <translation>两台相机无法判断哪一台偏离：优化需要三台。</translation>
     </message>
 </context>
 <context>
@@ -4286,160 +4286,160 @@
     <name>widgets::SilhouettePage</name>
     <message>
         <source>Around the joints</source>
-        <translation type="unfinished"></translation>
+        <translation>关节周围</translation>
     </message>
     <message>
         <source>Around the posed hand model</source>
-        <translation type="unfinished"></translation>
+        <translation>手部模型姿态周围</translation>
     </message>
     <message>
         <source>What differs from the empty room</source>
-        <translation type="unfinished"></translation>
+        <translation>与空房间不同之处</translation>
     </message>
     <message>
         <source>What has not the backdrop&apos;s colour</source>
-        <translation type="unfinished"></translation>
+        <translation>与背景幕布颜色不同之处</translation>
     </message>
     <message>
         <source>What has the colour of skin</source>
-        <translation type="unfinished"></translation>
+        <translation>具有肤色之处</translation>
     </message>
     <message>
         <source>Give them to this sequence</source>
-        <translation type="unfinished"></translation>
+        <translation>用于此序列</translation>
     </message>
     <message>
         <source>Make silhouettes</source>
-        <translation type="unfinished"></translation>
+        <translation>生成轮廓</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished">停止</translation>
+        <translation>停止</translation>
     </message>
     <message>
         <source> mm</source>
-        <translation type="unfinished"></translation>
+        <translation> mm</translation>
     </message>
     <message>
         <source>By how much the pose may be wrong: that far from the model the picture decides</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态允许的误差：在模型周围此距离内由图像决定</translation>
     </message>
     <message>
         <source>How much of the forearm is kept, in lengths of the palm from the wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>保留多少前臂，从手腕起以手掌长度计</translation>
     </message>
     <message>
         <source>Poses are fitted to them then</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态随后将拟合到这些轮廓</translation>
     </message>
     <message>
         <source>Found</source>
-        <translation type="unfinished"></translation>
+        <translation>查找方式</translation>
     </message>
     <message>
         <source>Pose may be off by</source>
-        <translation type="unfinished"></translation>
+        <translation>姿态允许偏差</translation>
     </message>
     <message>
         <source>Forearm, in palms</source>
-        <translation type="unfinished"></translation>
+        <translation>前臂（掌长）</translation>
     </message>
     <message>
         <source>Brush</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔</translation>
     </message>
     <message>
         <source>In the views: the left button adds to the silhouette, the right one (or Shift) takes away; Ctrl and the wheel change the size</source>
-        <translation type="unfinished"></translation>
+        <translation>在视图中：左键添加到轮廓，右键（或 Shift）去除；Ctrl 加滚轮更改大小</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Radius of the brush, pixels of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>画笔半径，以图像像素计</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>帧</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>至</translation>
     </message>
     <message>
         <source>every</source>
-        <translation type="unfinished"></translation>
+        <translation>间隔</translation>
     </message>
     <message numerus="yes">
         <source>%n silhouette(s) made, %1 were there already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已生成 %n 个轮廓，%1 个原已存在。</numerusform>
         </translation>
     </message>
     <message>
         <source>The sequence uses them now.</source>
-        <translation type="unfinished"></translation>
+        <translation>序列现在使用这些轮廓。</translation>
     </message>
     <message numerus="yes">
         <source>This frame: a silhouette in %n view(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>本帧：%n 个视图中有轮廓</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>, %n of them kept on disk</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>，其中 %n 个已保存到磁盘</numerusform>
         </translation>
     </message>
     <message>
         <source>Looking for silhouettes. Nothing appears where no joints of the frame are known: annotate some, or choose another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>正在查找轮廓。若本帧没有已知关节，则不会显示：请标注若干关节，或选择其他方式。</translation>
     </message>
     <message>
         <source>Undo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销：%1</translation>
     </message>
     <message>
         <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>撤销</translation>
     </message>
     <message>
         <source>Redo %1</source>
-        <translation type="unfinished"></translation>
+        <translation>重做：%1</translation>
     </message>
     <message>
         <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>重做</translation>
     </message>
     <message>
         <source>This sequence has masks already (%1). They stay on disk.</source>
-        <translation type="unfinished"></translation>
+        <translation>此序列已有掩膜 (%1)。它们会留在磁盘上。</translation>
     </message>
     <message>
         <source>Use the new ones instead</source>
-        <translation type="unfinished"></translation>
+        <translation>改用新的</translation>
     </message>
     <message>
         <source>Make them only</source>
-        <translation type="unfinished"></translation>
+        <translation>仅生成</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">取消</translation>
+        <translation>取消</translation>
     </message>
     <message>
         <source>The last frame lies before the first one.</source>
-        <translation type="unfinished"></translation>
+        <translation>最后一帧在第一帧之前。</translation>
     </message>
 </context>
 <context>
     <name>widgets::SilhouetteStudy</name>
     <message>
         <source>touch up %1</source>
-        <translation type="unfinished"></translation>
+        <translation>修整 %1</translation>
     </message>
 </context>
 <context>
@@ -4486,8 +4486,8 @@
     </message>
     <message numerus="yes">
         <source>, %n min left</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>，剩余 %n 分钟</numerusform>
         </translation>
     </message>
 </context>
@@ -4751,7 +4751,7 @@
     </message>
     <message>
         <source>%1: proposed, doubt %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1手：建议，存疑度 %2 %</translation>
     </message>
 </context>
 <context>
@@ -4790,11 +4790,11 @@
     </message>
     <message>
         <source>stripes: proposed by a program, waits for a look</source>
-        <translation type="unfinished"></translation>
+        <translation>条纹：由程序建议，等待审核</translation>
     </message>
     <message>
         <source>stripes: the same, and doubtful</source>
-        <translation type="unfinished"></translation>
+        <translation>条纹：同上，且存疑</translation>
     </message>
 </context>
 <context>
@@ -4915,7 +4915,7 @@
     </message>
     <message>
         <source>Review</source>
-        <translation type="unfinished"></translation>
+        <translation>审核</translation>
     </message>
 </context>
 </TS>

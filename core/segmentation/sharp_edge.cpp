@@ -61,7 +61,8 @@ cv::Mat sharpEdge(const cv::Mat& picture, const cv::Mat& mask, double reachPx) {
             float value = isIn ? 0.5F : -0.5F;
             const float a = in.count.at<float>(y, x), b = out.count.at<float>(y, x);
             if (depth <= reach && a >= kLeastSamples && b >= kLeastSamples) {
-                const float prior = 0.1F * (isIn ? depth : 1 - depth) / reach; // decides where the colours do not
+                // Decides where the colours do not; pixels at an edge are half a pixel from it.
+                const float prior = 0.1F * (isIn ? depth - 0.5F : 0.5F - depth) / reach;
                 value = prior + decision(picture.at<cv::Vec3b>(y, x), in.colour.at<cv::Vec3f>(y, x) / a,
                                          out.colour.at<cv::Vec3f>(y, x) / b);
             }

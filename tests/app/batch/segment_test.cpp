@@ -135,13 +135,14 @@ TEST_F(BatchSegment, TakesTheJointsOfAFile) {
                 {"unplaceable", nlohmann::json::array()},
                 {"status", "done"}};
     }
+    const auto raters = nlohmann::json::array({{{"rater", "auto"}, {"hands", hands}}});
     const nlohmann::json file{{"format", "handlens-ground-truth"},
                               {"version", 1},
                               {"units", "mm"},
                               {"cameras", nlohmann::json::parse(test::readText(m_set + "/cameras.json"))["cameras"]},
                               {"sequence", "first"},
                               {"joints", nlohmann::json::array()},
-                              {"frames", {{{"frame", 1}, {"raters", {{{"rater", "auto"}, {"hands", hands}}}}}}}};
+                              {"frames", nlohmann::json::array({{{"frame", 1}, {"raters", raters}}})}};
     const std::string labels = m_folder / "labels.json";
     test::writeText(labels, file.dump());
     const Ended ended = segment({"--labels", labels});

@@ -66,7 +66,7 @@ TEST(SilhouetteByModel, IsEmptyWhereTheHandsAreOutsideThePicture) {
 }
 
 TEST(SilhouetteByModel, EndsWhereTheModelDoesThoughAnArmGoesOn) {
-    TinyScene scene;
+    TinyScene scene{.camera = test::cameraRing(4, false)[0]}; // it sees the forearm from the side
     const auto line = modelEnd(scene.camera, scene.hands[0], scene.poses[0]);
     ASSERT_TRUE(line);
     const cv::Point2d from((line->from.x() + line->to.x()) / 2, (line->from.y() + line->to.y()) / 2);
