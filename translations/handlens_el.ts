@@ -1823,7 +1823,7 @@
     <name>app::MasksPage</name>
     <message>
         <source>None yet</source>
-        <translation>Κανένα ακόμα</translation>
+        <translation>Καμία ακόμα</translation>
     </message>
     <message>
         <source>They can be made from the pictures once the dataset is open, or attached later.</source>
@@ -1902,7 +1902,7 @@
     </message>
     <message>
         <source>Next</source>
-        <translation>Επόμενη</translation>
+        <translation>Επόμενο</translation>
     </message>
     <message>
         <source>There is neither a video, nor a folder of images, nor a calibration in what was dropped.</source>
@@ -2799,7 +2799,7 @@
     </message>
     <message>
         <source>Start</source>
-        <translation>Αρχή</translation>
+        <translation>Έναρξη</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -3992,7 +3992,7 @@
     </message>
     <message>
         <source>Next</source>
-        <translation>Επόμενη</translation>
+        <translation>Επόμενο</translation>
     </message>
     <message>
         <source>First pass...</source>

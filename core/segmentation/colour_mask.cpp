@@ -19,7 +19,7 @@ constexpr double kSoftPx = 1.5;
 constexpr double kReachPx = 3;
 constexpr int kBins = 16; ///< per channel, of the border's colours
 constexpr float kLightness = 0.25F;
-constexpr double kLeastChroma = 18;  ///< Lab units: below it are noise and uneven light of the backdrop
+constexpr double kLeastChroma = 22;  ///< Lab units: below it are noise and uneven light of the backdrop
 constexpr double kMostChroma = 40;   ///< above it there is no doubt
 constexpr double kSkinShare = 0.002; ///< of the picture, below which skin has no colour of its own
 

@@ -47,13 +47,13 @@ std::vector<InstantRange> rangesFromJson(const json& object, const char* key) {
 /// Notes about the footage: text that datasets of before hold in "notes", and data in "footageNotes".
 std::vector<FootageNote> notesFromJson(const json& sequence) {
     std::vector<FootageNote> notes;
-    for (const json& text : sequence.value("notes", json::array()))
-        notes.push_back({FootageNoteKind::Text, {}, {}, {}, text.get<std::string>()});
     for (const json& value : sequence.value("footageNotes", json::array())) {
         notes.push_back({*footageNoteFromName(value["kind"].get<std::string>()),
                          value.value("cameras", std::vector<std::string>()), rangesFromJson(value, "ranges"),
                          value.value("numbers", std::vector<double>())});
     }
+    for (const json& text : sequence.value("notes", json::array()))
+        notes.push_back({FootageNoteKind::Text, {}, {}, {}, text.get<std::string>()});
     return notes;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <set>
+
 #include <gtest/gtest.h>
 #include <opencv2/core.hpp>
 
@@ -41,12 +43,15 @@ protected:
         EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
         m_dataset = core::readDataset(m_set);
         const core::Sequence& sequence = m_dataset.sequences.at(0);
+        std::set<std::string> said;
         for (const std::string& note : core::notesInWords(sequence)) {
             EXPECT_NE(made.out.find("note: " + note + "\n"), std::string::npos) << made.out;
-            EXPECT_NE(checked.out.find(note + "\n"), std::string::npos) << checked.out;
+            const std::string text = note.substr(note.find(": ") + 2); // without the camera
+            said.insert(text);
+            EXPECT_NE(checked.out.find(text + "\n"), std::string::npos) << checked.out;
         }
         EXPECT_EQ(count(made.out, "note: "), sequence.notes.size()) << made.out;
-        EXPECT_EQ(count(checked.out, "sequence \"1\": "), sequence.notes.size()) << checked.out;
+        EXPECT_EQ(count(checked.out, "sequence \"1\": "), said.size()) << "what is alike in views is said once";
         return sequence;
     }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/rasteriser.h"
+#include "core/io/demo/demo_dataset.h"
 #include "core/segmentation/landmark_seeds.h"
 #include "core/segmentation/model_seeds.h"
 #include "tests/core/segmentation/drawn_scene.h"
@@ -66,7 +67,8 @@ TEST(SilhouetteByModel, IsEmptyWhereTheHandsAreOutsideThePicture) {
 }
 
 TEST(SilhouetteByModel, EndsWhereTheModelDoesThoughAnArmGoesOn) {
-    TinyScene scene{.camera = test::cameraRing(4, false)[0]}; // it sees the forearm from the side
+    const std::vector<HandModel> hands = makeDemoHands(); // the tiny ones end in a point
+    TinyScene scene{.hands = {hands[0]}, .poses = {hands[0].skeleton.restPose()}};
     const auto line = modelEnd(scene.camera, scene.hands[0], scene.poses[0]);
     ASSERT_TRUE(line);
     const cv::Point2d from((line->from.x() + line->to.x()) / 2, (line->from.y() + line->to.y()) / 2);

@@ -86,11 +86,11 @@ TEST_F(DatasetFolder, KeepsMissingInstantsAndNotes) {
     core::Dataset dataset = core::readDataset(m_path);
     dataset.sequences[1].views[0].missing = {{0, 1}, {3, 4}};
     using Kind = core::FootageNoteKind;
-    dataset.sequences[1].notes = {{Kind::Text, {}, {}, {}, "cam0: 5 frames missing"},
-                                  {Kind::LostFrames, {"cam0"}, {{0, 1}, {3, 4}}},
+    dataset.sequences[1].notes = {{Kind::LostFrames, {"cam0"}, {{0, 1}, {3, 4}}},
                                   {Kind::OtherRate, {"cam1"}, {}, {29.97}},
                                   {Kind::Simulated},
-                                  {Kind::FirstPicturesDiffer, {"cam0", "cam1"}, {}, {0, 12}}};
+                                  {Kind::FirstPicturesDiffer, {"cam0", "cam1"}, {}, {0, 12}},
+                                  {Kind::Text, {}, {}, {}, "cam0: 5 frames missing"}}; // of before: they come last
     core::rewriteDatasetFile(dataset);
     const core::Sequence read = core::readDataset(m_path).sequences[1];
     EXPECT_EQ(read.views[0].missing, (std::vector<core::InstantRange>{{0, 1}, {3, 4}}));
