@@ -40,7 +40,7 @@ configure() {
 
 run_tests() {
   cmake --build build
-  ctest --test-dir build --parallel 2 --output-on-failure
+  ctest --test-dir build --parallel $(($(nproc) + 1)) --output-on-failure # some wait for windows and processes
 }
 
 tour_without_display() {

@@ -26,7 +26,8 @@ widgets::SilhouettePage& showSilhouettes(MainWindow& window, widgets::Silhouette
                 &overlay, &widgets::SilhouetteOverlay::brushChanged, page,
                 [page, &overlay] { page->showBrush(overlay.isBrushOn(), overlay.brushRadius()); });
             return page;
-        });
+        },
+        PageWindow::Place::AtRight);
 }
 
 void bindBrush(MainWindow& window, widgets::SilhouetteOverlay& overlay) {

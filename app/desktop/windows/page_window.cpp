@@ -9,10 +9,11 @@ namespace app {
 namespace {
 
 constexpr QSize kRoomForResults(640, 620); // fits 1366 x 768
+constexpr int kMarginPx = 36;              // the status line stays in sight
 
 } // namespace
 
-PageWindow::PageWindow(const QString& title, QWidget* page, QWidget* parent)
+PageWindow::PageWindow(const QString& title, QWidget* page, QWidget* parent, Place place)
     : QDialog(parent) {
     setWindowTitle(title);
     setAttribute(Qt::WA_DeleteOnClose);
@@ -21,7 +22,13 @@ PageWindow::PageWindow(const QString& title, QWidget* page, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
-    resize(sizeHint().expandedTo(kRoomForResults)); // texts and tables come later
+    if (place == Place::AtRight) {
+        resize(sizeHint());
+        const QRect around = parent->window()->geometry();
+        move(around.right() - width() - kMarginPx, around.bottom() - height() - kMarginPx);
+    } else {
+        resize(sizeHint().expandedTo(kRoomForResults)); // texts and tables come later
+    }
 }
 
 void PageWindow::present() {
