@@ -29,7 +29,7 @@ bool isImage(const QFileInfo& file) {
 
 bool isCalibration(const QFileInfo& file) {
     const bool mayBe = file.isFile() && file.size() <= kMostCalibrationBytes &&
-                       hasEnding(file, "json toml yml yaml xml mat txt pickle pkl npz csv cal");
+                       hasEnding(file, "json toml yml yaml xml mat txt csv cal dat qca");
     if (!mayBe)
         return false;
     try {
