@@ -8,7 +8,7 @@
 namespace test {
 
 /// Lets the event loop run until the condition holds; false if it does not within the time.
-inline bool waitUntil(const std::function<bool()>& condition, int milliseconds = 10000) {
+inline bool waitUntil(const std::function<bool()>& condition, int milliseconds = 60000) {
     return QTest::qWaitFor(condition, milliseconds);
 }
 

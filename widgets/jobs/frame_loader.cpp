@@ -14,7 +14,6 @@ namespace {
 
 constexpr std::int64_t kDefaultBudget = std::int64_t(1) << 30;
 constexpr int kAheadPriority = -1, kGlancePriority = 1, kFirstPriority = 2;
-constexpr int kPatienceMs = 400;
 
 QImage toImage(const cv::Mat& bgr) {
     const QImage shared(bgr.data, bgr.cols, bgr.rows, static_cast<int>(bgr.step), QImage::Format_BGR888);
@@ -129,7 +128,7 @@ void FrameLoader::begin(int frame) {
         else
             m_missing.insert(camera);
     m_unseen = m_missing;
-    m_patience.start(kPatienceMs);
+    m_patience.start(m_patienceMs);
     const std::set<int> missing = m_missing;
     std::vector<int> drafts;
     for (const int camera : camerasByUrgency()) {

@@ -61,6 +61,8 @@ public:
     void setMoving(bool moving);
     /// How small drafts may be: 1, 2 or 4 times smaller than the pictures.
     void setDraftShrink(int shrink) { m_draftShrink = shrink; }
+    /// How long the next frame waits for the views to show the one on its way, in milliseconds.
+    void setPatience(int milliseconds) { m_patienceMs = milliseconds; }
     /// Whether the next frames are fetched before they are asked for; they are at first.
     void setFetchingAhead(bool on) { m_fetchesAhead = on; }
 
@@ -119,6 +121,7 @@ private:
     bool m_fetchesAhead = true;
     bool m_isMoving = false;
     int m_draftShrink = 4;
+    int m_patienceMs = 400;
 };
 
 } // namespace widgets

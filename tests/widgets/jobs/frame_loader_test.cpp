@@ -9,10 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include <QElapsedTimer>
-#include <QTest>
-
 #include "core/io/dataset/frames.h"
+#include "tests/support/wait_until.h"
 #include "widgets/presenters/playback.h"
 
 namespace {
@@ -59,6 +57,10 @@ public:
         ahead.push_back({camera, direction, 0});
         return ++fetched < 100;
     }
+    std::size_t readsBegun() const {
+        const std::lock_guard lock(mutex);
+        return begun.size();
+    }
     std::vector<Read> takeReads() {
         const std::lock_guard lock(mutex);
         return std::exchange(reads, {});
@@ -83,6 +85,7 @@ protected:
 
     FramesComing() {
         loader.setFetchingAhead(false);
+        loader.setPatience(3'600'000); // a slow machine changes nothing
         loader.setFirstCamera(2);
         loader.setSource(source, std::vector<QSize>(kCameras, kSize), kFrames);
         const auto note = [this](int camera, const widgets::ImagePyramid& picture, bool isStandIn) {
@@ -101,7 +104,7 @@ protected:
     ~FramesComing() override { source->isHeld = false; }
 
     void finish() {
-        ASSERT_TRUE(QTest::qWaitFor([this] { return loader.isComplete(); }, 20'000));
+        ASSERT_TRUE(test::waitUntil([this] { return loader.isComplete(); }));
     }
 
     std::shared_ptr<FakeSource> source = std::make_shared<FakeSource>();
@@ -180,9 +183,10 @@ TEST_F(FramesComing, GoingBackToTheFrameUnderWayForgetsTheOneInBetween) {
 
 TEST_F(FramesComing, OneThatTakesForeverGivesWayToTheNext) {
     source->isHeld = true;
+    loader.setPatience(20);
     loader.request(5);
     loader.request(9);
-    QTest::qWait(600); // longer than the first takes
+    ASSERT_TRUE(test::waitUntil([this] { return source->readsBegun() > 2; })) << "two threads held by the first";
     source->isHeld = false;
     finish();
     EXPECT_EQ(complete, std::vector<int>{9});
@@ -194,9 +198,9 @@ TEST_F(FramesComing, WholePicturesUnderWayAreStoppedByTheNextJumpOnceAllViewsSho
     source->glances = true;
     source->isHeld = true;
     loader.request(60);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return shown.size() == kCameras; }));
+    ASSERT_TRUE(test::waitUntil([this] { return shown.size() == kCameras; }));
     loader.request(120);
-    ASSERT_TRUE(QTest::qWaitFor([this] { return shown.size() == 2 * kCameras; }));
+    ASSERT_TRUE(test::waitUntil([this] { return shown.size() == 2 * kCameras; }));
     source->isHeld = false;
     finish();
     EXPECT_EQ(complete, std::vector<int>{120});
@@ -206,11 +210,11 @@ TEST_F(FramesComing, FetchesAheadOnlyWhenAllIsThereAndTheWayOfTravel) {
     loader.setFetchingAhead(true);
     source->isHeld = true;
     loader.request(50);
-    QTest::qWait(30);
+    QCoreApplication::processEvents();
     EXPECT_EQ(source->fetched, 0);
     source->isHeld = false;
     finish();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return source->fetched >= 100; }));
+    ASSERT_TRUE(test::waitUntil([this] { return source->fetched >= 100; }));
     loader.request(49);
     finish();
     source->fetched = 0;
@@ -221,7 +225,7 @@ TEST_F(FramesComing, FetchesAheadOnlyWhenAllIsThereAndTheWayOfTravel) {
     }
     loader.request(48);
     finish();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return source->fetched >= 100; }));
+    ASSERT_TRUE(test::waitUntil([this] { return source->fetched >= 100; }));
     const std::lock_guard lock(source->mutex);
     for (const FakeSource::Read& one : source->ahead)
         EXPECT_EQ(one.frame, -1) << "backwards";
@@ -244,8 +248,7 @@ protected:
     void at(double ms) {
         nowMs = ms;
         const int before = selection.frame();
-        if (!QTest::qWaitFor([&] { return selection.frame() != before; }, 60))
-            return; // none is due
+        ASSERT_TRUE(test::waitUntil([&] { return selection.frame() != before || !playback.isPlaying(); }));
         finish();
     }
 
