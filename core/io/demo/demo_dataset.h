@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/demo_hand/choreography.h"
 #include "core/io/dataset/ring_views.h"
+#include "core/io/demo/demo_hands.h"
 
 namespace core {
 
@@ -10,12 +10,6 @@ namespace core {
 /// all of it made from the data in resources/demo and resources/rigs that are built in. Takes about a second;
 /// deterministic.
 NewDataset makeDemoDataset();
-
-/// The demo's hands, left and right.
-std::vector<HandModel> makeDemoHands();
-
-/// The demo's choreographies for any two hands, left and right, with its degrees of freedom.
-std::vector<Choreography> demoChoreographies(const std::vector<HandModel>& hands);
 
 /// A dataset of choreographies played by hands: one sequence each, 50 frames per second, 8 cameras on a ring, rendered
 /// views.

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/io/demo/demo_dataset.h"
+#include "core/io/demo/demo_hands.h"
 #include "tests/support/shapes/mesh_checks.h"
 
 namespace {

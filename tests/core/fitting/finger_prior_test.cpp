@@ -7,7 +7,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "core/io/demo/demo_dataset.h"
+#include "core/io/demo/demo_hands.h"
 
 namespace {
 
@@ -20,11 +20,12 @@ Eigen::Index dofOf(const core::Skeleton& skeleton, const std::string& name) {
 
 /// Second moments of the changes of all angles within 1, 5, 10 and 15 frames of the demo's choreographies.
 Eigen::MatrixXd momentsOfTheDemo(const core::Skeleton& skeleton) {
-    const core::NewDataset demo = core::makeDemoDataset();
+    const std::vector<core::HandModel> hands = core::makeDemoHands();
     const auto size = static_cast<Eigen::Index>(skeleton.dofs.size());
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
     double count = 0;
-    for (const core::Motion& motion : demo.motions) {
+    for (const core::Choreography& choreography : core::demoChoreographies(hands)) {
+        const core::Motion motion = core::play(choreography, hands);
         for (const std::size_t difference : {1u, 5u, 10u, 15u}) {
             for (std::size_t f = difference; f < motion.size(); ++f) {
                 for (std::size_t h = 0; h < motion[f].size(); ++h) {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/contour/rasteriser.h"
-#include "core/io/demo/demo_dataset.h"
+#include "core/io/demo/demo_hands.h"
 #include "core/segmentation/landmark_seeds.h"
 #include "core/segmentation/model_seeds.h"
 #include "tests/core/segmentation/drawn_scene.h"
