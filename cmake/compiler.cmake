@@ -16,7 +16,9 @@ target_compile_options(handlens_compiler INTERFACE ${HANDLENS_WARNINGS} ${HANDLE
 # Eigen's alignment stays that of the system's libraries, whatever the processor.
 target_compile_definitions(handlens_compiler INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 if(HANDLENS_SANITIZE)
-  target_compile_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE} -fno-omit-frame-pointer)
+  # A finding ends the program: code that could go on after it takes a fifth longer to compile and twice the space.
+  target_compile_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   target_link_options(handlens_compiler INTERFACE -fsanitize=${HANDLENS_SANITIZE})
 endif()
 if(HANDLENS_FUZZ)
