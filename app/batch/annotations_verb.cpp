@@ -72,7 +72,7 @@ void requireSomething(const AnnotationsArguments& arguments, const core::Importe
     }
     if (!imported.warnings.empty()) {
         throw core::Error(core::ErrorCode::BadInput, arguments.file, "",
-                          "has nothing that fits the sequence: " + imported.warnings.front());
+                          "has nothing that fits the sequence: " + core::importNoteText(imported.warnings.front()));
     }
 }
 
@@ -97,8 +97,8 @@ int leftOut(const core::AnnotationSet& imported, const core::AnnotationSet& afte
 
 void printResult(const core::ImportedAnnotations& imported, const core::Edit& edit,
                  const core::ImportConflicts& conflicts, core::ImportMode mode) {
-    for (const std::string& warning : imported.warnings)
-        std::printf("note: %s\n", warning.c_str());
+    for (const core::ImportNote& warning : imported.warnings)
+        std::printf("note: %s\n", core::importNoteText(warning).c_str());
     if (!conflicts.empty()) {
         std::printf("note: %s: %s\n", mode == core::ImportMode::Replace ? "replaced" : "kept",
                     core::conflictText(conflicts).c_str());

@@ -57,12 +57,14 @@ struct Segmentation {
     core::SilhouetteOptions options;
 };
 
-/// What is known of the hands' poses already: labels that are given, recorded poses, annotated joints. Empty if the
-/// method needs none of them, or if landmarks are still to be detected.
+bool needsHands(SegmentationMethod method) {
+    return method == SegmentationMethod::Model || method == SegmentationMethod::Landmarks;
+}
+
+/// What is known of the hands' poses already: labels that are given, recorded poses, annotated joints. Empty if nothing
+/// is, and the method can do without or landmarks are still to be detected.
 core::SequenceEvidence knownEvidence(const Segmentation& run, const SegmentArguments& arguments) {
     const bool byModel = run.options.method == SegmentationMethod::Model;
-    if (!byModel && run.options.method != SegmentationMethod::Landmarks)
-        return {};
     const std::string where = "sequence \"" + run.sequence.name + "\"";
     if (byModel && run.dataset.hands.empty())
         throw core::Error(core::ErrorCode::NotFound, arguments.dataset, "hands",
@@ -71,7 +73,7 @@ core::SequenceEvidence knownEvidence(const Segmentation& run, const SegmentArgum
     core::SequenceEvidence evidence;
     if (!arguments.labels.empty())
         evidence = {hands, core::readLabelPoints(arguments.labels, run.sequence), core::EvidenceOrigin::Labels};
-    else if (byModel && !run.sequence.motion.empty())
+    else if (run.options.method != SegmentationMethod::Landmarks && !run.sequence.motion.empty())
         evidence = {hands, core::readMotion(run.dataset, run.sequence)};
     else
         evidence = {hands, core::readAnnotationPoints(run.dataset, run.sequence), core::EvidenceOrigin::Annotations};
@@ -106,7 +108,7 @@ std::string evidenceName(const Segmentation& run, const core::SequenceEvidence& 
         return arguments.background.empty() ? "median" : "pictures";
     if (run.options.method == SegmentationMethod::Landmarks && evidence.origin() == core::EvidenceOrigin::None)
         return std::string(originName(core::EvidenceOrigin::Detector));
-    return std::string(originName(evidence.origin()));
+    return std::string(originName(needsHands(run.options.method) ? evidence.origin() : core::EvidenceOrigin::None));
 }
 
 void print(const core::SegmentationSummary& summary, const std::string& out) {
@@ -147,7 +149,8 @@ void segment(const SegmentArguments& arguments) {
     if (arguments.attach && !arguments.replace && !others.empty())
         throw core::Error(core::ErrorCode::BadInput, arguments.dataset, "masks of sequence " + sequence.name,
                           "it has masks already (" + others + "); use --replace to give it these instead");
-    core::claimMaskFolder(arguments.out, core::maskRecord("Handlens " HANDLENS_VERSION, sequence, run.options, origin));
+    core::claimMaskFolder(arguments.out, core::maskRecord("Handlens " HANDLENS_VERSION, sequence, run.options, origin,
+                                                          evidence.origin()));
     if (networks)
         evidence = detected(run, *networks, arguments);
     const core::FrameSource source(dataset, sequence, core::readMotion(dataset, sequence));
@@ -182,12 +185,14 @@ void addOptions(CLI::App& verb, SegmentArguments& arguments) {
         ->required()
         ->check(CLI::IsMember(methods));
     verb.add_option("--labels", arguments.labels,
-                    "Ground truth JSON with the joints (as autolabel writes it), for landmarks and model");
+                    "Ground truth JSON with the joints (as autolabel writes it), for landmarks and model; the others "
+                    "end forearms by them");
     verb.add_option("--band", arguments.bandMm, "By how many mm the model's pose may be wrong (model)")
         ->check(CLI::Range(0.0, 50.0))
         ->capture_default_str();
     verb.add_option("--forearm", arguments.forearmPalms,
-                    "How much of the forearm is kept, in lengths of the palm from the wrist (landmarks)")
+                    "How much of the forearm is kept, in lengths of the palm from the wrist (all but model, where "
+                    "joints are known)")
         ->check(CLI::Range(0.0, core::kForearmPalms))
         ->capture_default_str();
     verb.add_option("--background", arguments.background,

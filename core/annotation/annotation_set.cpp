@@ -63,6 +63,11 @@ std::optional<Mark> markAt(const AnnotationSet& set, const MarkKey& key) {
     return found == set.marks.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::string noteAt(const AnnotationSet& set, int frame) {
+    const auto found = set.notes.find(frame);
+    return found == set.notes.end() ? std::string() : found->second;
+}
+
 std::vector<int> annotatedFrames(const AnnotationSet& set) {
     std::vector<int> frames;
     for (auto mark = set.marks.begin(); mark != set.marks.end();) {

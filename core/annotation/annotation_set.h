@@ -86,6 +86,8 @@ struct AnnotationSet {
 
 /// The mark at `key`, or nothing ("not done yet").
 std::optional<Mark> markAt(const AnnotationSet& set, const MarkKey& key);
+/// The note of a frame; empty if it has none.
+std::string noteAt(const AnnotationSet& set, int frame);
 /// Frames that hold at least one mark, ascending; O(frames * log(marks)).
 std::vector<int> annotatedFrames(const AnnotationSet& set);
 /// Frames in which that rater has settled at least one mark, ascending.

@@ -10,11 +10,6 @@ namespace core {
 
 namespace {
 
-std::string noteAt(const AnnotationSet& set, int frame) {
-    const auto found = set.notes.find(frame);
-    return found == set.notes.end() ? std::string() : found->second;
-}
-
 [[noreturn]] void refuse(const Edit& edit, const std::string& where) {
     throw Error(ErrorCode::BadInput, "", "edit \"" + editLabel(edit.description) + "\"",
                 where + " is not in the state that the edit starts from");

@@ -62,11 +62,6 @@ void addViews(Edit& edit, const AnnotationSet& set, const JointImport& joint) {
     }
 }
 
-std::string noteAt(const AnnotationSet& set, int frame) {
-    const auto found = set.notes.find(frame);
-    return found == set.notes.end() ? std::string() : found->second;
-}
-
 bool isNoteInTheWay(const AnnotationSet& set, int frame, const std::string& text) {
     const std::string before = noteAt(set, frame);
     return !before.empty() && before != text;

@@ -199,8 +199,7 @@ Figure sweepFigure(const SweepFigure& sweep, const std::vector<PlotLine>& lines,
 /// Of each of the paper's families, the method with the smallest mean error.
 std::vector<std::string> bestOfEach(const BenchmarkResults& results, Schedule schedule) {
     std::vector<std::string> best;
-    for (const DistanceKind distance : {DistanceKind::Ch, DistanceKind::DchThres, DistanceKind::DchQuant,
-                                        DistanceKind::DchQuant2, DistanceKind::DchDt3}) {
+    for (const auto& [distance, bins, isLimited, isOriented] : kDistanceTraits) {
         double least = std::numeric_limits<double>::infinity();
         std::string winner;
         for (const std::string& method : results.methods) {

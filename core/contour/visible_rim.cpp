@@ -6,7 +6,7 @@
 
 namespace core {
 
-void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx) {
+void CoverageMask::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx) {
     m_cellPx = cellPx;
     m_originPx = minPx;
     m_width = std::max(0, static_cast<int>(std::ceil((maxPx.x() - minPx.x()) / m_cellPx)) + 1);
@@ -14,7 +14,7 @@ void Coverage::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx,
     m_cells.assign(static_cast<std::size_t>(m_width) * m_height, 0);
 }
 
-void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
+void CoverageMask::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eigen::Vector2f& c) {
     const float scale = 1.0f / m_cellPx;
     std::array<Eigen::Vector2f, 3> p{(a - m_originPx) * scale, (b - m_originPx) * scale, (c - m_originPx) * scale};
     const auto order = [&](int u, int v) {
@@ -43,7 +43,7 @@ void Coverage::add(const Eigen::Vector2f& a, const Eigen::Vector2f& b, const Eig
     }
 }
 
-bool Coverage::covers(const Eigen::Vector2f& px) const {
+bool CoverageMask::covers(const Eigen::Vector2f& px) const {
     const int x = static_cast<int>(std::lround((px.x() - m_originPx.x()) / m_cellPx));
     const int y = static_cast<int>(std::lround((px.y() - m_originPx.y()) / m_cellPx));
     if (x < 0 || y < 0 || x >= m_width || y >= m_height)
@@ -51,8 +51,8 @@ bool Coverage::covers(const Eigen::Vector2f& px) const {
     return m_cells[static_cast<std::size_t>(y) * m_width + x] != 0;
 }
 
-void Coverage::markIgnored(int row, std::span<const ConvexRegion> ignored,
-                           std::vector<unsigned char>& isIgnored) const {
+void CoverageMask::markIgnored(int row, std::span<const ConvexRegion> ignored,
+                               std::vector<unsigned char>& isIgnored) const {
     if (ignored.empty())
         return;
     isIgnored.assign(static_cast<std::size_t>(m_width), 0);
@@ -68,8 +68,8 @@ void Coverage::markIgnored(int row, std::span<const ConvexRegion> ignored,
     }
 }
 
-SilhouetteComparison Coverage::compare(const cv::Mat& mask, const cv::Mat& unsure,
-                                       std::span<const ConvexRegion> ignored) const {
+SilhouetteComparison CoverageMask::compare(const cv::Mat& mask, const cv::Mat& unsure,
+                                           std::span<const ConvexRegion> ignored) const {
     std::size_t different = 0, deep = 0, either = 0;
     std::vector<unsigned char> isIgnored;
     for (int row = 0; row < m_height; ++row) {

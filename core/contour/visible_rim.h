@@ -34,7 +34,7 @@ struct SilhouetteComparison {
 };
 
 /// Silhouette of the union of surfaces at reduced resolution, for asking whether a pixel is covered.
-class Coverage {
+class CoverageMask {
 public:
     /// Forgets everything; from now on stands for the rectangle [minPx, maxPx] in cells of cellPx image pixels.
     void reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx);
@@ -77,14 +77,14 @@ struct RimOptions {
 
 /// Scratch memory that is reused from call to call; one per thread.
 struct RimScratch {
-    Coverage coverage;
+    CoverageMask coverage;
     std::vector<float> facing;
     std::vector<Eigen::Vector2f> px;
     std::vector<RimPoint> candidates;
 };
 
 /// Compares the hands' silhouette (of their coverage level, in cells of options.cellPx) with an observed mask, outside
-/// the `ignored` regions; maskBounds holds all of the mask's foreground. unsure: see Coverage::compare.
+/// the `ignored` regions; maskBounds holds all of the mask's foreground. unsure: see CoverageMask::compare.
 SilhouetteComparison compareSilhouettes(const Camera& camera, const std::vector<RimSource>& hands,
                                         const RimOptions& options, const cv::Mat& mask, const cv::Mat& unsure,
                                         const cv::Rect& maskBounds, RimScratch& scratch,

@@ -39,7 +39,7 @@ ChamferTerm termOf(const Candidate& candidate, double angleRad, const OrientedCo
     if (candidate.contourPoint < 0 || candidate.distancePx > distance.gatePx)
         return term;
     const double contourAngleRad = observed.angleRad[static_cast<std::size_t>(candidate.contourPoint)];
-    if (distance.kind == DistanceKind::DchThres &&
+    if (traitsOf(distance.kind).isLimited &&
         !(circularDistance(angleRad, contourAngleRad, distance.isSigned) < distance.tauRad))
         return term;
     term.kept = true;
@@ -51,21 +51,22 @@ Candidate positional(const std::optional<DirectMatch>& match) {
     return match ? Candidate{match->index, match->distancePx, match->distancePx} : Candidate{};
 }
 
-/// The candidates of one point, exactly: one, or two for DchQuant2.
+/// The candidates of one point, exactly: one, or one per bin that is searched.
 std::vector<Candidate> directCandidates(const OrientedContour& observed, const DirectionalDistance& distance,
                                         const Eigen::Vector2d& px, double angleRad) {
-    if (distance.kind == DistanceKind::Ch || distance.kind == DistanceKind::DchThres)
+    const DistanceTraits& traits = traitsOf(distance.kind);
+    if (!traits.isOriented && traits.bins == 0)
         return {positional(nearestPoint(observed, px))};
     const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
     const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-    if (distance.kind == DistanceKind::DchDt3) {
+    if (traits.isOriented) {
         const auto match = nearestQuantisedPoint(observed, bins, px, nearestBins[0], distance.lambdaPxPerRad);
         return {match ? Candidate{match->index, distancePx(observed, match->index, px), match->distancePx}
                       : Candidate{}};
     }
-    std::vector<Candidate> candidates = {positional(nearestPointInBin(observed, bins, nearestBins[0], px))};
-    if (distance.kind == DistanceKind::DchQuant2)
-        candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[1], px)));
+    std::vector<Candidate> candidates;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(traits.bins); ++i)
+        candidates.push_back(positional(nearestPointInBin(observed, bins, nearestBins[i], px)));
     return candidates;
 }
 
@@ -77,18 +78,15 @@ public:
         : m_observed(observed) {
         const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
         const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
-        if (distance.kind == DistanceKind::DchDt3) {
+        const DistanceTraits& traits = traitsOf(distance.kind);
+        if (traits.isOriented) {
             m_tensor = computeDt3Tensor(observed, bins, distance.lambdaPxPerRad, region);
             m_angleRad = angleRad;
-        } else if (distance.kind == DistanceKind::DchQuant || distance.kind == DistanceKind::DchQuant2) {
-            const int count = distance.kind == DistanceKind::DchQuant ? 1 : 2;
-            for (int i = 0; i < count; ++i) {
-                const int bin = nearestBins[static_cast<std::size_t>(i)];
-                m_transforms.push_back(computeDistanceTransform(inBin(bins, bin), region));
-            }
-        } else {
+        } else if (traits.bins == 0) {
             m_transforms.push_back(computeDistanceTransform(observed, region));
         }
+        for (std::size_t i = 0; i < static_cast<std::size_t>(traits.bins); ++i)
+            m_transforms.push_back(computeDistanceTransform(inBin(bins, nearestBins[i]), region));
     }
 
     void collect(int x, int y, std::vector<Candidate>& candidates) const {

@@ -22,8 +22,9 @@ MatchRule matchRule(const Method& method) {
     MatchRule rule;
     rule.distance = method.distance;
     rule.withinTau = method.best && method.best->withinTau;
-    const bool quant = method.distance == DistanceKind::DchQuant || method.distance == DistanceKind::DchQuant2;
-    if (method.distance == DistanceKind::DchThres)
+    const DistanceTraits& traits = traitsOf(method.distance);
+    const bool quant = traits.bins > 0;
+    if (traits.isLimited)
         rule.tauRad = static_cast<float>(method.tauDeg * kRadPerDeg);
     if (method.gatePx > 0)
         rule.gatePx = static_cast<float>(method.gatePx);
@@ -32,7 +33,7 @@ MatchRule matchRule(const Method& method) {
     rule.lambdaPxPerRad = static_cast<float>(method.lambdaPxPerRad);
     rule.truncatePx2 = static_cast<float>(method.truncatePx2);
     rule.binWeights = method.binWeights;
-    rule.wholePixels = method.distance == DistanceKind::DchDt3;
+    rule.wholePixels = traits.isOriented;
     const int bins = method.bins > 0 ? method.bins : (quant ? kQuantBins : kDt3Bins);
     rule.bins = OrientationBins(bins, method.signedOrientation, method.binCentre);
     return rule;
@@ -124,7 +125,7 @@ void matchInBins(const Query& p, Sink& sink) {
     const OrientationBins& orientations = p.rule.bins;
     const auto angle = static_cast<double>(p.angle);
     const auto bins = orientations.nearestTwo(angle);
-    const int count = p.rule.distance == DistanceKind::DchQuant || bins[0] == bins[1] ? 1 : 2;
+    const int count = bins[0] == bins[1] ? 1 : traitsOf(p.rule.distance).bins;
     for (int k = 0; k < count; ++k) {
         const auto search = [&](float gatePx) { return p.target.index.nearestInBin(p.x, p.y, bins[k], gatePx); };
         const ContourMatch match = search(p.rule.gatePx);
@@ -207,7 +208,7 @@ ContourProbe probeContour(const CameraTarget& target, const MatchRule& rule, con
         best.distancePx = best.cost = distance;
         best.verdict = candidate.verdict;
     }
-    if (rule.distance == DistanceKind::DchDt3 && best.contourPoint >= 0) {
+    if (traitsOf(rule.distance).isOriented && best.contourPoint >= 0) {
         const auto q = static_cast<std::size_t>(best.contourPoint);
         const int bin = rule.bins.binOf(static_cast<double>(target.contour.angleRad[q]));
         best.cost += static_cast<double>(rule.lambdaPxPerRad) * rule.bins.distanceRad(best.bin, bin);

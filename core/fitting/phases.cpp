@@ -95,7 +95,7 @@ std::vector<Phase> schedulePhases(const Method& method) {
         Phase{.until = std::min(kRigidIterations, last), .rigidOnly = true, .detail = Detail::Coarse},
         Phase{.stage = 1, .until = last - kFullDetailIterations, .detail = Detail::Medium},
         Phase{.stage = 1, .until = last, .detail = Detail::Full}};
-    const bool isGated = method.distance == DistanceKind::DchQuant || method.distance == DistanceKind::DchQuant2;
+    const bool isGated = traitsOf(method.distance).bins > 0;
     return isGated ? withNarrowGateFrom(static_cast<int>(std::ceil(kNarrowGateShare * last)), phases) : phases;
 }
 

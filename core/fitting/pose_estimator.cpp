@@ -45,7 +45,7 @@ FitTargetOptions targetOptions(const Method& method, const MatchRule& rule) {
     options.bins = rule.bins;
     options.wholePixels = rule.wholePixels;
     options.withoutSpecks = method.noise && !(method.best && method.best->live);
-    if (method.distance == DistanceKind::DchDt3 && method.backend == Dt3Backend::Tensor)
+    if (traitsOf(method.distance).isOriented && method.backend == Dt3Backend::Tensor)
         options.tensorLambdaPxPerRad = method.lambdaPxPerRad;
     return options;
 }

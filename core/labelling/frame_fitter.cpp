@@ -6,6 +6,7 @@
 
 #include "core/fitting/method_name.h"
 #include "core/labelling/fit_doubt.h"
+#include "core/segmentation/silhouette.h"
 
 namespace core {
 
@@ -14,6 +15,8 @@ namespace {
 /// What silhouettes that are made of pictures and a measured hand leave per axis, whatever their normal equations say:
 /// on rendered hands with known joints.
 constexpr double kModelSigmaMm = 0.25;
+
+constexpr double kPoseBandMm = 12; ///< by which poses that landmarks or neighbouring frames ask for may be wrong
 
 double worstSigmaMm(const std::vector<Eigen::Matrix3d>& covariances) {
     double most = 0;
@@ -57,11 +60,10 @@ double FrameFit::doubt() const {
     return most;
 }
 
-FrameFitter::FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, SilhouetteMaker silhouettes,
-                         int threads, LandmarkFitOptions landmarks)
+FrameFitter::FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, int threads,
+                         LandmarkFitOptions landmarks)
     : m_hands(std::move(hands))
     , m_cameras(std::move(cameras))
-    , m_silhouettes(std::move(silhouettes))
     , m_threads(threads)
     , m_landmarks(landmarks) {
     m_estimators.emplace_back(m_hands, m_cameras);
@@ -98,8 +100,9 @@ FrameFit FrameFitter::fromLandmarks(const FrameEvidence& evidence, const HandPos
 std::vector<cv::Mat> FrameFitter::silhouettes(const FrameEvidence& evidence, const HandPoses& poses) const {
     if (!evidence.masks.empty())
         return evidence.masks;
-    return m_silhouettes ? m_silhouettes(evidence.pictures, m_hands, poses)
-                         : silhouettesByModel(m_cameras, evidence.pictures, m_hands, poses);
+    SilhouetteOptions options;
+    options.bandMm = kPoseBandMm;
+    return silhouettesByModel(m_cameras, evidence.pictures, m_hands, poses, options);
 }
 
 FrameFit FrameFitter::bySilhouettes(const FrameEvidence& evidence, const HandPoses& start, int rounds, FitSource source,

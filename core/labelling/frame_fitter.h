@@ -10,7 +10,6 @@
 #include "core/detection/hand_views.h"
 #include "core/fitting/pose_estimator.h"
 #include "core/labelling/landmark_fit.h"
-#include "core/labelling/model_silhouettes.h"
 
 namespace core {
 
@@ -51,9 +50,9 @@ struct FrameFit {
 /// Fits hand models to single instants. All members may be called from several threads at once.
 class FrameFitter {
 public:
-    /// `hands` as withTips gives them; `silhouettes` empty: silhouettesByModel. `threads` never change a result.
-    FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, SilhouetteMaker silhouettes = {},
-                int threads = 1, LandmarkFitOptions landmarks = {});
+    /// `hands` as withTips gives them. `threads` never change a result.
+    FrameFitter(std::vector<HandModel> hands, std::vector<Camera> cameras, int threads = 1,
+                LandmarkFitOptions landmarks = {});
 
     const std::vector<HandModel>& hands() const { return m_hands; }
     const std::vector<Camera>& cameras() const { return m_cameras; }
@@ -67,7 +66,7 @@ public:
     FrameFit bySilhouettes(const FrameEvidence& evidence, const HandPoses& start, int rounds, FitSource source,
                            std::stop_token stop = {}) const;
 
-    /// The silhouettes of hands in these poses: those that are given, else made of the pictures.
+    /// The silhouettes of hands in these poses: those that are given, else made of the pictures (silhouettesByModel).
     std::vector<cv::Mat> silhouettes(const FrameEvidence& evidence, const HandPoses& poses) const;
 
 private:
@@ -75,7 +74,6 @@ private:
 
     std::vector<HandModel> m_hands;
     std::vector<Camera> m_cameras;
-    SilhouetteMaker m_silhouettes;
     int m_threads;
     LandmarkFitOptions m_landmarks;
     std::vector<PoseEstimator> m_estimators; ///< of all hands, then (of two) of each alone

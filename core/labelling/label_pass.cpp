@@ -78,7 +78,7 @@ private:
         LandmarkFitOptions landmarks;
         if (m_options.landmarksAreJoints)
             landmarks = {.areJoints = true, .modelSigmaMm = 0.5, .priorSigmaRad = 1};
-        m_fitter.emplace(m_result.hands, m_cameras, m_options.silhouettes, m_options.threads, landmarks);
+        m_fitter.emplace(m_result.hands, m_cameras, m_options.threads, landmarks);
     }
     bool isStopped() const { return m_stop.stop_requested(); }
     bool say(PassStage stage) {
@@ -134,21 +134,10 @@ void Run::findUnit(const std::map<int, ViewDetections>& views) {
 }
 
 bool Run::detectKeys() {
-    std::map<int, ViewDetections> views;
-    KnownHands known;
-    std::optional<int> last;
-    for (const int frame : m_keys) {
-        if (isStopped())
-            return false;
-        known.isRecent = last && frame - *last <= m_options.mostGapFrames;
-        views[frame] = m_source.detect(frame, known);
-        if (auto found = groupDetections(m_cameras, views[frame]); !found.empty()) {
-            known.hands = std::move(found);
-            last = frame;
-        }
-        if (!say(PassStage::Detecting))
-            return false;
-    }
+    const auto views = detectFrames(m_cameras, m_keys, m_source, m_options.mostGapFrames, m_stop,
+                                    [this] { say(PassStage::Detecting); });
+    if (isStopped())
+        return false;
     findUnit(views);
     m_result.detected = assignHands(m_result.hands, grouped(views));
     makeFitter();
@@ -315,6 +304,26 @@ bool Run::track() {
 }
 
 } // namespace
+
+std::map<int, ViewDetections> detectFrames(const std::vector<Camera>& cameras, const std::vector<int>& frames,
+                                           PassSource& source, int mostGapFrames, const std::stop_token& stop,
+                                           const std::function<void()>& done) {
+    std::map<int, ViewDetections> views;
+    KnownHands known;
+    std::optional<int> last;
+    for (const int frame : frames) {
+        if (stop.stop_requested())
+            break;
+        known.isRecent = last && frame - *last <= mostGapFrames;
+        views[frame] = source.detect(frame, known);
+        if (auto found = groupDetections(cameras, views[frame]); !found.empty()) {
+            known.hands = std::move(found);
+            last = frame;
+        }
+        done();
+    }
+    return views;
+}
 
 PassResult runLabelPass(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                         const std::vector<int>& frames, PassSource& source, const PassOptions& options,

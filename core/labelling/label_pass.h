@@ -37,7 +37,6 @@ struct PassOptions {
     double leastDoubt = 0.5;         ///< from which on a fit is doubted: tracking ends, the detector looks again
     int mostGapFrames = 30;          ///< frames that lie farther apart are not tracked into each other
     int threads = 1;                 ///< results do not depend on it
-    SilhouetteMaker silhouettes{};
 };
 
 enum class PassStage { Detecting, Measuring, Fitting, Tracking };
@@ -56,6 +55,13 @@ struct PassResult {
 using PassProgress = std::function<void(PassStage stage, int done, int total)>;
 /// A frame is done; it may come again when it was improved.
 using PassSink = std::function<void(const PassResult& soFar, int frame)>;
+
+/// What the detector sees in frames (ascending), each looked at with what is known from the one before: a pass' first
+/// step. `mostGapFrames`: hands of frames that are farther apart are not where they were. `done` is called after every
+/// frame. What was seen until then if it is stopped.
+std::map<int, ViewDetections> detectFrames(const std::vector<Camera>& cameras, const std::vector<int>& frames,
+                                           PassSource& source, int mostGapFrames, const std::stop_token& stop,
+                                           const std::function<void()>& done);
 
 /// Labels frames (ascending) without a click: the detector looks at key frames, hand models are brought to its
 /// landmarks and then to the silhouettes, the person's hands are measured from the surest of these frames, and all

@@ -80,7 +80,7 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
     std::vector<Camera> metric = cameras;
     for (Camera& camera : metric)
         camera.cameraFromWorld.translation *= result.unitMm;
-    const FrameFitter fitter(result.hands, metric, options.silhouettes, options.threads);
+    const FrameFitter fitter(result.hands, metric, options.threads);
     const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), options.leastDoubt, stop);
     if (start.isEmpty() || stop.stop_requested())
         return result;

@@ -34,31 +34,46 @@ void keepSure(cv::Mat& mask, const cv::Mat& labels) {
     mask.setTo(255, labels == seedValue(Seed::SureForeground));
 }
 
+/// A window of a picture and its labels, scaled down to that many pixels.
+struct Scaled {
+    cv::Mat picture;
+    cv::Mat labels;
+    double scale = 1;
+};
+
+Scaled scaledTo(int mostPixels, const cv::Mat& picture, const cv::Mat& labels) {
+    const double scale = std::min(1.0, std::sqrt(mostPixels / static_cast<double>(picture.total())));
+    if (scale >= 1)
+        return {picture, labels.clone(), 1};
+    const cv::Size size(std::max(1, cvRound(picture.cols * scale)), std::max(1, cvRound(picture.rows * scale)));
+    Scaled result{{}, scaledLabels(labels, size), scale};
+    cv::resize(picture, result.picture, size, 0, 0, cv::INTER_AREA);
+    return result;
+}
+
 } // namespace
 
 cv::Mat seededCut(const cv::Mat& picture, const Seeds& seeds, const SeededCutOptions& options) {
     if (seeds.window.empty())
         return {};
     const cv::Mat whole = picture(seeds.window);
-    const double scale = std::min(1.0, std::sqrt(options.mostPixels / static_cast<double>(whole.total())));
-    cv::Mat part = whole, labels = seeds.labels.clone();
-    if (scale < 1) {
-        const cv::Size size(std::max(1, cvRound(whole.cols * scale)), std::max(1, cvRound(whole.rows * scale)));
-        cv::resize(whole, part, size, 0, 0, cv::INTER_AREA);
-        labels = scaledLabels(seeds.labels, size);
-    }
-    if (!canLearn(labels))
+    Scaled cut = scaledTo(std::min(options.learnPixels, options.mostPixels), whole, seeds.labels);
+    if (!canLearn(cut.labels))
         return foregroundOf(seeds.labels);
     cv::Mat background, foreground;
     cv::theRNG().state = kColourSeed;
-    cv::grabCut(part, labels, {}, background, foreground, options.iterations, cv::GC_INIT_WITH_MASK);
-    cv::Mat mask = foregroundOf(labels);
-    if (scale < 1) {
+    cv::grabCut(cut.picture, cut.labels, {}, background, foreground, options.iterations, cv::GC_INIT_WITH_MASK);
+    if (cut.scale < 1 && options.mostPixels > options.learnPixels) {
+        cut = scaledTo(options.mostPixels, whole, seeds.labels);
+        cv::grabCut(cut.picture, cut.labels, {}, background, foreground, 1, cv::GC_EVAL_FREEZE_MODEL);
+    }
+    cv::Mat mask = foregroundOf(cut.labels);
+    if (cut.scale < 1) {
         cv::resize(mask, mask, whole.size(), 0, 0, cv::INTER_LINEAR);
         mask = mask > 127;
     }
     keepSure(mask, seeds.labels);
-    mask = sharpEdge(whole, mask, kEdgeReachPx / scale);
+    mask = sharpEdge(whole, mask, kEdgeReachPx / cut.scale);
     keepSure(mask, seeds.labels);
     return mask;
 }

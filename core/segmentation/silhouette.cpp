@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "core/segmentation/background_difference.h"
@@ -16,6 +17,9 @@ namespace core {
 
 namespace {
 
+constexpr double kSeededArmPalms = 3; ///< what seeds make of an arm beyond its cut is shorter
+constexpr double kWholeArmPalms = 12; ///< an arm up to the shoulder is shorter
+
 cv::Mat pasted(const cv::Mat& part, const cv::Rect& window, const cv::Size& size) {
     cv::Mat whole = cv::Mat::zeros(size, CV_8U);
     if (!window.empty())
@@ -27,23 +31,23 @@ cv::Mat sureForeground(const Seeds& seeds) {
     return seeds.labels == seedValue(Seed::SureForeground);
 }
 
-/// 255 beyond a line across a forearm, as wide as an arm can be; CV_8U of the window's size.
-cv::Mat beyondLine(const ForearmLine& line, double palmPx, const cv::Rect& window) {
+/// 255 beyond a line across a forearm, as wide as an arm can be and that many palms far; CV_8U of the window's size.
+cv::Mat beyondLine(const ForearmLine& line, double palmPx, double farPalms, const cv::Rect& window) {
     const Eigen::Vector2d middle = (line.from + line.to) / 2, across = (line.to - line.from).normalized();
-    constexpr double kWide = 1.5, kFar = 3; // palms
+    constexpr double kWide = 1.5; // palms
     cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
     std::vector<cv::Point> corners;
     for (const auto& [side, along] : {std::pair(-1, 0), {1, 0}, {1, 1}, {-1, 1}}) {
-        const Eigen::Vector2d px = middle + palmPx * (side * kWide / 2 * across + along * kFar * line.away);
+        const Eigen::Vector2d px = middle + palmPx * (side * kWide / 2 * across + along * farPalms * line.away);
         corners.emplace_back(cvRound(px.x()) - window.x, cvRound(px.y()) - window.y);
     }
     cv::fillConvexPoly(mask, corners, cv::Scalar(255));
     return mask;
 }
 
-/// Ends every forearm at a straight line; the other hand is not cut where it lies beyond it.
+/// Ends every forearm at a straight line, `palms` from the wrist; the other hand is not cut where it lies beyond it.
 void cutForearms(cv::Mat& mask, const cv::Rect& window, const cv::Size& picture, const std::vector<HandInView>& hands,
-                 double palms, std::vector<ForearmLine>& cuts) {
+                 double palms, double farPalms, std::vector<ForearmLine>& cuts) {
     for (std::size_t h = 0; h < hands.size(); ++h) {
         const auto line = hands[h].isKnown() ? forearmLine(hands[h], palms) : std::nullopt;
         if (!line)
@@ -53,7 +57,7 @@ void cutForearms(cv::Mat& mask, const cv::Rect& window, const cv::Size& picture,
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(h));
         for (HandInView& other : others)
             other.forearmEnd.reset();
-        cv::Mat beyond = beyondLine(*line, hands[h].palmPx, window);
+        cv::Mat beyond = beyondLine(*line, hands[h].palmPx, farPalms, window);
         const Seeds spared = landmarkSeeds(picture, others);
         if (const cv::Rect both = spared.window & window; !both.empty()) {
             const cv::Mat labels = spared.labels(both - spared.window.tl());
@@ -63,11 +67,16 @@ void cutForearms(cv::Mat& mask, const cv::Rect& window, const cv::Size& picture,
     }
 }
 
-std::optional<Silhouette> byLandmarks(const cv::Mat& picture, const Camera& camera, const HandEvidence& evidence,
-                                      const SilhouetteOptions& options) {
+std::vector<HandInView> handsInView(const Camera& camera, const HandEvidence& evidence) {
     std::vector<HandInView> hands;
     for (const LandmarkPoints& points : evidence.landmarks)
         hands.push_back(handInView(camera, points));
+    return hands;
+}
+
+std::optional<Silhouette> byLandmarks(const cv::Mat& picture, const Camera& camera, const HandEvidence& evidence,
+                                      const SilhouetteOptions& options) {
+    const std::vector<HandInView> hands = handsInView(camera, evidence);
     if (hands.empty())
         return std::nullopt;
     const Seeds seeds = landmarkSeeds(picture.size(), hands);
@@ -75,7 +84,7 @@ std::optional<Silhouette> byLandmarks(const cv::Mat& picture, const Camera& came
         return Silhouette{cv::Mat::zeros(picture.size(), CV_8U), {}};
     Silhouette result;
     cv::Mat mask = seededCut(picture, seeds);
-    cutForearms(mask, seeds.window, picture.size(), hands, options.forearmPalms, result.cuts);
+    cutForearms(mask, seeds.window, picture.size(), hands, options.forearmPalms, kSeededArmPalms, result.cuts);
     result.mask = pasted(cleaned(mask, options.cleaning), seeds.window, picture.size());
     return result;
 }
@@ -98,6 +107,49 @@ std::optional<Silhouette> byModel(const cv::Mat& picture, const Camera& camera, 
         model.cuts};
 }
 
+/// Leaves out the parts of a mask that share no pixel with `reached`.
+void keepReached(cv::Mat& mask, const cv::Mat& reached) {
+    cv::Mat parts;
+    std::vector<uchar> kept(static_cast<std::size_t>(cv::connectedComponents(mask, parts, 8, CV_32S)), 0);
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            if (reached.at<uchar>(y, x) != 0)
+                kept[static_cast<std::size_t>(parts.at<int>(y, x))] = 1;
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            if (kept[static_cast<std::size_t>(parts.at<int>(y, x))] == 0)
+                mask.at<uchar>(y, x) = 0;
+}
+
+bool isAnyKnown(const std::vector<HandInView>& hands) {
+    return std::any_of(
+        hands.begin(), hands.end(), [](const HandInView& hand) { return hand.isKnown(); });
+}
+
+/// Skin near the hands, where they are known: a room in skin's colours is not learnt from.
+cv::Mat skinOfHands(const cv::Mat& picture, const Camera& camera, const HandEvidence& evidence) {
+    const std::vector<HandInView> hands = handsInView(camera, evidence);
+    if (!isAnyKnown(hands))
+        return skinMask(picture);
+    const cv::Rect window = landmarkSeeds(picture.size(), hands).window;
+    return pasted(window.empty() ? cv::Mat() : skinMask(picture(window)), window, picture.size());
+}
+
+/// What a method found that knows nothing of hands: where they are known, forearms end, and what is none of theirs
+/// goes.
+Silhouette withoutArms(cv::Mat mask, const Camera& camera, const HandEvidence& evidence,
+                       const SilhouetteOptions& options) {
+    Silhouette result;
+    const std::vector<HandInView> hands = handsInView(camera, evidence);
+    if (isAnyKnown(hands)) {
+        cutForearms(mask, {{0, 0}, mask.size()}, mask.size(), hands, options.forearmPalms, kWholeArmPalms, result.cuts);
+        const Seeds seeds = landmarkSeeds(mask.size(), hands);
+        keepReached(mask, pasted(sureForeground(seeds), seeds.window, mask.size()));
+    }
+    result.mask = cleaned(mask, options.cleaning);
+    return result;
+}
+
 } // namespace
 
 std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& camera,
@@ -111,13 +163,36 @@ std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& c
     case SegmentationMethod::Background:
         if (background.size() != picture.size())
             return std::nullopt;
-        return Silhouette{cleaned(backgroundMask(picture, background), options.cleaning), {}};
+        return withoutArms(backgroundMask(picture, background), camera, evidence, options);
     case SegmentationMethod::Chroma:
-        return Silhouette{cleaned(chromaMask(picture, options.backdrop), options.cleaning), {}};
+        return withoutArms(chromaMask(picture, options.backdrop), camera, evidence, options);
     case SegmentationMethod::Skin:
-        return Silhouette{cleaned(skinMask(picture), options.cleaning), {}};
+        return withoutArms(skinOfHands(picture, camera, evidence), camera, evidence, options);
     }
     return std::nullopt;
+}
+
+std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
+                                        const std::vector<HandModel>& hands, const HandPoses& poses,
+                                        const SilhouetteOptions& options) {
+    std::vector<cv::Mat> masks(cameras.size());
+    HandEvidence evidence;
+    evidence.poses = poses;
+    const int count = static_cast<int>(cameras.size());
+    cv::parallel_for_(
+        cv::Range(0, count),
+        [&](const cv::Range& range) {
+            for (int c = range.start; c < range.end; ++c) {
+                const auto view = static_cast<std::size_t>(c);
+                if (pictures[view].empty())
+                    continue;
+                const auto found = byModel(pictures[view], cameras[view], hands, evidence, options);
+                if (found && cv::countNonZero(found->mask) > 0)
+                    masks[view] = found->mask;
+            }
+        },
+        count);
+    return masks;
 }
 
 double maskOverlap(const cv::Mat& a, const cv::Mat& b) {

@@ -15,14 +15,14 @@ namespace core {
 struct SilhouetteOptions {
     SegmentationMethod method = SegmentationMethod::Model;
     double bandMm = 6;                   ///< model: by which the pose may be wrong
-    double forearmPalms = kForearmPalms; ///< landmarks: how much of the forearm is kept, palms from the wrist, 0..1.2
+    double forearmPalms = kForearmPalms; ///< all but model: how much of a forearm is kept, palms from the wrist, 0..1.2
     std::optional<cv::Scalar> backdrop;  ///< chroma: its colour, BGR; without one that of the picture's border
     CleaningOptions cleaning;
 };
 
-/// What is known of an instant before its pictures are looked at. A method needs its own part of it.
+/// What is known of an instant before its pictures are looked at. Landmarks and Model need their own part of it.
 struct HandEvidence {
-    std::vector<LandmarkPoints> landmarks; ///< per hand; for Landmarks
+    std::vector<LandmarkPoints> landmarks; ///< per hand; for all methods but Model
     HandPoses poses;                       ///< per hand of the dataset, empty where it is not known; for Model
 };
 
@@ -33,10 +33,17 @@ struct Silhouette {
 
 /// The silhouette of the hands in a camera's picture (CV_8UC3 BGR of its size). `background`: the picture without
 /// hands, for Background alone. No value if the evidence that the method needs is missing; an empty mask if the hands
-/// are outside the picture.
+/// are outside the picture. Background, Chroma and Skin need no evidence: they find arms and whatever else is there;
+/// where landmarks are known, forearms end as with Landmarks, and parts that no hand is in are left out.
 std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& camera,
                                          const std::vector<HandModel>& hands, const HandEvidence& evidence,
                                          const cv::Mat& background, const SilhouetteOptions& options);
+
+/// The same by Model in pictures of one instant, per camera (empty where there is none): views side by side, which
+/// changes nothing. Empty poses: hands that are not there. Where no hand is seen the mask is empty (no pixels).
+std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
+                                        const std::vector<HandModel>& hands, const HandPoses& poses,
+                                        const SilhouetteOptions& options = {});
 
 /// Intersection over union of two masks of the same size; 1 if both are empty.
 double maskOverlap(const cv::Mat& a, const cv::Mat& b);

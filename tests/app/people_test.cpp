@@ -10,6 +10,7 @@
 #include "core/annotation/import_edit.h"
 #include "core/io/dataset/dataset_annotations.h"
 #include "core/io/formats/annotation_formats.h"
+#include "tests/app/bracket_language.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/panels/name_bar.h"
 #include "widgets/panels/quality/quality_panel.h"
@@ -144,6 +145,23 @@ TEST_F(People, LabelsOfAnotherVideoAreImportedOnlyWhenAskedFor) {
     press(bar("import"), QStringLiteral("Import monday"));
     ASSERT_TRUE(app::waitUntilIdle(*window));
     EXPECT_EQ(x("ann"), 10);
+}
+
+TEST_F(People, NotesAboutAnImportAreInTheLanguageOfTheWindow) {
+    std::ofstream(folder / "marks.csv") << "sequence,frame,rater,hand,joint,camera,x_px,y_px,state,placement\n"
+                                           "z,12,anna,left,index_mcp,cam0,10,20,visible,manual\n"
+                                           "z,12,anna,left,index_mcp,cam77,10,20,visible,manual\n"
+                                           "z,9999,anna,left,index_mcp,cam0,10,20,visible,manual\n"
+                                           "z,13,anna,left,index_mcp,cam0,-900,20,visible,manual\n";
+    const test::BracketLanguage brackets;
+    session().files.importFrom(QStringLiteral("csv-marks"), path("marks.csv"));
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    EXPECT_EQ(x("anna"), 10);
+    const QStringList notes = window->message().split(QLatin1Char('\n'));
+    ASSERT_EQ(notes.size(), 4) << window->message().toStdString();
+    for (const QString& note : notes)
+        test::expectInBrackets(note);
+    EXPECT_TRUE(window->message().contains(QStringLiteral("cam77")));
 }
 
 } // namespace

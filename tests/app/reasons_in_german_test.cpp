@@ -8,14 +8,18 @@
 
 #include "app/desktop/resources.h"
 #include "core/error.h"
+#include "tests/app/bracket_language.h"
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/text/advice.h"
 #include "widgets/text/edit_text.h"
 #include "widgets/text/error_text.h"
 #include "widgets/text/footage_text.h"
+#include "widgets/text/import_text.h"
 #include "widgets/text/store_text.h"
 
 namespace {
+
+using test::expectInBrackets;
 
 class ReasonsInGerman : public testing::Test {
 protected:
@@ -40,20 +44,6 @@ protected:
 private:
     QTranslator m_german;
 };
-
-/// A language in which every text is the English one in brackets: shows what is never asked to be translated.
-class Brackets : public QTranslator {
-public:
-    QString translate(const char*, const char* text, const char*, int) const override {
-        return QLatin1Char('[') + QString::fromUtf8(text) + QLatin1Char(']');
-    }
-    bool isEmpty() const override { return false; }
-};
-
-void expectInBrackets(const QString& words) {
-    EXPECT_TRUE(words.startsWith(QLatin1Char('['))) << words.toStdString();
-    EXPECT_TRUE(words.endsWith(QLatin1Char(']'))) << words.toStdString();
-}
 
 core::Edit editOf(core::EditKind kind, core::MarkState state, int marks) {
     core::Edit edit;
@@ -116,8 +106,7 @@ TEST_F(ReasonsInGerman, EveryErrorIsTranslatedAndKeepsItsEnglishDetailBehindTheT
 
 TEST_F(ReasonsInGerman, EveryNoteAboutFootageIsAskedToBeTranslated) {
     using Kind = core::FootageNoteKind;
-    Brackets brackets;
-    QCoreApplication::installTranslator(&brackets);
+    const test::BracketLanguage brackets;
     expectInBrackets(widgets::footageNoteInWords({Kind::Simulated}));
     for (int kind = static_cast<int>(Kind::LostFrames); kind <= static_cast<int>(Kind::FirstPicturesDiffer); ++kind) {
         const core::FootageNote note{static_cast<Kind>(kind), {"cam0"}, {{5, 2}}, {12, 90}};
@@ -131,7 +120,22 @@ TEST_F(ReasonsInGerman, EveryNoteAboutFootageIsAskedToBeTranslated) {
     for (const auto reason : {core::RelinkReason::SeveralFit, core::RelinkReason::OtherFootage})
         expectInBrackets(widgets::relinkNoteInWords({"one", "cam0", "a", "", reason, {"b", "c"}, {}, false}));
     EXPECT_EQ(widgets::footageNoteInWords({Kind::Text, {}, {}, {}, "as written"}), QStringLiteral("as written"));
-    QCoreApplication::removeTranslator(&brackets);
+}
+
+TEST_F(ReasonsInGerman, EveryNoteAboutAnImportIsAskedToBeTranslated) {
+    using Kind = core::ImportNoteKind;
+    const test::BracketLanguage brackets;
+    for (int kind = 0; kind <= static_cast<int>(Kind::OutsidePicture); ++kind) {
+        const core::ImportNote note{static_cast<Kind>(kind), {"one", "two"}, 3, 0.5};
+        const std::string english = core::importNoteText(note);
+        EXPECT_FALSE(english.empty()) << kind;
+        expectInBrackets(widgets::importNoteInWords(note));
+        for (const std::string& name : note.names) // whatever the command line says of it, the window says, too
+            if (english.find(name) != std::string::npos)
+                EXPECT_TRUE(widgets::importNoteInWords(note).contains(QString::fromStdString(name))) << english;
+    }
+    const core::ImportNote manyParts{Kind::UnknownParts, {"fits", "a", "b", "c", "d", "e", "f", "g"}, 9};
+    EXPECT_TRUE(widgets::importNoteInWords(manyParts).contains(QStringLiteral("[a, b, c, d, e and 2 more]")));
 }
 
 TEST_F(ReasonsInGerman, EveryRefusalOfAFitPairIsTranslated) {

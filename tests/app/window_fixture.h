@@ -12,13 +12,11 @@
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
 #include "app/desktop/window_assembly.h"
+#include "tests/support/annotation_names.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 
 namespace test {
-
-/// The joint that most tests of the window click.
-inline const core::JointId kIndex{core::Side::Left, "index_mcp"};
 
 /// The real window on a private display, with the tiny dataset open at frame 12 of sequence "a".
 class WindowTest : public testing::Test {

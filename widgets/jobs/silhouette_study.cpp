@@ -48,13 +48,13 @@ struct SilhouetteStudy::Source {
             frames.emplace(*dataset, *sequence, core::readMotion(*dataset, *sequence));
         return *frames;
     }
-    /// Recorded poses for the model; annotated joints, or those of recorded poses, for landmarks.
+    /// Recorded poses for the model; annotated joints, or those of recorded poses, for the others.
     std::shared_ptr<const core::SequenceEvidence> known(core::SegmentationMethod method) {
         const std::scoped_lock lock(mutex);
         if (!evidence) {
             core::SequenceEvidence found;
             const bool hasMotion = !sequence->motion.empty();
-            if (method == core::SegmentationMethod::Landmarks || !hasMotion)
+            if (method != core::SegmentationMethod::Model || !hasMotion)
                 if (core::SequencePoints points = core::readAnnotationPoints(*dataset, *sequence); !points.empty())
                     found = {dataset->hands, std::move(points), core::EvidenceOrigin::Annotations};
             if (hasMotion && found.origin() == core::EvidenceOrigin::None)
@@ -76,13 +76,14 @@ struct SilhouetteStudy::Source {
         return rooms;
     }
     core::MaskRecord record(const core::SilhouetteOptions& options) {
+        const core::EvidenceOrigin joints = known(options.method)->origin();
         std::string origin = "none";
         if (options.method == core::SegmentationMethod::Background)
             origin = "median";
         else if (options.method == core::SegmentationMethod::Model ||
                  options.method == core::SegmentationMethod::Landmarks)
-            origin = originName(known(options.method)->origin());
-        return core::maskRecord(programName(), *sequence, options, origin);
+            origin = originName(joints);
+        return core::maskRecord(programName(), *sequence, options, origin, joints);
     }
     /// The silhouette that is kept, or the one that is found now; none if nothing is known of the hands or there is no
     /// picture.

@@ -24,7 +24,7 @@ QToolButton* flatButton(QWidget* parent) {
 
 } // namespace
 
-FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage,
+FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, const AnnotationCoverage& coverage,
                      const JointList& joints, QWidget* parent)
     : QWidget(parent)
     , m_selection(selection)
@@ -64,7 +64,7 @@ FramesBar::FramesBar(Selection& selection, const AnnotationDocument& document, c
     connect(m_timeline, &Timeline::frameRequested, &m_selection, &Selection::setFrame);
     connect(&m_selection, &Selection::frameChanged, this, &FramesBar::refreshFrame);
     connect(&m_selection, &Selection::frameCountChanged, this, &FramesBar::refreshFrame);
-    connect(&m_coverage, &Coverage::changed, this, &FramesBar::refreshCoverage);
+    connect(&m_coverage, &AnnotationCoverage::changed, this, &FramesBar::refreshCoverage);
     connect(&m_joints, &JointList::changed, this, &FramesBar::refreshCoverage);
     connect(&m_document, &AnnotationDocument::opened, this, &FramesBar::refreshNotes);
     connect(&m_document, &AnnotationDocument::opened, this, &FramesBar::refreshOthers);

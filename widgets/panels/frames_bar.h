@@ -13,7 +13,7 @@
 #include "widgets/document/joint_list.h"
 #include "widgets/document/selection.h"
 #include "widgets/panels/timeline.h"
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 
 class QAction;
 
@@ -24,7 +24,7 @@ class FramesBar : public QWidget {
     Q_OBJECT
 
 public:
-    FramesBar(Selection& selection, const AnnotationDocument& document, const Coverage& coverage,
+    FramesBar(Selection& selection, const AnnotationDocument& document, const AnnotationCoverage& coverage,
               const JointList& joints, QWidget* parent = nullptr);
 
     /// The actions behind the buttons.
@@ -53,7 +53,7 @@ private:
 
     Selection& m_selection;
     const AnnotationDocument& m_document;
-    const Coverage& m_coverage;
+    const AnnotationCoverage& m_coverage;
     const JointList& m_joints;
     QComboBox* m_sequences;
     QToolButton* m_previous;

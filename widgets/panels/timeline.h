@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 
 namespace widgets {
 

@@ -6,6 +6,7 @@
 #include "core/io/dataset/dataset_rig.h"
 #include "core/io/formats/annotation_report.h"
 #include "core/io/formats/joint_files.h"
+#include "widgets/text/import_text.h"
 
 namespace widgets {
 
@@ -109,11 +110,8 @@ void AnnotationFiles::finishImport(core::ImportMode mode) {
     m_document.push(edit);
     if (m_document.isReadOnly()) // and it has said so
         return;
-    QStringList warnings;
-    for (const std::string& warning : import.read->warnings)
-        warnings << QString::fromStdString(warning);
     emit imported(import.path, static_cast<int>(edit.marks.size()), static_cast<int>(edit.notes.size()),
-                  warnings.join(QLatin1Char('\n')));
+                  importNotesInWords(import.read->warnings).join(QLatin1Char('\n')));
 }
 
 void AnnotationFiles::cancelImport() {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "widgets/document/joint_list.h"
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 
 namespace widgets {
 

@@ -21,9 +21,9 @@
 #include "widgets/jobs/rig_study.h"
 #include "widgets/jobs/silhouette_study.h"
 #include "widgets/jobs/subject_study.h"
+#include "widgets/session/annotation_coverage.h"
 #include "widgets/session/annotation_files.h"
 #include "widgets/session/calibration_choice.h"
-#include "widgets/session/coverage.h"
 #include "widgets/session/dataset_session.h"
 
 namespace widgets {
@@ -45,7 +45,7 @@ public:
     ShownCameras shownCameras;
     Reconstructions reconstructions;
     Annotator annotator;
-    Coverage coverage;
+    AnnotationCoverage coverage;
     DatasetSession opened;
     FrameLoader frames;
     FitRunner fits;

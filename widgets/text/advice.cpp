@@ -13,7 +13,7 @@ namespace widgets {
 
 namespace {
 
-constexpr LocalText text{"widgets::Advice"};
+constexpr LocalText adviceWords{"widgets::Advice"};
 
 } // namespace
 
@@ -21,15 +21,16 @@ QString failureInWords(core::TriangulationFailure failure) {
     using core::TriangulationFailure;
     switch (failure) {
     case TriangulationFailure::FewerThanTwoViews:
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "fewer than two views"));
     case TriangulationFailure::OutsideLensModel:
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"));
+        return adviceWords(
+            QT_TRANSLATE_NOOP("widgets::Advice", "a click lies where the lens model cannot be inverted"));
     case TriangulationFailure::RaysNearlyParallel:
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "rays are nearly parallel"));
     case TriangulationFailure::BehindCamera:
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "the rays meet behind a camera"));
     case TriangulationFailure::ViewsDisagree:
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "views disagree"));
     case TriangulationFailure::None:
         break;
     }
@@ -68,10 +69,10 @@ QString disagreementText(const core::JointReconstruction& found) {
     const core::CurveGap& first = found.gaps.front();
     const QString camera = QString::fromStdString(first.camera);
     if (found.gaps.size() < 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2."))
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2."))
             .arg(camera, curveGapText(first));
     const core::CurveGap& second = found.gaps.back();
-    return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2, the one in %3 %4."))
+    return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: the click in %1 is %2, the one in %3 %4."))
         .arg(camera, curveGapText(first), QString::fromStdString(second.camera), curveGapText(second));
 }
 
@@ -85,27 +86,28 @@ QString placedText(const core::JointReconstruction& found) {
 
 QString placedInWords(const core::JointReconstruction& found) {
     const PlacedCount count = countPlaced(found);
-    return text(QT_TRANSLATE_N_NOOP("widgets::Advice",
-                                    "%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture"),
-                found.countedViews)
+    return adviceWords(QT_TRANSLATE_N_NOOP("widgets::Advice",
+                                           "%1 clicked, %2 accepted, %3 proposed; %n view(s) have a picture"),
+                       found.countedViews)
         .arg(QLocale().toString(count.clicked), QLocale().toString(count.accepted), QLocale().toString(count.proposed));
 }
 
 QString curveGapText(const core::CurveGap& gap) {
-    return text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve"))
+    return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px off %2's curve"))
         .arg(localNumber(gap.px, 1), QString::fromStdString(gap.curveOf));
 }
 
 QString summaryText(const core::JointId& joint, const core::JointReconstruction& found) {
-    QStringList parts{
-        jointText(joint),
-        text(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews).arg(placedText(found))};
+    QStringList parts{jointText(joint),
+                      adviceWords(QT_TRANSLATE_N_NOOP("widgets::Advice", "%1 of %n view(s)"), found.countedViews)
+                          .arg(placedText(found))};
     if (found.isAccepted) {
-        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "as proposed"));
+        parts << adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "as proposed"));
     } else if (found.hasPoint()) {
-        parts << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(localNumber(found.result.point->rmsPx, 2))
-              << text(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm"))
-                     .arg(localNumber(core::sigmaMm(found.result.point->covariance), 2));
+        parts
+            << adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "%1 px")).arg(localNumber(found.result.point->rmsPx, 2))
+            << adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "%1 mm"))
+                   .arg(localNumber(core::sigmaMm(found.result.point->covariance), 2));
     }
     return parts.join(QStringLiteral("  \u00b7  "));
 }
@@ -114,35 +116,38 @@ QString adviceText(const core::JointId& joint, const core::JointReconstruction& 
     const QString name = QString::fromStdString(joint.joint);
     const QString next = found.nextViews.empty() ? QString() : QString::fromStdString(found.nextViews.front().camera);
     if (joint.joint.empty())
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Choose a joint on the left."));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Choose a joint on the left."));
     if (found.countedViews < 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "A joint needs at least two cameras with a picture."));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "A joint needs at least two cameras with a picture."));
     if (found.isAccepted)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Accepted as proposed; click %1 in two views to correct it."))
+        return adviceWords(
+                   QT_TRANSLATE_NOOP("widgets::Advice", "Accepted as proposed; click %1 in two views to correct it."))
             .arg(name);
     if (found.manualViews == 0 && found.proposal && hasOpenProposal(found))
-        return text(
+        return adviceWords(
                    QT_TRANSLATE_NOOP("widgets::Advice", "Proposed by a program: click %1 in two views if it is wrong."))
             .arg(name);
     if (found.manualViews == 0)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in any view.")).arg(name);
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in any view.")).arg(name);
     if (!found.suspect.empty())
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "The click in %1 disagrees with the others: check it."))
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "The click in %1 disagrees with the others: check it."))
             .arg(QString::fromStdString(found.suspect));
     if (!found.gaps.empty())
         return disagreementText(found);
     if (!found.hasPoint() && found.manualViews >= 2)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1.")).arg(failureInWords(found.result.failure));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "No 3D point: %1."))
+            .arg(failureInWords(found.result.failure));
     if (!found.hasPoint())
-        return next.isEmpty() ? text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
-                              : text(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2."))
-                                    .arg(name, next);
+        return next.isEmpty()
+                   ? adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view.")).arg(name)
+                   : adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Click %1 in a second view, best in %2."))
+                         .arg(name, next);
     if (found.status == core::JointStatus::Done)
-        return text(QT_TRANSLATE_NOOP("widgets::Advice", "Done in every view: go on with the next joint."));
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Done in every view: go on with the next joint."));
     if (next.isEmpty())
-        return text(QT_TRANSLATE_NOOP("widgets::Advice",
-                                      "Accept the remaining views with Space, or mark them as not placeable."));
-    return text(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
+        return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice",
+                                             "Accept the remaining views with Space, or mark them as not placeable."));
+    return adviceWords(QT_TRANSLATE_NOOP("widgets::Advice", "Click in %1 next (\u2192 %2 mm), or accept with Space."))
         .arg(next, localNumber(found.nextViews.front().predictedSigmaMm, 2));
 }
 

@@ -7,7 +7,7 @@ namespace widgets {
 
 namespace {
 
-constexpr LocalText text{"widgets::CameraFaultText"};
+constexpr LocalText faultWords{"widgets::CameraFaultText"};
 
 QString pixelsText(const core::ImageSize& size) {
     return QStringLiteral("%1 × %2").arg(size.width).arg(size.height);
@@ -23,39 +23,41 @@ QString whatIsWrong(const core::CameraFault& fault, const std::vector<core::Came
     switch (fault.kind) {
     case core::CameraFaultKind::NotARotation:
         return fault.value == -1
-                   ? text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                            "its rotation is a mirror: an axis points the wrong way"))
-                   : text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its rotation matrix is not a rotation"));
+                   ? faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
+                                                  "its rotation is a mirror: an axis points the wrong way"))
+                   : faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its rotation matrix is not a rotation"));
     case core::CameraFaultKind::NoFocalLength:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its focal length is not positive"));
+        return faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its focal length is not positive"));
     case core::CameraFaultKind::CentreOutside:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                      "its principal point lies outside the image: is the matrix transposed, or the "
-                                      "image size wrong?"));
+        return faultWords(QT_TRANSLATE_NOOP(
+            "widgets::CameraFaultText", "its principal point lies outside the image: is the matrix transposed, or the "
+                                        "image size wrong?"));
     case core::CameraFaultKind::OtherSize:
-        return text(
+        return faultWords(
                    QT_TRANSLATE_NOOP("widgets::CameraFaultText",
                                      "its footage has %1 pixels, the calibration is for %2: another camera's footage?"))
             .arg(pixelsText(fault.pictures), pixelsText(cameras[static_cast<std::size_t>(fault.camera)].size));
     case core::CameraFaultKind::OtherScale:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                      "its footage is scaled by %1 (%2 pixels, the calibration is for %3)"))
+        return faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
+                                            "its footage is scaled by %1 (%2 pixels, the calibration is for %3)"))
             .arg(localNumber(fault.value, 3), pixelsText(fault.pictures),
                  pixelsText(cameras[static_cast<std::size_t>(fault.camera)].size));
     case core::CameraFaultKind::SamePlace:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "it stands where %1 stands"))
+        return faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "it stands where %1 stands"))
             .arg(nameOf(fault.other, cameras));
     case core::CameraFaultKind::LooksAway:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                      "where the cameras look lies behind it: is its rotation inverted?"));
+        return faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
+                                            "where the cameras look lies behind it: is its rotation inverted?"));
     case core::CameraFaultKind::TargetUnseen:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "it does not see where the other cameras look"));
+        return faultWords(
+            QT_TRANSLATE_NOOP("widgets::CameraFaultText", "it does not see where the other cameras look"));
     case core::CameraFaultKind::LensFolds:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its lens model holds in %1 % of the image only"))
+        return faultWords(
+                   QT_TRANSLATE_NOOP("widgets::CameraFaultText", "its lens model holds in %1 % of the image only"))
             .arg(localNumber(100 * fault.value, 0));
     case core::CameraFaultKind::OddUnit:
-        return text(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
-                                      "The cameras are %1 mm from where they look: choose another unit."))
+        return faultWords(QT_TRANSLATE_NOOP("widgets::CameraFaultText",
+                                            "The cameras are %1 mm from where they look: choose another unit."))
             .arg(localNumber(fault.value, fault.value < 10 ? 2 : 0));
     }
     return {};

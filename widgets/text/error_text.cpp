@@ -8,23 +8,24 @@ namespace widgets {
 
 namespace {
 
-constexpr LocalText text{"widgets::ErrorText"};
+constexpr LocalText errorWords{"widgets::ErrorText"};
 const QChar kBeforeDetail(QChar::ParagraphSeparator);
 
 QString sentence(core::ErrorCode code) {
     switch (code) {
     case core::ErrorCode::Usage:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "this is not possible with the data that is open"));
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "this is not possible with the data that is open"));
     case core::ErrorCode::NotFound:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "not found"));
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "not found"));
     case core::ErrorCode::BadInput:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "the content is not valid"));
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "the content is not valid"));
     case core::ErrorCode::Newer:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "written by a newer version of Handlens"));
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "written by a newer version of Handlens"));
     case core::ErrorCode::Io:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "cannot be read or written: check permissions and space"));
+        return errorWords(
+            QT_TRANSLATE_NOOP("widgets::ErrorText", "cannot be read or written: check permissions and space"));
     case core::ErrorCode::Unsupported:
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "this kind of content is not supported"));
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "this kind of content is not supported"));
     }
     return {};
 }
@@ -38,7 +39,7 @@ QString errorInWords(const std::exception& error) {
         return english;
     const auto* known = dynamic_cast<const core::Error*>(&error);
     if (!known)
-        return text(QT_TRANSLATE_NOOP("widgets::ErrorText", "unexpected error")) + kBeforeDetail + english;
+        return errorWords(QT_TRANSLATE_NOOP("widgets::ErrorText", "unexpected error")) + kBeforeDetail + english;
     QString where;
     for (const std::string& part : {known->file(), known->field()})
         if (!part.empty())

@@ -16,7 +16,7 @@ namespace {
 constexpr double kOutlierSeverity = 10;
 constexpr double kNoPointSeverity = 100;
 
-constexpr LocalText text{"widgets::Finding"};
+constexpr LocalText findingWords{"widgets::Finding"};
 
 void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, const core::JointReconstruction& found,
                  int frame, double badRmsPx) {
@@ -24,14 +24,14 @@ void addOutliers(std::vector<Finding>& findings, const core::JointId& joint, con
         if (!view.outlier || !view.errorPx)
             continue;
         findings.push_back({frame, joint, view.camera,
-                            text(QT_TRANSLATE_NOOP("widgets::Finding", "click in %1 is %2 px off"))
+                            findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "click in %1 is %2 px off"))
                                 .arg(QString::fromStdString(view.camera), QLocale().toString(*view.errorPx, 'f', 1)),
                             kOutlierSeverity + *view.errorPx / badRmsPx});
     }
 }
 
 QString noPointText(const core::CurveGap& gap) {
-    return text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: click in %1 is %2"))
+    return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: click in %1 is %2"))
         .arg(QString::fromStdString(gap.camera), curveGapText(gap));
 }
 
@@ -41,27 +41,28 @@ QString textOf(const core::QualityFinding& found) {
     case core::QualityKind::Disagreement:
         if (!found.curveOf.empty())
             return noPointText({found.camera, found.curveOf, size, {}, {}});
-        return found.camera.empty() ? text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point from its clicks"))
-                                    : text(QT_TRANSLATE_NOOP("widgets::Finding", "click in %1 is %2 px off"))
+        return found.camera.empty() ? findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point from its clicks"))
+                                    : findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "click in %1 is %2 px off"))
                                           .arg(QString::fromStdString(found.camera), localNumber(size, 1));
     case core::QualityKind::BoneLength:
-        return (found.value > 0 ? text(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % longer than usual"))
-                                : text(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % shorter than usual")))
+        return (found.value > 0 ? findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % longer than usual"))
+                                : findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "bone %1 % shorter than usual")))
             .arg(localNumber(size, 0));
     case core::QualityKind::JointAngle:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "bent %1\u00b0 beyond its limit")).arg(localNumber(size, 0));
+        return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "bent %1\u00b0 beyond its limit"))
+            .arg(localNumber(size, 0));
     case core::QualityKind::FingerOrder:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "fingers exchanged? %1 mm out of order"))
+        return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "fingers exchanged? %1 mm out of order"))
             .arg(localNumber(size, 1));
     case core::QualityKind::HandMixUp:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "left and right exchanged?"));
+        return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "left and right exchanged?"));
     case core::QualityKind::SharedPixel:
-        return text(QT_TRANSLATE_NOOP("widgets::Finding", "on the same pixel as another joint in %1"))
+        return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "on the same pixel as another joint in %1"))
             .arg(QString::fromStdString(found.camera));
     case core::QualityKind::OutsidePicture:
         break;
     }
-    return text(QT_TRANSLATE_NOOP("widgets::Finding", "mark is %1 px outside the picture of %2"))
+    return findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "mark is %1 px outside the picture of %2"))
         .arg(localNumber(size, 0), QString::fromStdString(found.camera));
 }
 
@@ -107,19 +108,19 @@ std::vector<Finding> findingsOf(const std::map<core::JointId, core::JointReconst
                 findings.push_back({frame,
                                     joint,
                                     {},
-                                    text(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: %1"))
+                                    findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "no 3D point: %1"))
                                         .arg(failureInWords(found.result.failure)),
                                     kNoPointSeverity});
             continue;
         }
         const double rms = found.result.point->rmsPx;
         if (rms > badRmsPx)
-            findings.push_back(
-                {frame,
-                 joint,
-                 {},
-                 text(QT_TRANSLATE_NOOP("widgets::Finding", "error of %1 px")).arg(QLocale().toString(rms, 'f', 1)),
-                 rms / badRmsPx});
+            findings.push_back({frame,
+                                joint,
+                                {},
+                                findingWords(QT_TRANSLATE_NOOP("widgets::Finding", "error of %1 px"))
+                                    .arg(QLocale().toString(rms, 'f', 1)),
+                                rms / badRmsPx});
     }
     std::stable_sort(findings.begin(), findings.end(),
                      [](const auto& a, const auto& b) { return a.severity > b.severity; });

@@ -7,7 +7,7 @@ namespace widgets {
 
 namespace {
 
-constexpr LocalText text{"widgets::StoreText"};
+constexpr LocalText storeWords{"widgets::StoreText"};
 
 } // namespace
 
@@ -15,15 +15,16 @@ QString readOnlyInWords(const core::ReadOnlyReason& reason) {
     using Kind = core::ReadOnlyReason::Kind;
     switch (reason.kind) {
     case Kind::Requested:
-        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened for reading only"));
+        return storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "opened for reading only"));
     case Kind::OtherWindow:
-        return reason.holder.empty() ? text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window"))
-                                     : text(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window (%1)"))
-                                           .arg(QString::fromStdString(reason.holder));
+        return reason.holder.empty()
+                   ? storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window"))
+                   : storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "opened by another window (%1)"))
+                         .arg(QString::fromStdString(reason.holder));
     case Kind::ReadOnlyFolder:
-        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "the folder is read-only"));
+        return storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "the folder is read-only"));
     case Kind::ReadOnlyFile:
-        return text(QT_TRANSLATE_NOOP("widgets::StoreText", "the file is read-only"));
+        return storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "the file is read-only"));
     case Kind::None:
         break;
     }

@@ -44,7 +44,7 @@ std::vector<int> framesWithPoints(const core::AnnotationSet& set) {
 } // namespace
 
 BenchmarkPage::BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& datasets,
-                             const AnnotationDocument& document, const Coverage& coverage, QWidget* parent)
+                             const AnnotationDocument& document, const AnnotationCoverage& coverage, QWidget* parent)
     : QWidget(parent)
     , m_runner(runner)
     , m_datasets(datasets)
@@ -145,7 +145,7 @@ QWidget* BenchmarkPage::makeSettings() {
     connect(m_seed, qOverload<int>(&QSpinBox::valueChanged), this, &BenchmarkPage::drawChanged);
     connect(m_differences, &QLineEdit::textChanged, this, &BenchmarkPage::drawChanged);
     connect(m_setup, qOverload<int>(&QComboBox::currentIndexChanged), this, &BenchmarkPage::drawChanged);
-    connect(&m_coverage, &Coverage::changed, this, [this] {
+    connect(&m_coverage, &AnnotationCoverage::changed, this, [this] {
         if (drawsAnnotatedFrames())
             emit drawChanged();
     });

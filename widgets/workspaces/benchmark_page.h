@@ -21,7 +21,7 @@
 #include "widgets/document/annotation_document.h"
 #include "widgets/jobs/benchmark_runner.h"
 #include "widgets/jobs/fit_pair.h"
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/message_bar.h"
 #include "widgets/workspaces/benchmark_results_view.h"
@@ -36,7 +36,7 @@ class BenchmarkPage : public QWidget {
 
 public:
     BenchmarkPage(BenchmarkRunner& runner, const DatasetSession& datasets, const AnnotationDocument& document,
-                  const Coverage& coverage, QWidget* parent = nullptr);
+                  const AnnotationCoverage& coverage, QWidget* parent = nullptr);
 
     /// Which test frames the settings draw from the open sequence; none if they make no sense now.
     std::set<int> testFrames() const;
@@ -77,7 +77,7 @@ private:
     BenchmarkRunner& m_runner;
     const DatasetSession& m_datasets;
     const AnnotationDocument& m_document;
-    const Coverage& m_coverage;
+    const AnnotationCoverage& m_coverage;
     MessageBar* m_message;
     QListWidget* m_sequences;
     std::vector<QCheckBox*> m_methods;

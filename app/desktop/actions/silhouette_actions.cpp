@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/actions/silhouette_actions.h"
 
+#include <QApplication>
+#include <QUndoGroup>
+#include <QWindow>
+
 #include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/windows/page_window.h"
@@ -25,6 +29,8 @@ widgets::SilhouettePage& showSilhouettes(MainWindow& window, widgets::Silhouette
             QObject::connect(
                 &overlay, &widgets::SilhouetteOverlay::brushChanged, page,
                 [page, &overlay] { page->showBrush(overlay.isBrushOn(), overlay.brushRadius()); });
+            for (const char* name : {"edit.undo", "edit.redo"}) // whose shortcuts work in that window, too
+                page->addAction(window.actions().action(id(name)));
             return page;
         },
         PageWindow::Place::AtRight);
@@ -47,6 +53,21 @@ void bindBrush(MainWindow& window, widgets::SilhouetteOverlay& overlay) {
         id("annotation.largerBrush"), [&overlay] { overlay.setBrushRadius(overlay.brushRadius() * kBrushFactor); });
     actions.bind(id("annotation.smallerBrush"),
                  [&overlay] { overlay.setBrushRadius(overlay.brushRadius() / kBrushFactor); });
+}
+
+/// Undo and redo are of brush strokes while the brush is on and in the silhouettes' own window, else of annotations.
+void routeUndo(MainWindow& window, widgets::SilhouetteOverlay& overlay) {
+    auto* stacks = window.findChild<QUndoGroup*>();
+    QUndoStack* strokes = window.session().silhouettes.undoStack();
+    stacks->addStack(strokes);
+    const auto choose = [&window, &overlay, stacks, strokes] {
+        const auto* page = window.findChild<widgets::SilhouettePage*>();
+        const QWindow* focus = QGuiApplication::focusWindow();
+        const bool isTouching = overlay.isBrushOn() || (page && focus && page->window()->windowHandle() == focus);
+        stacks->setActiveStack(isTouching ? strokes : window.session().document.undoStack());
+    };
+    QObject::connect(&overlay, &widgets::SilhouetteOverlay::brushChanged, &window, choose);
+    QObject::connect(qApp, &QGuiApplication::focusWindowChanged, &overlay, choose);
 }
 
 /// The run is seen in the status line, too; the dataset is opened again once its sequence has other masks.
@@ -78,6 +99,7 @@ void bindSilhouetteActions(MainWindow& window) {
     window.actions().bind(id("annotation.makeSilhouettes"),
                           [&window, overlay] { showSilhouettes(window, *overlay).run(); });
     bindBrush(window, *overlay);
+    routeUndo(window, *overlay);
     announceSilhouettes(window);
 }
 

@@ -5,6 +5,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QUndoGroup>
 #include <QUndoStack>
 
 #include "app/desktop/actions/action_id.h"
@@ -30,19 +31,22 @@ void bindFile(MainWindow& window) {
 
 void bindUndo(MainWindow& window) {
     Actions& actions = window.actions();
-    QUndoStack* stack = window.session().document.undoStack();
+    auto* stacks = new QUndoGroup(&window); // others join it (silhouette_actions.cpp)
+    stacks->addStack(window.session().document.undoStack());
+    stacks->setActiveStack(window.session().document.undoStack());
     QAction* undo = actions.action(id("edit.undo"));
     QAction* redo = actions.action(id("edit.redo"));
     actions.bind(
-        id("edit.undo"), [stack] { stack->undo(); });
-    actions.bind(id("edit.redo"), [stack] { stack->redo(); });
-    const auto refresh = [stack, undo, redo] {
-        undo->setEnabled(stack->canUndo());
-        redo->setEnabled(stack->canRedo());
-        undo->setText(stack->canUndo() ? MainWindow::tr("&Undo %1").arg(stack->undoText()) : MainWindow::tr("&Undo"));
-        redo->setText(stack->canRedo() ? MainWindow::tr("&Redo %1").arg(stack->redoText()) : MainWindow::tr("&Redo"));
+        id("edit.undo"), [stacks] { stacks->undo(); });
+    actions.bind(id("edit.redo"), [stacks] { stacks->redo(); });
+    const auto refresh = [stacks, undo, redo] {
+        undo->setEnabled(stacks->canUndo());
+        redo->setEnabled(stacks->canRedo());
+        undo->setText(stacks->canUndo() ? MainWindow::tr("&Undo %1").arg(stacks->undoText()) : MainWindow::tr("&Undo"));
+        redo->setText(stacks->canRedo() ? MainWindow::tr("&Redo %1").arg(stacks->redoText()) : MainWindow::tr("&Redo"));
     };
-    QObject::connect(stack, &QUndoStack::indexChanged, &window, refresh);
+    QObject::connect(stacks, &QUndoGroup::indexChanged, &window, refresh);
+    QObject::connect(stacks, &QUndoGroup::activeStackChanged, &window, refresh);
     QObject::connect(&window.session().document, &widgets::AnnotationDocument::opened, &window, refresh);
     refresh();
 }

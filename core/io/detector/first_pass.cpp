@@ -16,7 +16,7 @@ namespace core {
 namespace {
 
 /// Raised whenever a change makes passes end in other labels: steps of different revisions are never mixed.
-constexpr int kPassRevision = 1;
+constexpr int kPassRevision = 2;
 
 std::uint64_t hashOf(const NetworkGraph& graph) {
     std::uint64_t hash = 0;
@@ -38,11 +38,8 @@ std::uint64_t hashOf(const std::vector<HandModel>& hands) {
 
 JournalWork workOf(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
                    const std::vector<int>& frames, const std::vector<HandModel>& hands, const PassOptions& options) {
-    const std::string cameras = camerasToJson(dataset.cameras).dump();
     JournalWork work;
-    work.detections = std::filesystem::absolute(dataset.folder).lexically_normal().string() + ", " + sequence.name +
-                      ", " + std::to_string(contentHash(cameras.data(), cameras.size())) + ", " +
-                      std::to_string(hashOf(networks.palms) ^ hashOf(networks.landmarks));
+    work.detections = detectionWork(dataset, sequence, networks);
     work.fits =
         nlohmann::json{
             kPassRevision,           kEstimatorRevision,   contentHash(frames.data(), frames.size() * sizeof(int)),
@@ -54,6 +51,13 @@ JournalWork workOf(const Dataset& dataset, const Sequence& sequence, const Detec
 }
 
 } // namespace
+
+std::string detectionWork(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks) {
+    const std::string cameras = camerasToJson(dataset.cameras).dump();
+    return std::filesystem::absolute(dataset.folder).lexically_normal().string() + ", " + sequence.name + ", " +
+           std::to_string(contentHash(cameras.data(), cameras.size())) + ", " +
+           std::to_string(hashOf(networks.palms) ^ hashOf(networks.landmarks));
+}
 
 FirstPassResult runFirstPass(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks,
                              const std::vector<int>& frames, const FirstPassOptions& options, std::stop_token stop,

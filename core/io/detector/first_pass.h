@@ -37,6 +37,9 @@ FirstPassResult runFirstPass(const Dataset& dataset, const Sequence& sequence, c
                              const std::vector<int>& frames, const FirstPassOptions& options, std::stop_token stop = {},
                              const FirstPassCallbacks& callbacks = {});
 
+/// What a journal's detections are of: the sequence, its cameras and the networks.
+std::string detectionWork(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks& networks);
+
 /// The labels are kept: the journal is not needed any more.
 void finishFirstPass(const FirstPassOptions& options);
 

@@ -128,10 +128,10 @@ void readAnipose3d(ImportRequest& job) {
             if (const auto joint = job.map.jointOf(name))
                 joints.emplace(name, *joint);
             else
-                job.notes.leaveOut("joint \"" + name + "\", which is not in the map");
+                job.notes.leaveOut(ImportNoteKind::UnmappedJoint, name);
         }
     }
-    if (columns.empty() || (joints.empty() && job.notes.warnings().empty())) {
+    if (columns.empty() || (joints.empty() && job.notes.all().empty())) {
         throw Error(ErrorCode::BadInput, file, "header",
                     "the columns <joint>_x, _y, _z, _error are missing: not a 3D table of Anipose");
     }

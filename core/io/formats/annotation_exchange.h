@@ -9,6 +9,7 @@
 #include "core/annotation/annotation_set.h"
 #include "core/annotation/click_sigmas.h"
 #include "core/geometry/triangulation.h"
+#include "core/io/formats/import_notes.h"
 
 namespace core {
 
@@ -38,7 +39,7 @@ struct AnnotationImportOptions {
 /// What an import brought.
 struct ImportedAnnotations {
     AnnotationSet set;
-    std::vector<std::string> warnings;     ///< what was left out, and what is odd; for people
+    std::vector<ImportNote> warnings;      ///< what was left out, and what is odd
     std::vector<std::string> unknownParts; ///< body parts of this sequence's labels that stand for no joint
     std::vector<std::string> otherVideos;  ///< whose labels were left out because they are not this sequence's
 };

@@ -120,12 +120,9 @@ void noteOutside(const Dataset& dataset, ImportedAnnotations& imported) {
         outside[key.camera] +=
             camera >= 0 && isOutside(mark, dataset.cameras[static_cast<std::size_t>(camera)]) ? 1 : 0;
     }
-    for (const auto& [camera, count] : outside) {
-        if (count > 0) {
-            imported.warnings.push_back(std::to_string(count) + (count == 1 ? " mark lies" : " marks lie") +
-                                        " outside the picture of " + camera + ": kept, but not used for 3D points");
-        }
-    }
+    for (const auto& [camera, count] : outside)
+        if (count > 0)
+            imported.warnings.push_back({ImportNoteKind::OutsidePicture, {camera}, count});
 }
 
 } // namespace
@@ -177,7 +174,7 @@ ImportedAnnotations importAnnotations(const Dataset& dataset, const Sequence& se
         ImportNotes notes(dataset, sequence);
         ImportRequest job{dataset, sequence, options, map, path, notes, imported.set};
         handler.read(job);
-        imported.warnings = notes.warnings();
+        imported.warnings = notes.all();
         imported.unknownParts = notes.unknownParts();
         imported.otherVideos = notes.otherVideos();
     }

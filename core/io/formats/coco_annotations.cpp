@@ -206,7 +206,7 @@ void readHand(ImportRequest& job, const json& annotation, const json& category, 
             continue;
         const auto joint = job.map.jointOf(name, hand);
         if (!joint) {
-            job.notes.leaveOut("keypoint \"" + name + "\", which is not in the map");
+            job.notes.leaveOut(ImportNoteKind::UnmappedKeypoint, name);
             continue;
         }
         const bool isAuto = i < placements.size() && placements[i] == "auto";
@@ -231,8 +231,7 @@ void readCocoAnnotations(ImportRequest& job) {
         const json& category = *kinds.at(annotation["category_id"].get<int>());
         const auto hand = handOfCategory(category);
         if (!hand) {
-            job.notes.leaveOut("annotations of category " + category["name"].dump() +
-                               ", which says neither left nor right");
+            job.notes.leaveOut(ImportNoteKind::CategoryWithoutSide, category["name"].dump());
             continue;
         }
         const auto [frame, camera] = placeOf(job, *images.at(annotation["image_id"].get<int>()));

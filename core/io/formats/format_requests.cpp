@@ -7,7 +7,6 @@
 
 #include "core/annotation/edits.h"
 #include "core/error.h"
-#include "core/text/number_text.h"
 
 namespace core {
 
@@ -44,7 +43,7 @@ bool isLikelyEnough(ImportRequest& job, const std::optional<double>& likelihood)
     const auto& least = job.options.minLikelihood;
     if (!least || !likelihood || *likelihood >= *least)
         return true;
-    job.notes.leaveOut("marks with a likelihood below " + exactText(*least));
+    job.notes.leaveOut(ImportNoteKind::UnlikelyGuesses, {}, *least);
     return false;
 }
 

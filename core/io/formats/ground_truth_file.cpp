@@ -142,7 +142,7 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
     ImportNotes notes(dataset, sequence);
     AnnotationSet set;
     if (const std::string name = value["sequence"]; name != sequence.name)
-        notes.remark("the file is of sequence \"" + name + "\", not of \"" + sequence.name + "\"");
+        notes.remark(ImportNoteKind::FileOfSequence, {name, sequence.name});
     for (const json& frame : value["frames"]) {
         const int number = frame["frame"];
         if (frame.contains("note") && notes.acceptsFrame(number))
@@ -156,7 +156,7 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
             }
         }
     }
-    return {std::move(set), notes.warnings(), {}, {}};
+    return {std::move(set), notes.all(), {}, {}};
 }
 
 } // namespace core

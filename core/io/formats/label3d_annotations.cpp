@@ -24,13 +24,10 @@ std::vector<std::string> camerasOf(ImportRequest& job, const MatFile& source, st
         source.refuse("camnames", "names none of the dataset's cameras, and there are " + std::to_string(count) +
                                       ", not " + std::to_string(job.dataset.cameras.size()));
     }
-    std::string list;
     names.clear();
-    for (const Camera& camera : job.dataset.cameras) {
+    for (const Camera& camera : job.dataset.cameras)
         names.push_back(camera.name);
-        list += (list.empty() ? "" : ", ") + camera.name;
-    }
-    job.notes.remark("the file names none of the dataset's cameras: they are taken in the dataset's order, " + list);
+    job.notes.remark(ImportNoteKind::CamerasByOrder, names);
     return names;
 }
 
@@ -82,7 +79,7 @@ void readDannceLabels(ImportRequest& job, const MatFile& source) {
                 addClick(job, frames.values[row], *joints[j], cameras[c], places.at(row, 2 * j),
                          places.at(row, 2 * j + 1), Placement::Proposed);
     }
-    job.notes.remark("data_2d are reprojections of 3D points, not clicks: they come as proposals");
+    job.notes.remark(ImportNoteKind::Reprojections);
 }
 
 /// The frame of every labelled picture of a session: framesToLabel counts from 1 in sync's data_frame, which counts the
@@ -166,7 +163,7 @@ void readSession(ImportRequest& job, const MatFile& source) {
         return;
     }
     readPoints(job, source);
-    job.notes.remark("the file holds 3D points without clicks: they come as proposals");
+    job.notes.remark(ImportNoteKind::PointsWithoutClicks);
 }
 
 } // namespace

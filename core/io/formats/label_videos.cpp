@@ -86,11 +86,8 @@ void remarkShift(ImportRequest& job, const std::string& camera) {
     for (const ViewSource& view : job.sequence.views) {
         const bool isShifted =
             view.kind == ViewKind::Video && footageFrameAt(view, job.sequence.frameCount) != job.sequence.frameCount;
-        if (view.camera == camera && isShifted) {
-            job.notes.remark("the footage of " + camera +
-                             " is shifted against the sequence: the numbers of its pictures are taken as frames of the "
-                             "sequence, not of the video");
-        }
+        if (view.camera == camera && isShifted)
+            job.notes.remark(ImportNoteKind::ShiftedFootage, {camera});
     }
 }
 
@@ -110,7 +107,7 @@ std::optional<std::string> cameraOfVideo(ImportRequest& job, const std::string& 
     if (found->camera.empty())
         return cameraOfFile(job, file);
     if (!job.options.camera.empty() && job.options.camera != found->camera) {
-        job.notes.leaveOut("rows of the view of camera \"" + found->camera + "\"");
+        job.notes.leaveOut(ImportNoteKind::OtherCamera, found->camera);
         return std::nullopt;
     }
     remarkShift(job, found->camera);

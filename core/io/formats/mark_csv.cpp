@@ -119,7 +119,7 @@ std::set<std::string> sequencesToRead(ImportRequest& job, const std::vector<CsvR
         names.insert(rows[line].front());
     names.erase("");
     if (names.size() == 1 && !names.contains(job.sequence.name)) {
-        job.notes.remark("the table is of sequence \"" + *names.begin() + "\", not of \"" + job.sequence.name + "\"");
+        job.notes.remark(ImportNoteKind::TableOfSequence, {*names.begin(), job.sequence.name});
         return names;
     }
     return {job.sequence.name};

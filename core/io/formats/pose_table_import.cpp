@@ -216,7 +216,7 @@ void readPoseTables(ImportRequest& job) {
         for (std::size_t line = table.firstDataRow; line < table.rows.size(); ++line)
             readRow(job, table, line, predicted);
     if (predicted && !job.set.marks.empty())
-        job.notes.remark("the marks are a program's guesses: they come as proposals, to be checked");
+        job.notes.remark(ImportNoteKind::OnlyGuesses);
 }
 
 } // namespace core

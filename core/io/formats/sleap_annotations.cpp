@@ -31,7 +31,7 @@ private:
         }
         const MarkKey key{instance.frame, job.options.rater, *joint, camera};
         if (instance.isGuess && job.set.marks.contains(key)) {
-            job.notes.leaveOut("guesses of joints that are labelled or guessed in the same picture already");
+            job.notes.leaveOut(ImportNoteKind::RepeatedGuesses);
             return;
         }
         anyGuess = anyGuess || instance.isGuess;
@@ -53,10 +53,10 @@ void readSleap(ImportRequest& job) {
                     importer.add(instance);
         anyGuess = anyGuess || importer.anyGuess;
         for (int i = 0; i < file.hiddenPoints; ++i)
-            job.notes.leaveOut("labels that are marked as not visible");
+            job.notes.leaveOut(ImportNoteKind::HiddenLabels);
     }
     if (anyGuess)
-        job.notes.remark("marks that are a program's guesses come as proposals, to be checked");
+        job.notes.remark(ImportNoteKind::SomeGuesses);
 }
 
 } // namespace core

@@ -39,11 +39,13 @@ bool holdsAnything(const fs::path& folder) {
 } // namespace
 
 MaskRecord maskRecord(const std::string& program, const Sequence& sequence, const SilhouetteOptions& options,
-                      const std::string& evidence) {
-    MaskRecord record{program, sequence.name, options.method, evidence, 0, 0, ""};
+                      const std::string& evidence, EvidenceOrigin joints) {
+    MaskRecord record{program, sequence.name, options.method, evidence, 0, 0, "", ""};
     if (options.method == SegmentationMethod::Model)
         record.bandMm = options.bandMm;
-    if (options.method == SegmentationMethod::Landmarks)
+    else if (options.method != SegmentationMethod::Landmarks && joints != EvidenceOrigin::None)
+        record.joints = originName(joints);
+    if (options.method == SegmentationMethod::Landmarks || !record.joints.empty())
         record.forearmPalms = options.forearmPalms;
     if (options.method == SegmentationMethod::Chroma && options.backdrop) {
         char text[8];
@@ -61,8 +63,10 @@ std::string recordText(const MaskRecord& record) {
         text += " by " + record.evidence;
     if (record.method == SegmentationMethod::Model)
         text += ", band " + numberText(record.bandMm) + " mm";
-    if (record.method == SegmentationMethod::Landmarks)
+    if (record.method == SegmentationMethod::Landmarks || !record.joints.empty())
         text += ", forearm " + numberText(record.forearmPalms);
+    if (!record.joints.empty())
+        text += " by " + record.joints;
     if (!record.backdrop.empty())
         text += ", backdrop " + record.backdrop;
     return text + " (" + record.program + ")";
@@ -81,6 +85,7 @@ std::optional<MaskRecord> readMaskRecord(const fs::path& folder) {
     record.evidence = value["evidence"];
     record.bandMm = value["options"].value("bandMm", 0.0);
     record.forearmPalms = value["options"].value("forearmPalms", 0.0);
+    record.joints = value["options"].value("joints", "");
     record.backdrop = value["options"].value("backdrop", "");
     return record;
 }
@@ -101,8 +106,10 @@ void claimMaskFolder(const fs::path& folder, const MaskRecord& record) {
     ordered_json options = ordered_json::object();
     if (record.method == SegmentationMethod::Model)
         options["bandMm"] = record.bandMm;
-    if (record.method == SegmentationMethod::Landmarks)
+    if (record.method == SegmentationMethod::Landmarks || !record.joints.empty())
         options["forearmPalms"] = record.forearmPalms;
+    if (!record.joints.empty())
+        options["joints"] = record.joints;
     if (!record.backdrop.empty())
         options["backdrop"] = record.backdrop;
     ensureFolder(folder);

@@ -18,13 +18,15 @@ struct MaskRecord {
     SegmentationMethod method = SegmentationMethod::Model;
     std::string evidence;    ///< originName; of Background where the pictures without hands come from
     double bandMm = 0;       ///< of Model
-    double forearmPalms = 0; ///< of Landmarks
+    double forearmPalms = 0; ///< of Landmarks, and of others that know joints
+    std::string joints{};    ///< of Background, Chroma and Skin: where the joints come from at which forearms end
     std::string backdrop;    ///< of Chroma, "#rrggbb"; empty: that of the picture's border
     bool operator==(const MaskRecord&) const = default;
 };
 
+/// `joints`: of methods that need none, where those come from that are known all the same.
 MaskRecord maskRecord(const std::string& program, const Sequence& sequence, const SilhouetteOptions& options,
-                      const std::string& evidence);
+                      const std::string& evidence, EvidenceOrigin joints = EvidenceOrigin::None);
 
 /// In one line for people: "model by motion, band 6 mm (Handlens 0.9.0)".
 std::string recordText(const MaskRecord& record);

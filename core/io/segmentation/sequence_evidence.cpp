@@ -92,17 +92,17 @@ HandEvidence SequenceEvidence::at(int frame, SegmentationMethod method) const {
         if (frame < 0 || frame >= static_cast<int>(m_motion.size()))
             return evidence;
         evidence.poses = m_motion[static_cast<std::size_t>(frame)];
-        for (std::size_t h = 0; h < m_hands.size() && method == SegmentationMethod::Landmarks; ++h)
+        for (std::size_t h = 0; h < m_hands.size() && method != SegmentationMethod::Model; ++h)
             fillFromModel(evidence.landmarks.emplace_back(), m_hands[h].skeleton, evidence.poses[h]);
         return evidence;
     }
     const auto points = m_points.find(frame);
     if (points == m_points.end())
         return evidence;
-    if (method == SegmentationMethod::Landmarks)
-        evidence.landmarks = landmarksOf(m_hands, points->second);
     if (method == SegmentationMethod::Model)
         evidence.poses = fittedPoses(m_hands, points->second);
+    else
+        evidence.landmarks = landmarksOf(m_hands, points->second);
     return evidence;
 }
 

@@ -27,7 +27,7 @@ public:
     EvidenceOrigin origin() const { return m_origin; }
     /// How many of these frames something is known of.
     int countKnown(const std::vector<int>& frames) const;
-    /// What the method needs; empty parts where it is not known.
+    /// What the method can use; empty parts where it is not known.
     HandEvidence at(int frame, SegmentationMethod method) const;
 
 private:

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/contour/rasteriser.h"
+#include "core/io/demo/demo_dataset.h"
 #include "core/io/footage/image_file.h"
+#include "core/segmentation/silhouette.h"
 #include "tests/app/batch/program.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/small_dataset.h"
@@ -43,6 +45,32 @@ protected:
                                                     small.motions[0][static_cast<std::size_t>(frame)]);
         const cv::Mat found = core::readMask(mask(camera, frame));
         return static_cast<double>(cv::countNonZero(found & truth)) / cv::countNonZero(found | truth);
+    }
+
+    /// A ground truth file with the joints of one frame.
+    nlohmann::json labelsOf(const core::Dataset& dataset, const std::string& sequence, int frame,
+                            const core::HandPoses& poses) const {
+        nlohmann::json hands;
+        for (std::size_t h = 0; h < 2; ++h) {
+            const core::HandModel& hand = dataset.hands[h];
+            const auto joints = core::jointPositions(hand.skeleton, poses[h]);
+            for (std::size_t b = 0; b < joints.size(); ++b)
+                hands[std::string(core::sideName(hand.side))]["joints"][hand.skeleton.bones[b].name] = {
+                    {"xyz", {joints[b].x(), joints[b].y(), joints[b].z()}},
+                    {"covariance", nullptr},
+                    {"rmsPx", 0},
+                    {"views", nlohmann::json::array()},
+                    {"unplaceable", nlohmann::json::array()},
+                    {"status", "done"}};
+        }
+        const auto raters = nlohmann::json::array({{{"rater", "auto"}, {"hands", hands}}});
+        return {{"format", "handlens-ground-truth"},
+                {"version", 1},
+                {"units", "mm"},
+                {"cameras", nlohmann::json::parse(test::readText(m_set + "/cameras.json"))["cameras"]},
+                {"sequence", sequence},
+                {"joints", nlohmann::json::array()},
+                {"frames", nlohmann::json::array({{{"frame", frame}, {"raters", raters}}})}};
     }
 
     test::TemporaryFolder m_folder;
@@ -122,27 +150,7 @@ TEST_F(BatchSegment, RefusesAFolderOfOtherFiles) {
 
 TEST_F(BatchSegment, SaysWhereTheJointsOfAFileDoNotPlaceAHandAndRefusesThoseOfAnotherSequence) {
     const test::SmallDataset small = test::smallDataset();
-    nlohmann::json hands;
-    for (std::size_t h = 0; h < 2; ++h) {
-        const core::HandModel& hand = small.dataset.hands[h];
-        const auto joints = core::jointPositions(hand.skeleton, small.motions[0][1][h]);
-        for (std::size_t b = 0; b < joints.size(); ++b)
-            hands[std::string(core::sideName(hand.side))]["joints"][hand.skeleton.bones[b].name] = {
-                {"xyz", {joints[b].x(), joints[b].y(), joints[b].z()}},
-                {"covariance", nullptr},
-                {"rmsPx", 0},
-                {"views", nlohmann::json::array()},
-                {"unplaceable", nlohmann::json::array()},
-                {"status", "done"}};
-    }
-    const auto raters = nlohmann::json::array({{{"rater", "auto"}, {"hands", hands}}});
-    const nlohmann::json file{{"format", "handlens-ground-truth"},
-                              {"version", 1},
-                              {"units", "mm"},
-                              {"cameras", nlohmann::json::parse(test::readText(m_set + "/cameras.json"))["cameras"]},
-                              {"sequence", "first"},
-                              {"joints", nlohmann::json::array()},
-                              {"frames", nlohmann::json::array({{{"frame", 1}, {"raters", raters}}})}};
+    const nlohmann::json file = labelsOf(small.dataset, "first", 1, small.motions[0][1]);
     const std::string labels = m_folder / "labels.json";
     test::writeText(labels, file.dump());
     const Ended ended = segment({"--labels", labels});
@@ -151,6 +159,56 @@ TEST_F(BatchSegment, SaysWhereTheJointsOfAFileDoNotPlaceAHandAndRefusesThoseOfAn
         << "hands with joints on a line cannot be placed: " << ended.out;
     test::writeText(labels, nlohmann::json(file).dump().replace(file.dump().find("\"first\""), 7, "\"other\""));
     EXPECT_NE(segment({"--labels", labels}).err.find("labels.json: sequence"), std::string::npos);
+}
+
+/// The demo's hands, whose joints place them, seen by two cameras.
+class BatchSegmentDemo : public BatchSegment {
+protected:
+    static constexpr int kFrame = 40;
+    BatchSegmentDemo() {
+        m_set = m_folder / "demo";
+        m_demo.dataset.cameras.resize(2);
+        m_demo.dataset.sequences.resize(1);
+        m_demo.dataset.sequences[0].views.resize(2);
+        m_demo.motions.resize(1);
+        core::writeDataset(m_demo.dataset, m_demo.motions, m_set);
+        test::writeText(m_labels, labelsOf(m_demo.dataset, name(), kFrame, m_demo.motions[0][kFrame]).dump());
+    }
+    const std::string& name() const { return m_demo.dataset.sequences[0].name; }
+    Ended segment(const std::string& how, std::vector<std::string> more) const {
+        std::vector<std::string> arguments{"segment", m_set, "--sequence", name(),  "--how",    how,
+                                           "--out",   m_out, "--frames",   "40:41", "--labels", m_labels};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return runBatch(arguments);
+    }
+    double overlap(int camera) const {
+        const core::Camera& one = m_demo.dataset.cameras[static_cast<std::size_t>(camera)];
+        const cv::Mat truth = core::renderHandsMask(one, m_demo.dataset.hands, m_demo.motions[0][kFrame]);
+        return core::maskOverlap(core::readMask(std::filesystem::path(m_out) / one.name / "000040.png"), truth);
+    }
+
+    core::NewDataset m_demo = core::makeDemoDataset();
+    std::string m_labels = m_folder / "labels.json";
+};
+
+TEST_F(BatchSegmentDemo, MakesMasksByTheJointsOfAFile) {
+    const Ended ended = segment("model", {"--attach"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find("2 masks made"), std::string::npos) << ended.out;
+    for (const int camera : {0, 1})
+        EXPECT_GT(overlap(camera), 0.97) << camera;
+    const std::string madeBy = core::readDataset(m_set).sequence(name()).masksMadeBy;
+    EXPECT_EQ(madeBy.rfind("model by labels, band 6 mm", 0), 0u) << madeBy;
+}
+
+TEST_F(BatchSegmentDemo, MethodsWithoutModelEndForearmsAtTheJointsOfAFile) {
+    const Ended ended = segment("skin", {"--forearm", "0.5", "--attach"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+    const std::string madeBy = core::readDataset(m_set).sequence(name()).masksMadeBy;
+    EXPECT_EQ(madeBy.rfind("skin, forearm 0.5 by labels", 0), 0u) << madeBy;
+    const auto record = nlohmann::json::parse(test::readText(m_out + "/segmentation.json"));
+    EXPECT_EQ(record["options"]["joints"], "labels");
+    EXPECT_EQ(record["options"]["forearmPalms"], 0.5);
 }
 
 TEST_F(BatchSegment, SaysWhatIsMissing) {

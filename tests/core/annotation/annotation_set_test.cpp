@@ -48,6 +48,14 @@ TEST(AnnotationSet, RangesHoldTheMarksOfTheirFrameRaterAndJointOnly) {
     }
 }
 
+TEST(AnnotationSet, AFrameWithoutANoteHasAnEmptyOne) {
+    core::AnnotationSet set = sample();
+    set.notes[7] = "blurred";
+    EXPECT_EQ(core::noteAt(set, 7), "blurred");
+    EXPECT_EQ(core::noteAt(set, 8), "");
+    EXPECT_EQ(set.notes.size(), 1u) << "asking adds none";
+}
+
 TEST(AnnotationSet, NamesOfPlacementsAndStatesReadBack) {
     for (const auto placement : {core::Placement::Manual, core::Placement::Auto, core::Placement::Proposed})
         EXPECT_EQ(core::placementFromName(core::placementName(placement)), placement);

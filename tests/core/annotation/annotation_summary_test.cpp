@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 
@@ -11,7 +12,9 @@ namespace {
 using core::JointId;
 using core::Side;
 
-const JointId kIndex{Side::Left, "index_mcp"}, kThumb{Side::Right, "thumb_ip"};
+using test::kIndex;
+
+const JointId kThumb{Side::Right, "thumb_ip"};
 
 class AnnotationSummaryTest : public testing::Test {
 protected:

@@ -12,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-const Vector3d kTruth(20, -35, 12);
+const Vector3d kPointMm(20, -35, 12);
 
 /// The distance from `px` in `camera` to everything that the ray of `fromPx` in `from` could be: brute force over its
 /// length.
@@ -28,7 +28,7 @@ double distanceToRay(const core::Camera& from, const Vector2d& fromPx, const cor
 class CurveGaps : public testing::Test {
 protected:
     void click(int camera, const Vector2d& off) {
-        const Vector2d px = *core::project(m_cameras[static_cast<std::size_t>(camera)], kTruth) + off;
+        const Vector2d px = *core::project(m_cameras[static_cast<std::size_t>(camera)], kPointMm) + off;
         m_set.marks[{3, "ann", m_joint, m_cameras[static_cast<std::size_t>(camera)].name}] = {px};
         m_clicks.push_back({camera, px});
     }

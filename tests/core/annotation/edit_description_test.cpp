@@ -8,22 +8,22 @@ namespace {
 using core::EditDescription;
 using core::EditKind;
 
-const core::JointId kJoint{core::Side::Right, "index_mcp"};
+const core::JointId kRightIndex{core::Side::Right, "index_mcp"};
 
 struct Known {
     const char* label; ///< as annotation files hold it
     EditDescription description;
 };
 const std::vector<Known> kKnown = {
-    {"place right index_mcp in cam3", {.kind = EditKind::Place, .joint = kJoint, .camera = "cam3"}},
-    {"move right index_mcp in cam 3", {.kind = EditKind::Move, .joint = kJoint, .camera = "cam 3"}},
-    {"delete right index_mcp in in", {.kind = EditKind::Delete, .joint = kJoint, .camera = "in"}},
-    {"set to visible: right index_mcp in cam3", {.kind = EditKind::SetState, .joint = kJoint, .camera = "cam3"}},
+    {"place right index_mcp in cam3", {.kind = EditKind::Place, .joint = kRightIndex, .camera = "cam3"}},
+    {"move right index_mcp in cam 3", {.kind = EditKind::Move, .joint = kRightIndex, .camera = "cam 3"}},
+    {"delete right index_mcp in in", {.kind = EditKind::Delete, .joint = kRightIndex, .camera = "in"}},
+    {"set to visible: right index_mcp in cam3", {.kind = EditKind::SetState, .joint = kRightIndex, .camera = "cam3"}},
     {"set to unplaceable: right index_mcp in cam3",
-     {.kind = EditKind::SetState, .joint = kJoint, .camera = "cam3", .state = core::MarkState::Unplaceable}},
+     {.kind = EditKind::SetState, .joint = kRightIndex, .camera = "cam3", .state = core::MarkState::Unplaceable}},
     {"note in frame 12", {.kind = EditKind::Note, .firstFrame = 12}},
-    {"accept right index_mcp in cam3", {.kind = EditKind::AcceptJoint, .joint = kJoint, .camera = "cam3"}},
-    {"accept right index_mcp in all views", {.kind = EditKind::AcceptJoint, .joint = kJoint}},
+    {"accept right index_mcp in cam3", {.kind = EditKind::AcceptJoint, .joint = kRightIndex, .camera = "cam3"}},
+    {"accept right index_mcp in all views", {.kind = EditKind::AcceptJoint, .joint = kRightIndex}},
     {"accept all joints of frame 7", {.kind = EditKind::AcceptFrame, .firstFrame = 7}},
     {"propose joints of the hand model", {.kind = EditKind::Propose}},
     {"copy pose of frame 4 to frame 5", {.kind = EditKind::CopyPose, .firstFrame = 4, .lastFrame = 5}},

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
+#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 
@@ -19,9 +20,9 @@ using core::Placement;
 using core::Side;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-const std::string kRater = "ann";
-const JointId kIndex{Side::Left, "index_mcp"}, kWrist{Side::Right, "wrist"};
+using test::kIndex;
+using test::kRater;
+using test::kWrist;
 
 class Edits : public testing::Test {
 protected:

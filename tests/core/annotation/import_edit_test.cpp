@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/annotation_names.h"
+
 namespace {
 
 using core::AnnotationSet;
@@ -13,7 +15,8 @@ using core::MarkState;
 using core::Placement;
 using core::Side;
 
-const JointId kIndex{Side::Left, "index_mcp"}, kWrist{Side::Right, "wrist"};
+using test::kIndex;
+using test::kWrist;
 
 core::MarkKey key(int frame, const JointId& joint, int camera, const std::string& rater = "anna") {
     return {frame, rater, joint, "cam" + std::to_string(camera)};

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 #include "tests/support/five_finger_skeleton.h"
@@ -15,7 +16,7 @@ using core::QualityKind;
 using core::Side;
 using Eigen::Vector3d;
 
-const std::string kRater = "ann";
+using test::kRater;
 
 class Quality : public testing::Test {
 protected:

@@ -15,7 +15,7 @@ using core::JointId;
 using core::Side;
 using Eigen::Vector3d;
 
-const JointId kWrist{Side::Left, "wrist"}, kTip{Side::Right, "index_tip"};
+const JointId kLeftWrist{Side::Left, "wrist"}, kTip{Side::Right, "index_tip"};
 
 class Raters : public testing::Test {
 protected:
@@ -32,14 +32,14 @@ protected:
 };
 
 TEST_F(Raters, BiasOfOneRaterIsFoundPerAxisAndJoint) {
-    click("ann", kWrist, 50, 0);
-    click("bob", kWrist, 40, 0, {2, 0, -1});
+    click("ann", kLeftWrist, 50, 0);
+    click("bob", kLeftWrist, 40, 0, {2, 0, -1});
     click("ann", kTip, 30, 0);
     click("bob", kTip, 30, 0);
     const auto comparison = core::compareRaters(m_set, m_cameras, "ann", "bob");
     ASSERT_TRUE(comparison);
     EXPECT_EQ(comparison->all.count, 70);
-    const core::Agreement& wrist = comparison->byJoint.at(kWrist);
+    const core::Agreement& wrist = comparison->byJoint.at(kLeftWrist);
     EXPECT_EQ(wrist.count, 40);
     EXPECT_NEAR(wrist.meanMm, std::sqrt(5.0), 1e-6);
     EXPECT_NEAR(wrist.axes[0].biasMm, -2, 1e-6);
@@ -50,8 +50,8 @@ TEST_F(Raters, BiasOfOneRaterIsFoundPerAxisAndJoint) {
 }
 
 TEST_F(Raters, LimitsOfAgreementHold95PercentOfTheDifferences) {
-    click("ann", kWrist, 400, 1.0);
-    click("bob", kWrist, 400, 1.0);
+    click("ann", kLeftWrist, 400, 1.0);
+    click("bob", kLeftWrist, 400, 1.0);
     const auto comparison = core::compareRaters(m_set, m_cameras, "ann", "bob");
     const auto first = core::sequencePoints(m_set, m_cameras, "ann"),
                second = core::sequencePoints(m_set, m_cameras, "bob");
@@ -59,7 +59,8 @@ TEST_F(Raters, LimitsOfAgreementHold95PercentOfTheDifferences) {
         const core::BlandAltman& numbers = comparison->all.axes[axis];
         int inside = 0;
         for (const auto& [frame, joints] : first) {
-            const double difference = (joints.at(kWrist).pointInWorld - second.at(frame).at(kWrist).pointInWorld)[axis];
+            const double difference =
+                (joints.at(kLeftWrist).pointInWorld - second.at(frame).at(kLeftWrist).pointInWorld)[axis];
             inside += difference > numbers.lowerMm() && difference < numbers.upperMm();
         }
         EXPECT_NEAR(inside / 400.0, 0.95, 0.03);
@@ -69,8 +70,8 @@ TEST_F(Raters, LimitsOfAgreementHold95PercentOfTheDifferences) {
 }
 
 TEST_F(Raters, OnlyThoseWhoShareSomethingAreCompared) {
-    click("ann", kWrist, 10, 0);
-    click("bob", kWrist, 5, 0);
+    click("ann", kLeftWrist, 10, 0);
+    click("bob", kLeftWrist, 5, 0);
     click("eve", kTip, 5, 0);
     const auto all = core::compareAllRaters(m_set, m_cameras);
     ASSERT_EQ(all.size(), 1u);
@@ -80,8 +81,8 @@ TEST_F(Raters, OnlyThoseWhoShareSomethingAreCompared) {
 }
 
 TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
-    click("ann", kWrist, 200, 0.5);
-    click("bob", kWrist, 200, 3.0);
+    click("ann", kLeftWrist, 200, 0.5);
+    click("bob", kLeftWrist, 200, 3.0);
     core::ClickSigmas sigmas;
     sigmas.raters["ann"] = {0.5, std::vector<double>(8, 0.5), 1600, 0, false};
     sigmas.raters["bob"] = {3.0, std::vector<double>(8, 3.0), 1600, 0, false};
@@ -92,9 +93,9 @@ TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
         const auto error = [&](const core::TriangulationResult& result) {
             return (result.point->pointInWorld - place(frame)).squaredNorm();
         };
-        weighted += error(core::consensus(m_set, m_cameras, frame, kWrist, sigmas).result);
-        equal += error(core::consensus(m_set, m_cameras, frame, kWrist, {}, wide).result);
-        steady += error(core::reconstruct(m_set, m_cameras, frame, "ann", kWrist).result);
+        weighted += error(core::consensus(m_set, m_cameras, frame, kLeftWrist, sigmas).result);
+        equal += error(core::consensus(m_set, m_cameras, frame, kLeftWrist, {}, wide).result);
+        steady += error(core::reconstruct(m_set, m_cameras, frame, "ann", kLeftWrist).result);
     }
     EXPECT_LT(weighted, equal);
     EXPECT_LT(weighted, 1.02 * steady);
@@ -102,9 +103,9 @@ TEST_F(Raters, ConsensusIsBetterThanEitherAndTrustsTheSteadierOne) {
 
 TEST_F(Raters, ConsensusNamesTheRaterWhoIsWrong) {
     for (const char* rater : {"ann", "bob", "eve"})
-        click(rater, kWrist, 1, 0.5);
-    m_set.marks.at({0, "bob", kWrist, "cam2"}).px.x() += 50;
-    const auto result = core::consensus(m_set, m_cameras, 0, kWrist);
+        click(rater, kLeftWrist, 1, 0.5);
+    m_set.marks.at({0, "bob", kLeftWrist, "cam2"}).px.x() += 50;
+    const auto result = core::consensus(m_set, m_cameras, 0, kLeftWrist);
     ASSERT_EQ(result.clicks.size(), 24u);
     for (const core::ConsensusClick& click : result.clicks)
         EXPECT_EQ(click.outlier, click.rater == "bob" && click.camera == "cam2");
@@ -112,12 +113,12 @@ TEST_F(Raters, ConsensusNamesTheRaterWhoIsWrong) {
 
 TEST_F(Raters, ConsensusDoesNotAverageOutWhatAllRatersShare) {
     for (const char* rater : {"ann", "bob"})
-        click(rater, kWrist, 1, 0.5);
+        click(rater, kLeftWrist, 1, 0.5);
     core::ClickSigmas sigmas;
     for (const char* rater : {"ann", "bob"})
         sigmas.raters[rater] = {1.0, std::vector<double>(8, 1.0), 1600, 0, false};
     const auto variance = [&] {
-        return core::consensus(m_set, m_cameras, 0, kWrist, sigmas).result.point->covariance.trace();
+        return core::consensus(m_set, m_cameras, 0, kLeftWrist, sigmas).result.point->covariance.trace();
     };
     const double ofHands = variance();
     sigmas.systematicPx.assign(8, 2.0);
@@ -126,13 +127,13 @@ TEST_F(Raters, ConsensusDoesNotAverageOutWhatAllRatersShare) {
 }
 
 TEST_F(Raters, RepeatTasksAreASubsetOfWhatIsFinishedDrawnBySeed) {
-    click("ann", kWrist, 60, 0.5);
+    click("ann", kLeftWrist, 60, 0.5);
     m_set.marks[{70, "ann", kTip, "cam0"}] = core::Mark{{5, 5}}; // one view: not finished
     const auto tasks = core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 7);
     EXPECT_EQ(tasks.size(), 12u);
     EXPECT_EQ(std::set<core::RepeatTask>(tasks.begin(), tasks.end()).size(), 12u);
     for (const core::RepeatTask& task : tasks)
-        EXPECT_TRUE(task.joint == kWrist && task.frame < 60);
+        EXPECT_TRUE(task.joint == kLeftWrist && task.frame < 60);
     EXPECT_EQ(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 7), tasks);
     EXPECT_NE(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.2, 8), tasks);
     EXPECT_EQ(core::drawRepeatTasks(m_set, m_cameras, "ann", 0.0, 7).size(), 1u);
@@ -140,8 +141,8 @@ TEST_F(Raters, RepeatTasksAreASubsetOfWhatIsFinishedDrawnBySeed) {
 }
 
 TEST_F(Raters, IntraRaterErrorIsTheComparisonWithTheRepeat) {
-    click("ann", kWrist, 100, 0.8);
-    click(core::repeatRaterName("ann"), kWrist, 100, 0.8);
+    click("ann", kLeftWrist, 100, 0.8);
+    click(core::repeatRaterName("ann"), kLeftWrist, 100, 0.8);
     EXPECT_TRUE(core::isRepeatRater(core::repeatRaterName("ann")));
     EXPECT_FALSE(core::isRepeatRater("ann"));
     const auto comparison = core::compareRaters(m_set, m_cameras, "ann", core::repeatRaterName("ann"));

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 
@@ -17,20 +18,20 @@ using core::Placement;
 using core::Side;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
+using test::kIndex;
+using test::kRater;
 
-const std::string kRater = "ann";
-const JointId kJoint{Side::Left, "index_mcp"};
 const Vector3d kTruth(20, -35, 12);
 
 class Reconstruction : public testing::Test {
 protected:
     void click(const std::vector<int>& cameras, double sigmaPx = 0) {
         for (const int i : cameras)
-            test::clickEverywhere(m_set, {m_cameras[i]}, 3, kRater, kJoint, kTruth, sigmaPx, &m_random);
+            test::clickEverywhere(m_set, {m_cameras[i]}, 3, kRater, kIndex, kTruth, sigmaPx, &m_random);
     }
-    core::Mark& mark(int camera) { return m_set.marks.at({3, kRater, kJoint, m_cameras[camera].name}); }
+    core::Mark& mark(int camera) { return m_set.marks.at({3, kRater, kIndex, m_cameras[camera].name}); }
     JointReconstruction look(const core::ReconstructionOptions& options = {}) {
-        return core::reconstruct(m_set, m_cameras, 3, kRater, kJoint, options);
+        return core::reconstruct(m_set, m_cameras, 3, kRater, kIndex, options);
     }
 
     std::vector<core::Camera> m_cameras = test::cameraRing(8);
@@ -123,9 +124,9 @@ TEST_F(Reconstruction, ProposalsAreNeitherEvidenceNorProgress) {
 TEST_F(Reconstruction, StatusCountsPlacedAndUnplaceableViews) {
     click({0, 1, 2, 3, 4, 5, 6});
     EXPECT_EQ(look().status, core::JointStatus::Partial);
-    m_set.marks[{3, kRater, kJoint, "cam7"}] = {Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
+    m_set.marks[{3, kRater, kIndex, "cam7"}] = {Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable};
     EXPECT_EQ(look().status, core::JointStatus::Done);
-    m_set.marks[{3, kRater, kJoint, "a camera that is gone"}] = {};
+    m_set.marks[{3, kRater, kIndex, "a camera that is gone"}] = {};
     EXPECT_EQ(look().status, core::JointStatus::Done);
 }
 
@@ -173,15 +174,15 @@ TEST_F(Reconstruction, LeaveOneOutIsTheErrorOfAPointFoundWithoutThatView) {
     const JointReconstruction joint = look();
     for (int left = 0; left < 5; ++left) {
         AnnotationSet others = m_set;
-        others.marks.erase({3, kRater, kJoint, m_cameras[left].name});
-        const auto oracle = core::reconstruct(others, m_cameras, 3, kRater, kJoint);
+        others.marks.erase({3, kRater, kIndex, m_cameras[left].name});
+        const auto oracle = core::reconstruct(others, m_cameras, 3, kRater, kIndex);
         const double expected = (*oracle.views[left].reprojectionPx - mark(left).px).norm();
         EXPECT_NEAR(*joint.views[left].leaveOneOutPx, expected, 1e-4);
     }
     click({0, 1});
-    m_set.marks.erase({3, kRater, kJoint, "cam2"});
-    m_set.marks.erase({3, kRater, kJoint, "cam3"});
-    m_set.marks.erase({3, kRater, kJoint, "cam4"});
+    m_set.marks.erase({3, kRater, kIndex, "cam2"});
+    m_set.marks.erase({3, kRater, kIndex, "cam3"});
+    m_set.marks.erase({3, kRater, kIndex, "cam4"});
     EXPECT_FALSE(look().views[0].leaveOneOutPx);
 }
 
@@ -193,8 +194,8 @@ TEST_F(Reconstruction, RanksTheNextViewByWhatItWouldGive) {
         AnnotationSet more = m_set;
         for (const core::Camera& camera : m_cameras)
             if (camera.name == joint.nextViews[k].camera)
-                test::clickEverywhere(more, {camera}, 3, kRater, kJoint, kTruth);
-        const auto then = core::reconstruct(more, m_cameras, 3, kRater, kJoint);
+                test::clickEverywhere(more, {camera}, 3, kRater, kIndex, kTruth);
+        const auto then = core::reconstruct(more, m_cameras, 3, kRater, kIndex);
         EXPECT_NEAR(core::sigmaMm(then.result.point->covariance), joint.nextViews[k].predictedSigmaMm, 1e-6);
         if (k > 0)
             EXPECT_GE(joint.nextViews[k].predictedSigmaMm, joint.nextViews[k - 1].predictedSigmaMm);

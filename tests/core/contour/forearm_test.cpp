@@ -33,8 +33,8 @@ TEST(ConvexRegion, GivesTheSpanOfARow) {
     EXPECT_FALSE(kDiamond.span(27));
 }
 
-TEST(Coverage, LeavesIgnoredRegionsOutOfTheDifference) {
-    core::Coverage coverage;
+TEST(CoverageMask, LeavesIgnoredRegionsOutOfTheDifference) {
+    core::CoverageMask coverage;
     coverage.reset({0, 0}, {40, 40}, 1);
     const cv::Mat mask(60, 60, CV_8U, cv::Scalar(255));
     int inside = 0;
@@ -46,8 +46,8 @@ TEST(Coverage, LeavesIgnoredRegionsOutOfTheDifference) {
     EXPECT_EQ(coverage.compare(mask, {}, ignored).differencePx2, 41 * 41 - inside);
 }
 
-TEST(Coverage, TellsDeepDifferencesFromThoseNearTheOutline) {
-    core::Coverage coverage;
+TEST(CoverageMask, TellsDeepDifferencesFromThoseNearTheOutline) {
+    core::CoverageMask coverage;
     coverage.reset({0, 0}, {40, 40}, 1);
     const cv::Mat mask(60, 60, CV_8U, cv::Scalar(255));
     cv::Mat unsure = cv::Mat::zeros(60, 60, CV_8U);

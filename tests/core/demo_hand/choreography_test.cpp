@@ -29,7 +29,7 @@ core::HandModel ballHand(core::Side side) {
     return hand;
 }
 
-const std::vector<core::HandModel>& hands() {
+const std::vector<core::HandModel>& playedHands() {
     static const std::vector<core::HandModel> kHands{ballHand(core::Side::Left), ballHand(core::Side::Right)};
     return kHands;
 }
@@ -48,10 +48,10 @@ core::Choreography twoKeys() {
 }
 
 TEST(Play, PutsTheWristWhereTheKeysSay) {
-    const core::Motion motion = core::play(twoKeys(), hands());
+    const core::Motion motion = core::play(twoKeys(), playedHands());
     ASSERT_EQ(motion.size(), 21U);
     const auto wrist = [&](int frame, int hand) {
-        return core::boneTransforms(hands()[hand].skeleton, motion[frame][hand])[0];
+        return core::boneTransforms(playedHands()[hand].skeleton, motion[frame][hand])[0];
     };
     EXPECT_TRUE(wrist(0, 0).translation.isApprox(Vector3d(-40, 0, 0), 1e-9));
     EXPECT_TRUE(wrist(20, 1).translation.isApprox(Vector3d(20, 5, 0), 1e-9));
@@ -64,9 +64,9 @@ TEST(Play, PutsTheWristWhereTheKeysSay) {
 TEST(Play, TheStageCarriesBothHands) {
     core::Choreography choreography = twoKeys();
     choreography.stage = {{0, {1, 2, 3}, {0, 0, 0}}, {20, {0, 0, 100}, {0, std::acos(-1.0) / 2, 0}}};
-    const core::Motion motion = core::play(choreography, hands());
-    const Vector3d first = core::jointPositions(hands()[0].skeleton, motion[0][0])[0];
-    const Vector3d last = core::jointPositions(hands()[1].skeleton, motion[20][1])[0];
+    const core::Motion motion = core::play(choreography, playedHands());
+    const Vector3d first = core::jointPositions(playedHands()[0].skeleton, motion[0][0])[0];
+    const Vector3d last = core::jointPositions(playedHands()[1].skeleton, motion[20][1])[0];
     EXPECT_TRUE(first.isApprox(Vector3d(-39, 2, 3), 1e-9));
     EXPECT_TRUE(last.isApprox(Vector3d(0, 5, 80), 1e-9)); // x turns to -z
 }
@@ -74,12 +74,12 @@ TEST(Play, TheStageCarriesBothHands) {
 TEST(Play, ContactKeepsTheGapAndNeverLessOnTheWay) {
     core::Choreography choreography = twoKeys();
     choreography.contact = core::ContactRule{Vector3d::UnitX(), 0.25, 2, {{0, 30}, {20, 0}}};
-    const core::Motion free = core::play(twoKeys(), hands());
-    const core::Motion motion = core::play(choreography, hands());
+    const core::Motion free = core::play(twoKeys(), playedHands());
+    const core::Motion motion = core::play(choreography, playedHands());
     const auto gap = [&](int frame) {
-        return core::gapAlong(Vector3d::UnitX(), core::posedVertices(hands()[0], motion[frame][0]),
-                              hands()[0].mesh.triangles, core::posedVertices(hands()[1], motion[frame][1]),
-                              hands()[1].mesh.triangles);
+        return core::gapAlong(Vector3d::UnitX(), core::posedVertices(playedHands()[0], motion[frame][0]),
+                              playedHands()[0].mesh.triangles, core::posedVertices(playedHands()[1], motion[frame][1]),
+                              playedHands()[1].mesh.triangles);
     };
     EXPECT_GE(gap(20), -0.01);
     EXPECT_LT(gap(20), 6);

@@ -12,19 +12,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-const Eigen::AlignedBox3d kBox(Vector3d::Constant(-15), Vector3d::Constant(15));
+const Eigen::AlignedBox3d kMeshedBox(Vector3d::Constant(-15), Vector3d::Constant(15));
 
-double sphere(const Vector3d& point) {
+double ball(const Vector3d& point) {
     return point.norm() - 10;
 }
 
 core::TriangleMesh fineSphere() {
-    return core::polygonise(sphere, kBox, 0.6, Vector3d::Zero());
+    return core::polygonise(ball, kMeshedBox, 0.6, Vector3d::Zero());
 }
 
 TEST(Remeshing, MakesEvenTrianglesOfTheWantedSizeOnTheSurface) {
     const auto edgeLength = [](const Vector3d&) { return 2.0; };
-    const core::TriangleMesh mesh = core::remeshed(sphere, fineSphere(), edgeLength, 8);
+    const core::TriangleMesh mesh = core::remeshed(ball, fineSphere(), edgeLength, 8);
     EXPECT_TRUE(test::isClosedAndOriented(mesh));
     EXPECT_EQ(test::eulerNumber(mesh), 2);
     EXPECT_NEAR(core::signedVolume(mesh), 4.0 / 3 * std::numbers::pi * 1000, 125); // inscribed
@@ -38,12 +38,12 @@ TEST(Remeshing, MakesEvenTrianglesOfTheWantedSizeOnTheSurface) {
     }
     EXPECT_NEAR(sum / static_cast<double>(edges.size()), 2.1, 0.4);
     for (const Vector3d& vertex : mesh.vertices)
-        EXPECT_NEAR(sphere(vertex), 0, 0.01);
+        EXPECT_NEAR(ball(vertex), 0, 0.01);
 }
 
 TEST(Remeshing, FollowsAChangingEdgeLength) {
     const auto edgeLength = [](const Vector3d& point) { return point.z() > 0 ? 1.2 : 3.5; };
-    const core::TriangleMesh mesh = core::remeshed(sphere, fineSphere(), edgeLength, 6);
+    const core::TriangleMesh mesh = core::remeshed(ball, fineSphere(), edgeLength, 6);
     EXPECT_TRUE(test::isClosedAndOriented(mesh));
     int above = 0, below = 0;
     for (const Vector3d& vertex : mesh.vertices) {
@@ -63,7 +63,7 @@ TEST(Remeshing, ATetrahedronCannotCollapse) {
 
 TEST(Remeshing, CollapsesKeepTheHoleOfARing) {
     const auto torus = [](const Vector3d& p) { return Eigen::Vector2d(p.head<2>().norm() - 8, p.z()).norm() - 3; };
-    core::TriangleMesh mesh = core::polygonise(torus, kBox, 0.8, Vector3d(8, 0, 0));
+    core::TriangleMesh mesh = core::polygonise(torus, kMeshedBox, 0.8, Vector3d(8, 0, 0));
     while (core::collapseShortEdges(mesh, [](const Vector3d&) { return 30.0; }) > 0) {
     }
     EXPECT_TRUE(test::isClosedAndOriented(mesh));

@@ -52,6 +52,12 @@ const DistanceKind kKinds[] = {DistanceKind::Ch, DistanceKind::DchThres, Distanc
                                DistanceKind::DchQuant2, DistanceKind::DchDt3};
 const PenaltyKind kPenalties[] = {PenaltyKind::Absolute, PenaltyKind::Squared, PenaltyKind::TruncatedSquared};
 
+TEST(DistanceTraits, StandInTheOrderOfTheKinds) {
+    ASSERT_EQ(core::kDistanceTraits.size(), std::size(kKinds));
+    for (const DistanceKind kind : kKinds)
+        EXPECT_EQ(core::traitsOf(kind).kind, kind);
+}
+
 class EveryDistance : public ::testing::TestWithParam<std::tuple<DistanceKind, bool, PenaltyKind>> {
 protected:
     DirectionalDistance distance() const {

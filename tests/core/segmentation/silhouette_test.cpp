@@ -109,14 +109,25 @@ struct DrawnHand {
         picture = test::composed(test::noisyColour(truth.size(), test::kSkin, 4, 1),
                                  test::noisyColour(truth.size(), test::kGrey, 4, 2), truth, 0.8);
     }
-    Silhouette find(double forearmPalms) const {
+    Silhouette find(double forearmPalms, SegmentationMethod method = SegmentationMethod::Landmarks,
+                    bool isKnown = true) const {
         SilhouetteOptions options;
-        options.method = SegmentationMethod::Landmarks;
+        options.method = method;
         options.forearmPalms = forearmPalms;
         HandEvidence evidence;
-        evidence.landmarks = {points};
-        return *findSilhouette(picture, camera, {}, evidence, {}, options);
+        if (isKnown)
+            evidence.landmarks = {points};
+        const cv::Mat room = test::noisyColour(truth.size(), test::kGrey, 4, 3);
+        return *findSilhouette(picture, camera, {}, evidence, room, options);
     }
+    /// Skin that is none of the hand's.
+    void addFace() {
+        cv::Mat face = cv::Mat::zeros(truth.size(), CV_8U);
+        cv::circle(face, kFace, 60, cv::Scalar(255), -1);
+        ASSERT_EQ(cv::countNonZero(face & truth), 0);
+        test::noisyColour(face.size(), test::kSkin, 4, 7).copyTo(picture, face);
+    }
+    static inline const cv::Point kFace{90, 90};
     /// What is on the hand's side of the line across the forearm.
     cv::Mat cutTruth(double palms) const {
         const ForearmLine line = *forearmLine(handInView(camera, points), palms);
@@ -135,6 +146,18 @@ TEST(SilhouetteByLandmarks, HoldsFingersPalmAndForearmUpToTheCut) {
         const Silhouette found = hand.find(palms);
         EXPECT_GT(maskOverlap(found.mask, hand.cutTruth(palms)), 0.96) << palms;
         ASSERT_EQ(found.cuts.size(), 1u);
+    }
+}
+
+TEST(SilhouetteByPicture, EndsForearmsAndLeavesOutFacesWhereJointsAreKnown) {
+    DrawnHand hand;
+    hand.addFace();
+    for (const auto method : {SegmentationMethod::Background, SegmentationMethod::Chroma, SegmentationMethod::Skin}) {
+        const Silhouette all = hand.find(0.6, method, false), found = hand.find(0.6, method);
+        EXPECT_EQ(all.mask.at<uchar>(DrawnHand::kFace), 255) << methodName(method);
+        EXPECT_TRUE(all.cuts.empty());
+        EXPECT_GT(maskOverlap(found.mask, hand.cutTruth(0.6)), 0.95) << methodName(method);
+        EXPECT_EQ(found.cuts.size(), 1u);
     }
 }
 

@@ -31,7 +31,7 @@ QualityPanel::QualityPanel(const QualitySources& sources, QWidget* parent)
         if (m_scope->currentIndex() == ThisFrame) // the whole sequence is looked at in the background
             refresh();
     });
-    connect(&m_from.coverage, &Coverage::changed, this, &QualityPanel::refreshSummary);
+    connect(&m_from.coverage, &AnnotationCoverage::changed, this, &QualityPanel::refreshSummary);
     connect(&m_from.joints, &JointList::changed, this, &QualityPanel::refreshSummary);
     connect(m_threshold, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
         m_from.coverage.setBadRmsPx(px);

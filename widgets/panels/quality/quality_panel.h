@@ -14,7 +14,7 @@
 #include "widgets/jobs/rater_study.h"
 #include "widgets/models/finding_model.h"
 #include "widgets/panels/quality/rig_health_view.h"
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
@@ -25,7 +25,7 @@ struct QualitySources {
     Selection& selection;
     const Reconstructions& reconstructions;
     const JointList& joints;
-    Coverage& coverage;
+    AnnotationCoverage& coverage;
     const QualityChecks& checks;
     const RaterStudy& raters;
     const RigStudy& rig;

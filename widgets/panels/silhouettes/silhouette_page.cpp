@@ -197,7 +197,7 @@ void SilhouettePage::applyMethod() {
 void SilhouettePage::showMethod() {
     const auto method = core::kSegmentationMethods.at(static_cast<std::size_t>(m_method->currentIndex()));
     m_band->setEnabled(method == SegmentationMethod::Model);
-    m_forearm->setEnabled(method == SegmentationMethod::Landmarks);
+    m_forearm->setEnabled(method != SegmentationMethod::Model);
 }
 
 /// In how many views there is a silhouette, and what to do if there is none.

@@ -135,7 +135,8 @@ TEST_F(GroundTruthFile, LeavesOutWhatDoesNotFitAndSaysSo) {
     const auto back = read();
     EXPECT_EQ(back.set.marks.size(), 1u);
     ASSERT_EQ(back.warnings.size(), 2u);
-    EXPECT_NE((back.warnings[0] + back.warnings[1]).find("cam7"), std::string::npos);
+    EXPECT_NE((core::importNoteText(back.warnings[0]) + core::importNoteText(back.warnings[1])).find("cam7"),
+              std::string::npos);
 }
 
 TEST_F(GroundTruthFile, RefusesWhatIsNotGroundTruth) {
@@ -193,7 +194,8 @@ TEST_F(GroundTruthFile, AMarkOutsideThePictureIsNotVisible) {
     EXPECT_TRUE(view["errorPx"].is_null()) << "no evidence";
     const auto back = read();
     ASSERT_EQ(back.warnings.size(), 1u);
-    EXPECT_NE(back.warnings[0].find("1 mark lies outside the picture of cam1"), std::string::npos) << back.warnings[0];
+    EXPECT_NE(core::importNoteText(back.warnings[0]).find("1 mark lies outside the picture of cam1"), std::string::npos)
+        << core::importNoteText(back.warnings[0]);
 }
 
 TEST_F(GroundTruthFile, OneRaterMayTakeAllButNotTwoPeoplesMarksOfOneJoint) {
@@ -229,7 +231,7 @@ TEST_F(GroundTruthFile, SaysThatItIsOfAnotherSequence) {
     const auto back = read();
     EXPECT_EQ(back.set.marks.size(), 1u);
     ASSERT_EQ(back.warnings.size(), 1u);
-    EXPECT_EQ(back.warnings[0], "the file is of sequence \"01\", not of \"02\"");
+    EXPECT_EQ(core::importNoteText(back.warnings[0]), "the file is of sequence \"01\", not of \"02\"");
 }
 
 } // namespace

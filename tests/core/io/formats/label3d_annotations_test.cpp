@@ -130,7 +130,8 @@ TEST_F(Label3dAnnotations, ClicksOfASessionAreMarksOfItsVideosFrames) {
     EXPECT_EQ(mark(got.set, 10, {Side::Right, "index_mcp"}, m_dataset.cameras[2].name)->px,
               Eigen::Vector2d(51.5, 61.5));
     ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_NE(got.warnings[0].find("taken in the dataset's order, cam0, cam1"), std::string::npos);
+    EXPECT_NE(core::importNoteText(got.warnings[0]).find("taken in the dataset's order, cam0, cam1"),
+              std::string::npos);
 }
 
 TEST_F(Label3dAnnotations, PointsWithoutClicksAreProposedInEveryViewThatSeesThem) {

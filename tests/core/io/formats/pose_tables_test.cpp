@@ -28,7 +28,7 @@ TEST_F(PoseTables, DeepLabCutMissingCellsAreNoMarksAndForeignBodyPartsAreLeftOut
     EXPECT_EQ(mark(got.set, 7, {Side::Left, "index_mcp"}, "cam1")->px, Vector2d(512.25, 733.5));
     EXPECT_EQ(mark(got.set, 12, {Side::Right, "wrist"}, "cam1")->px, Vector2d(81.125, 904));
     ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_NE(got.warnings[0].find("tail"), std::string::npos);
+    EXPECT_NE(core::importNoteText(got.warnings[0]).find("tail"), std::string::npos);
 }
 
 TEST_F(PoseTables, LightningPoseHasThreeIndexColumnsAndCamerasAreMatchedByWholeName) {
@@ -64,8 +64,9 @@ TEST_F(PoseTables, WhatANetworkGuessedIsProposedAndUnlikelyGuessesCanBeLeftOut) 
         const auto likely = import("deeplabcut", m_folder / "cam0.csv");
         ASSERT_EQ(likely.set.marks.size(), 1u);
         EXPECT_EQ(likely.set.marks.begin()->second.likelihood, 0.97);
-        EXPECT_NE(likely.warnings.back().find("likelihood below 0.5 (1 times)"), std::string::npos)
-            << likely.warnings.back();
+        EXPECT_NE(core::importNoteText(likely.warnings.back()).find("likelihood below 0.5 (1 times)"),
+                  std::string::npos)
+            << core::importNoteText(likely.warnings.back());
     }
 }
 
@@ -96,7 +97,8 @@ TEST_F(PoseTables, OnlyRowsOfThisSequencesVideosAreTaken) {
     for (const auto& [frame, camera] : places)
         EXPECT_TRUE(mark(got.set, frame, {Side::Left, "wrist"}, camera)) << frame;
     ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_EQ(got.warnings[0], "3 rows of other videos left out: 02_cam0, monday; choose a video with --video");
+    EXPECT_EQ(core::importNoteText(got.warnings[0]),
+              "3 rows of other videos left out: 02_cam0, monday; choose a video with --video");
     EXPECT_EQ(got.otherVideos, (std::vector<std::string>{"02_cam0", "monday"}));
     m_import.videos = {"02"};
     EXPECT_EQ(mark(import("deeplabcut", m_folder / "cam2.csv").set, 1, {Side::Left, "wrist"}, "cam0")->px,
@@ -114,7 +116,8 @@ TEST_F(PoseTables, FootageThatIsShiftedAgainstTheSequenceIsSaid) {
                                             "labeled-data/left/img12.png,1,2\n";
     const auto got = import("deeplabcut", m_folder / "cam0.csv");
     ASSERT_EQ(got.warnings.size(), 1u);
-    EXPECT_NE(got.warnings[0].find("footage of cam0 is shifted"), std::string::npos) << got.warnings[0];
+    EXPECT_NE(core::importNoteText(got.warnings[0]).find("footage of cam0 is shifted"), std::string::npos)
+        << core::importNoteText(got.warnings[0]);
     m_dataset.sequences[0].views[0].offsetFrames = 0;
     EXPECT_TRUE(import("deeplabcut", m_folder / "cam0.csv").warnings.empty());
 }

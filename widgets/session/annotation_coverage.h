@@ -19,11 +19,11 @@ using FrameCoverage = std::map<int, std::map<core::Side, core::HandCoverage>>;
 
 /// The coverage of the whole sequence for the document's rater: computed in the background when a sequence or rater is
 /// opened, then kept up to date with every edit.
-class Coverage : public QObject {
+class AnnotationCoverage : public QObject {
     Q_OBJECT
 
 public:
-    Coverage(const AnnotationDocument& document, JobPool& pool, QObject* parent = nullptr);
+    AnnotationCoverage(const AnnotationDocument& document, JobPool& pool, QObject* parent = nullptr);
 
     /// Another dataset: every camera counts until setPictureGaps() says otherwise.
     void setDataset(std::shared_ptr<const core::Dataset> dataset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/labelling/model_silhouettes.h"
+#include "core/segmentation/silhouette.h"
 
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>

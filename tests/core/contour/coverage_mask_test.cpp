@@ -11,14 +11,14 @@
 
 namespace {
 
-TEST(Coverage, HoldsTheCellsWhoseCentresLieInATriangle) {
+TEST(CoverageMask, HoldsTheCellsWhoseCentresLieInATriangle) {
     test::RandomValues random("coverage");
     int covered = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Eigen::Vector2f origin(static_cast<float>(random.between(-20, 20)),
                                      static_cast<float>(random.between(-20, 20)));
         const float cell = trial % 2 ? 2.0f : 3.7f;
-        core::Coverage coverage;
+        core::CoverageMask coverage;
         coverage.reset(origin, origin + Eigen::Vector2f(60, 40), cell);
         std::array<Eigen::Vector2f, 3> p;
         for (Eigen::Vector2f& corner : p)

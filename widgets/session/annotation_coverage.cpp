@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/session/coverage.h"
+#include "widgets/session/annotation_coverage.h"
 
 #include <set>
 
@@ -24,40 +24,40 @@ FrameCoverage coverageOfAll(const core::AnnotationSet& set, const core::Dataset&
 
 } // namespace
 
-Coverage::Coverage(const AnnotationDocument& document, JobPool& pool, QObject* parent)
+AnnotationCoverage::AnnotationCoverage(const AnnotationDocument& document, JobPool& pool, QObject* parent)
     : QObject(parent)
     , m_document(document)
     , m_job(pool) {
-    connect(&document, &AnnotationDocument::opened, this, &Coverage::rebuild);
-    connect(&document, &AnnotationDocument::raterChanged, this, &Coverage::rebuild);
-    connect(&document, &AnnotationDocument::changed, this, &Coverage::update);
+    connect(&document, &AnnotationDocument::opened, this, &AnnotationCoverage::rebuild);
+    connect(&document, &AnnotationDocument::raterChanged, this, &AnnotationCoverage::rebuild);
+    connect(&document, &AnnotationDocument::changed, this, &AnnotationCoverage::update);
 }
 
-void Coverage::setDataset(std::shared_ptr<const core::Dataset> dataset) {
+void AnnotationCoverage::setDataset(std::shared_ptr<const core::Dataset> dataset) {
     m_dataset = std::move(dataset);
     m_gaps = {};
     m_sigmas = {};
     rebuild();
 }
 
-void Coverage::setPictureGaps(core::PictureGaps gaps) {
+void AnnotationCoverage::setPictureGaps(core::PictureGaps gaps) {
     if (gaps == m_gaps)
         return;
     m_gaps = std::move(gaps);
     rebuild();
 }
 
-void Coverage::setClickSigmas(core::ClickSigmas sigmas) {
+void AnnotationCoverage::setClickSigmas(core::ClickSigmas sigmas) {
     m_sigmas = std::move(sigmas);
     rebuild();
 }
 
-void Coverage::setBadRmsPx(double px) {
+void AnnotationCoverage::setBadRmsPx(double px) {
     m_badRmsPx = px;
     rebuild();
 }
 
-void Coverage::rebuild() {
+void AnnotationCoverage::rebuild() {
     m_job.stop();
     m_frames.clear();
     emit changed();
@@ -73,7 +73,7 @@ void Coverage::rebuild() {
     });
 }
 
-void Coverage::update(const core::Edit& edit) {
+void AnnotationCoverage::update(const core::Edit& edit) {
     if (!m_dataset)
         return;
     std::set<int> touched;
@@ -90,7 +90,7 @@ void Coverage::update(const core::Edit& edit) {
     emit changed();
 }
 
-void Coverage::updateFrame(int frame) {
+void AnnotationCoverage::updateFrame(int frame) {
     const auto hands = core::coverageOf(m_document.annotations(), m_dataset->cameras, frame, m_document.rater(),
                                         m_badRmsPx, m_sigmas.optionsFor(m_document.rater()), m_gaps);
     const auto first = m_document.annotations().marks.lower_bound({frame, {}, {}, {}});
