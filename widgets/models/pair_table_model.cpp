@@ -150,8 +150,8 @@ QVariant PairTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QString PairTableModel::headerText(const PairQuantity& quantity) const {
-    const QString method = isOfMethod(quantity.field) ? QString::fromStdString(m_table->methods[quantity.method])
-                                                      : QString();
+    const QString method =
+        isOfMethod(quantity.field) ? QString::fromStdString(m_table->methods[quantity.method]) : QString();
     switch (quantity.field) {
     case PairField::Sequence:
         return tr("Sequence");

@@ -32,6 +32,9 @@ public:
     const core::ComparedMethods& compared() const { return m_compared; }
     void setFilter(core::PairFilter filter);
     void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
+    /// By which quantity the rows are sorted; none: as in the results.
+    const std::optional<core::PairQuantity>& sortedBy() const { return m_sorted; }
+    Qt::SortOrder order() const { return m_order; }
 
     const std::shared_ptr<const core::PairTable>& table() const { return m_table; }
     /// The pairs that are shown, as indices into the table, in their order.
@@ -60,7 +63,7 @@ private:
     core::ComparedMethods m_compared;
     core::PairFilter m_filter;
     std::vector<core::PairQuantity> m_columns;
-    std::optional<core::PairQuantity> m_sorted; ///< by which column; none: as in the results
+    std::optional<core::PairQuantity> m_sorted;
     Qt::SortOrder m_order = Qt::DescendingOrder;
     std::vector<std::size_t> m_shown;
 };

@@ -30,10 +30,11 @@ QString pairFilterProblemText(const core::PairFilterProblem& problem) {
 
 QString pairFilterHelp() {
     return filterWords(QT_TRANSLATE_NOOP(
-        "widgets::PairFilterText",
-        "Conditions with blanks between them, all of which must hold: A-B>1 difference>=10 sequence=01. A and B are the "
-        "methods chosen on the left; a method's name is its error in mm, .seconds or .iterations behind it what it took; "
-        "start, test and difference are frames, initial is the error of the start pose."));
+        "widgets::PairFilterText", "Conditions with blanks between them, all of which must hold: A-B>1 difference>=10 "
+                                   "sequence=01. A and B are the "
+                                   "methods chosen on the left; a method's name is its error in mm, .seconds or "
+                                   ".iterations behind it what it took; "
+                                   "start, test and difference are frames, initial is the error of the start pose."));
 }
 
 } // namespace widgets

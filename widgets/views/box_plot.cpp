@@ -25,10 +25,13 @@ void BoxPlot::setBoxes(const QStringList& categories, std::vector<Series> series
 }
 
 bool BoxPlot::isEmpty() const {
-    return std::all_of(m_series.begin(), m_series.end(), [](const Series& series) {
-        return std::all_of(series.boxes.begin(), series.boxes.end(),
-                           [](const core::BoxStatistics& box) { return box.count == 0; });
-    });
+    return std::all_of(
+        m_series.begin(), m_series.end(),
+        [](const Series& series) {
+            return std::all_of(
+                series.boxes.begin(), series.boxes.end(),
+                [](const core::BoxStatistics& box) { return box.count == 0; });
+        });
 }
 
 PlotFrame BoxPlot::axes() const {

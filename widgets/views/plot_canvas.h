@@ -31,7 +31,8 @@ struct PlotFrame {
                 plot.bottom() - y.position(value.y()) * plot.height()};
     }
     QPointF value(QPointF place) const {
-        return {x.value((place.x() - plot.left()) / plot.width()), y.value((plot.bottom() - place.y()) / plot.height())};
+        return {x.value((place.x() - plot.left()) / plot.width()),
+                y.value((plot.bottom() - place.y()) / plot.height())};
     }
 };
 

@@ -178,6 +178,8 @@ const std::vector<ActionRow> kRows = {
     {"compare.layerField", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Field"), "Alt+5", "", QT_TRANSLATE_NOOP("app::ActionTable", "What a rim point of one direction costs at every pixel"), kCheck},
     {"compare.layerError", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Error"), "Alt+6", "", QT_TRANSLATE_NOOP("app::ActionTable", "The mesh by its distance to the recorded pose"), kCheck},
     {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"benchmark.filter", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Fil&ter the benchmark's pairs"), "Ctrl+Alt+P", "view-filter", QT_TRANSLATE_NOOP("app::ActionTable", "By errors, differences of methods, sequences and frames, such as A-B>1")},
+    {"benchmark.runSelected", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run the selected pairs"), "Ctrl+Alt+N", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "Adds what the ticked methods make of them to the results that are shown")},
     {"file.saveWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again"), kPlain, true},
     {"file.openWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
     {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},

@@ -92,11 +92,19 @@ void bindComparing(MainWindow& window) {
     widgets::Workspaces& spaces = window.workspaces();
     widgets::BenchmarkPage* page = spaces.benchmarkPage();
     actions.bind(id("compare.nextMethod"), [&spaces] { spaces.scenePanel()->showNext(); });
+    actions.bind(id("benchmark.run"), [&spaces, page] {
+        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+        page->runOrStop();
+    });
+    actions.bind(id("benchmark.filter"), [&spaces, page] {
+        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+        page->results()->pairs()->askForFilter();
+    });
     actions.bind(
-        id("benchmark.run"),
+        id("benchmark.runSelected"),
         [&spaces, page] {
             spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
-            page->runOrStop();
+            page->runSelectedPairs();
         });
     actions.bind(
         id("file.saveResults"), [page] { page->askToSave(); });

@@ -11,6 +11,7 @@
 #include <QWindow>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/benchmark_steps.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
@@ -69,6 +70,8 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("layer"), &ScriptSteps::layer},
                                                          {QStringLiteral("probe"), &ScriptSteps::probe},
                                                          {QStringLiteral("workspace"), &ScriptSteps::workspace},
+                                                         {QStringLiteral("results"), &ScriptSteps::results},
+                                                         {QStringLiteral("pairs"), &ScriptSteps::pairs},
                                                          {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
@@ -230,7 +233,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printMatches(m_window, step);
     if (what == QLatin1String("review"))
         return printReview(m_window);
-    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\" or \"review\""));
+    if (what == QLatin1String("pairs"))
+        return printPairs(m_window, step);
+    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\", \"review\" or \"pairs\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -276,6 +281,14 @@ QJsonObject ScriptSteps::layer(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::probe(const QJsonObject& step) {
     return probeAt(m_window, step);
+}
+
+QJsonObject ScriptSteps::results(const QJsonObject& step) {
+    return openResults(m_window, m_out, step);
+}
+
+QJsonObject ScriptSteps::pairs(const QJsonObject& step) {
+    return showPairs(m_window, step);
 }
 
 QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {

@@ -42,6 +42,8 @@ private:
     QJsonObject layer(const QJsonObject& step);
     QJsonObject probe(const QJsonObject& step);
     QJsonObject workspace(const QJsonObject& step);
+    QJsonObject results(const QJsonObject& step);
+    QJsonObject pairs(const QJsonObject& step);
     QJsonObject firstPass(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);

@@ -57,12 +57,8 @@ BoxStatistics boxStatistics(std::vector<double> values) {
     const std::vector<double> sorted = sortedValues(std::move(values));
     if (sorted.empty())
         return {};
-    return {sorted.size(),
-            quantile(sorted, 0.05),
-            quantile(sorted, 0.25),
-            quantile(sorted, 0.5),
-            quantile(sorted, 0.75),
-            quantile(sorted, 0.95)};
+    return {sorted.size(),         quantile(sorted, 0.05), quantile(sorted, 0.25),
+            quantile(sorted, 0.5), quantile(sorted, 0.75), quantile(sorted, 0.95)};
 }
 
 } // namespace core

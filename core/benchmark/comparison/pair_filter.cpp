@@ -91,34 +91,14 @@ std::optional<std::size_t> methodOf(const std::string& name, const PairTable& ta
 
 std::optional<PairQuantity> fieldOf(const std::string& name) {
     static const std::array<std::pair<std::string_view, PairField>, 6> kFields{{{"sequence", PairField::Sequence},
-                                                                               {"seq", PairField::Sequence},
-                                                                               {"start", PairField::Start},
-                                                                               {"test", PairField::Test},
-                                                                               {"difference", PairField::Difference},
-                                                                               {"initial", PairField::StartErrorMm}}};
+                                                                                {"seq", PairField::Sequence},
+                                                                                {"start", PairField::Start},
+                                                                                {"test", PairField::Test},
+                                                                                {"difference", PairField::Difference},
+                                                                                {"initial", PairField::StartErrorMm}}};
     for (const auto& [text, field] : kFields)
         if (name == text)
             return PairQuantity{field, 0, 0};
-    return std::nullopt;
-}
-
-std::optional<PairQuantity> quantityOf(const std::string& name, const PairTable& table,
-                                       const ComparedMethods& compared) {
-    if (const auto field = fieldOf(name))
-        return field;
-    if (const auto method = methodOf(name, table, compared))
-        return PairQuantity{PairField::ErrorMm, *method, 0};
-    for (const auto& [ending, field] :
-         {std::pair(std::string_view(".seconds"), PairField::Seconds), {".iterations", PairField::Iterations}})
-        if (name.ends_with(ending))
-            if (const auto method = methodOf(name.substr(0, name.size() - ending.size()), table, compared))
-                return PairQuantity{field, *method, 0};
-    for (std::size_t minus = name.find('-'); minus != std::string::npos; minus = name.find('-', minus + 1)) {
-        const auto a = methodOf(name.substr(0, minus), table, compared);
-        const auto b = methodOf(name.substr(minus + 1), table, compared);
-        if (a && b)
-            return PairQuantity{PairField::ErrorDifferenceMm, *a, *b};
-    }
     return std::nullopt;
 }
 
@@ -138,7 +118,7 @@ std::variant<PairCondition, Problem> conditionOf(const std::string& word, const 
             return Problem{Problem::Kind::NoComparison, word};
         return PairCondition{{PairField::Sequence, 0, 0}, Comparison::Equal, 0, word};
     }
-    const auto quantity = quantityOf(parts->left, table, compared);
+    const auto quantity = parsePairQuantity(parts->left, table, compared);
     if (!quantity)
         return Problem{Problem::Kind::UnknownQuantity, parts->left};
     if (quantity->field == PairField::Sequence)
@@ -176,6 +156,26 @@ bool meets(const PairTable& table, const PairCondition& condition, std::size_t p
 }
 
 } // namespace
+
+std::optional<PairQuantity> parsePairQuantity(const std::string& name, const PairTable& table,
+                                              const ComparedMethods& compared) {
+    if (const auto field = fieldOf(name))
+        return field;
+    if (const auto method = methodOf(name, table, compared))
+        return PairQuantity{PairField::ErrorMm, *method, 0};
+    for (const auto& [ending, field] :
+         {std::pair(std::string_view(".seconds"), PairField::Seconds), {".iterations", PairField::Iterations}})
+        if (name.ends_with(ending))
+            if (const auto method = methodOf(name.substr(0, name.size() - ending.size()), table, compared))
+                return PairQuantity{field, *method, 0};
+    for (std::size_t minus = name.find('-'); minus != std::string::npos; minus = name.find('-', minus + 1)) {
+        const auto a = methodOf(name.substr(0, minus), table, compared);
+        const auto b = methodOf(name.substr(minus + 1), table, compared);
+        if (a && b)
+            return PairQuantity{PairField::ErrorDifferenceMm, *a, *b};
+    }
+    return std::nullopt;
+}
 
 std::variant<PairFilter, PairFilterProblem> parsePairFilter(const std::string& text, const PairTable& table,
                                                             const ComparedMethods& compared) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -39,6 +40,10 @@ struct ComparedMethods {
     std::size_t b = 0;
     bool operator==(const ComparedMethods&) const = default;
 };
+
+/// What a name means, as it stands left of a comparison (parsePairFilter); empty if it means nothing.
+std::optional<PairQuantity> parsePairQuantity(const std::string& name, const PairTable& table,
+                                              const ComparedMethods& compared);
 
 /// Reads conditions with blanks between them: "A-B>1 difference>=10 sequence=01". Left of the comparison stands a
 /// method's name or A or B (its error, mm), two of them with a minus between, either with ".seconds" or ".iterations",

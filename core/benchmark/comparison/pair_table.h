@@ -16,7 +16,7 @@ enum class PairField {
     Test,
     Difference, ///< test - start, frames
     StartErrorMm,
-    ErrorMm,          ///< of `method`
+    ErrorMm,           ///< of `method`
     ErrorDifferenceMm, ///< error of `method` minus that of `other`: above 0 where `method` is the worse one
     Iterations,
     Seconds

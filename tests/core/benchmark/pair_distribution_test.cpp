@@ -27,9 +27,8 @@ TEST(PairDistribution, CountsEveryValueInItsRange) {
     EXPECT_NEAR(edges, std::round(edges), 1e-9) << "an edge lies at 0";
     for (std::size_t bin = 1; bin + 1 < histogram.counts.size(); ++bin) { // those at the ends hold the rest
         const double low = histogram.from + static_cast<double>(bin) * histogram.width;
-        const auto counted = std::count_if(values.begin(), values.end(), [&](double value) {
-            return value >= low && value < low + histogram.width;
-        });
+        const auto counted = std::count_if(values.begin(), values.end(),
+                                           [&](double value) { return value >= low && value < low + histogram.width; });
         EXPECT_NEAR(histogram.counts[bin], static_cast<double>(counted), 1) << low;
     }
 }

@@ -20,8 +20,8 @@ TEST(PairTable, HasARowPerPairAndAColumnPerMethod) {
     ASSERT_EQ(table.pairs.size(), 4u);
     EXPECT_EQ(table.methods, results.methods);
     for (const PairResult& row : results.rows) {
-        const auto pair = static_cast<std::size_t>(std::find(table.pairs.begin(), table.pairs.end(), row.pair) -
-                                                   table.pairs.begin());
+        const auto pair =
+            static_cast<std::size_t>(std::find(table.pairs.begin(), table.pairs.end(), row.pair) - table.pairs.begin());
         const std::size_t method = row.method == "ch" ? 0 : 1;
         EXPECT_EQ(pairValue(table, {PairField::ErrorMm, method, 0}, pair), row.errorMm);
         EXPECT_EQ(pairValue(table, {PairField::Iterations, method, 0}, pair), row.iterations);
