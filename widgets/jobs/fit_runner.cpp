@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/fit_runner.h"
 
+#include <algorithm>
 #include <mutex>
 #include <thread>
 
@@ -96,27 +97,54 @@ void FitRunner::run(const FitRequest& request) {
     const FitSource source{m_dataset,          m_sequence,
                            m_motion,           readsMarks ? m_document.annotations() : core::AnnotationSet(),
                            m_document.rater(), m_sigmas};
-    m_job.start([this, request, source, dataset = m_dataset,
-                 estimator = m_estimator](const JobContext& context) -> Job::Delivery {
-        auto outcome = std::make_shared<FitOutcome>();
+    start(request.methods, [request, source](FitOutcome& outcome) -> std::optional<FitRefusal> {
         auto prepared = prepareFitPair(source, request);
         if (const auto* refusal = std::get_if<FitRefusal>(&prepared))
+            return *refusal;
+        static_cast<FitPair&>(outcome) = std::move(std::get<FitPair>(prepared));
+        outcome.sequence = source.sequence.name;
+        outcome.request = request;
+        return std::nullopt;
+    });
+}
+
+void FitRunner::extend(const std::vector<std::string>& methods) {
+    if (!m_outcome)
+        return;
+    std::vector<std::string> missing;
+    for (const std::string& method : methods) {
+        const bool isThere = std::any_of(m_outcome->methods.begin(), m_outcome->methods.end(),
+                                         [&](const MethodOutcome& fitted) { return fitted.method == method; });
+        if (!isThere && std::find(missing.begin(), missing.end(), method) == missing.end())
+            missing.push_back(method);
+    }
+    if (missing.empty())
+        return;
+    start(missing, [before = m_outcome, missing](FitOutcome& outcome) -> std::optional<FitRefusal> {
+        outcome = *before;
+        outcome.request.methods.insert(outcome.request.methods.end(), missing.begin(), missing.end());
+        return std::nullopt;
+    });
+}
+
+/// `prepare` makes the pair, on the worker; the methods' outcomes come behind those that it holds.
+void FitRunner::start(std::vector<std::string> methods, std::function<std::optional<FitRefusal>(FitOutcome&)> prepare) {
+    m_job.start([this, methods = std::move(methods), prepare = std::move(prepare), dataset = m_dataset,
+                 estimator = m_estimator](const JobContext& context) -> Job::Delivery {
+        auto outcome = std::make_shared<FitOutcome>();
+        if (const std::optional<FitRefusal> refusal = prepare(*outcome))
             return [this, why = *refusal] {
                 m_job.stop();
                 emit failed(fitRefusalText(why));
             };
-        static_cast<FitPair&>(*outcome) = std::move(std::get<FitPair>(prepared));
-        outcome->sequence = source.sequence.name;
-        outcome->request = request;
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);
-        const double count = static_cast<double>(request.methods.size());
-        for (std::size_t i = 0; i < request.methods.size() && !context.stop.stop_requested(); ++i) {
-            const std::string& method = request.methods[i];
-            outcome->methods.push_back(
-                runMethod(poseEstimator, *dataset, *outcome, method, context.stop, [&](double fraction) {
-                    context.report((static_cast<double>(i) + fraction) / count, QString::fromStdString(method));
+        const double count = static_cast<double>(methods.size());
+        for (std::size_t i = 0; i < methods.size() && !context.stop.stop_requested(); ++i)
+            outcome->methods.push_back(runMethod(
+                poseEstimator, *dataset, *outcome, methods[i], context.stop,
+                [&](double fraction) {
+                    context.report((static_cast<double>(i) + fraction) / count, QString::fromStdString(methods[i]));
                 }));
-        }
         return [this, outcome] { m_outcome = outcome; };
     });
 }

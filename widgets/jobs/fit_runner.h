@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,13 +18,14 @@
 
 namespace widgets {
 
-/// What one method made of the pair.
+/// What one method made of the pair, or a pose that no method made beside them.
 struct MethodOutcome {
-    std::string method;
+    std::string method; ///< as core::parseMethod reads it; any name if the pose is fixed
     core::FitResult result;
     double errorMm = 0;                   ///< mean joint distance to the pair's reference; NaN if it has none
     std::vector<double> iterationErrorMm; ///< the same after every iteration of result.history
     QString failure;                      ///< why there is no result; empty if there is one
+    bool isFixed = false;                 ///< not fitted here: result.poses at every iteration, no history
 };
 
 /// All methods on one pair.
@@ -48,6 +50,8 @@ public:
     void setClickSigmas(core::ClickSigmas sigmas) { m_sigmas = std::move(sigmas); }
     /// Starts; a run before that is dropped. Emits failed() if the request makes no sense.
     void run(const FitRequest& request);
+    /// Fits the pair of the outcome with more methods; those it has stay as they are. Does nothing without an outcome.
+    void extend(const std::vector<std::string>& methods);
     /// Ends early; finished() comes with what there is.
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
@@ -71,6 +75,7 @@ signals:
 
 private:
     struct Estimator;
+    void start(std::vector<std::string> methods, std::function<std::optional<FitRefusal>(FitOutcome&)> prepare);
     QString objection(const FitRequest& request) const;
 
     const AnnotationDocument& m_document;

@@ -3,14 +3,17 @@
 
 #include <cmath>
 
-#include "widgets/views/joint_colours.h"
+#include "widgets/presenters/inspect_columns.h"
 
 namespace widgets {
 
 InspectCurves inspectCurves(const FitOutcome& outcome) {
     InspectCurves curves;
-    for (const MethodOutcome& method : outcome.methods) {
-        Curve error{QString::fromStdString(method.method), methodColour(method.method), false, false, {}};
+    for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
+        const MethodOutcome& method = outcome.methods[column];
+        if (method.isFixed)
+            continue;
+        Curve error{QString::fromStdString(method.method), columnColour(outcome, column), false, false, {}};
         Curve cost = error;
         if (!std::isnan(outcome.initialErrorMm))
             error.points.emplace_back(0, outcome.initialErrorMm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspected_poses.h"
 
+#include "widgets/presenters/inspect_columns.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/views/joint_colours.h"
 
@@ -10,6 +11,8 @@ namespace {
 
 const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
     const auto& history = method.result.history;
+    if (method.isFixed)
+        return method.result.poses;
     if (iteration <= 0 || history.empty())
         return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
     if (iteration >= static_cast<int>(history.size()))
@@ -36,16 +39,19 @@ InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& ou
     if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
         poses.recorded =
             layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
-    for (const MethodOutcome& method : outcome.methods) {
+    for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
         if (stop.stop_requested())
             break;
+        const MethodOutcome& method = outcome.methods[column];
         poses.methods.push_back(layerOf(dataset, posesAt(outcome, method, iteration),
-                                        QString::fromStdString(method.method), methodColour(method.method)));
+                                        QString::fromStdString(method.method), columnColour(outcome, column)));
     }
     return poses;
 }
 
 double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+    if (method.isFixed)
+        return method.errorMm;
     if (iteration <= 0)
         return outcome.initialErrorMm;
     if (iteration > static_cast<int>(method.iterationErrorMm.size()))

@@ -82,7 +82,7 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
 
 QStringList saveWorkspacePictures(MainWindow& window, const QDir& folder) {
     const widgets::InspectPage& page = *window.workspaces().inspectPage();
-    const auto& methods = window.session().fits.outcome()->methods;
+    const auto& methods = page.columns()->outcome()->methods;
     page.grid()->finishDrawing();
     QStringList saved;
     for (int index = 0; index < page.grid()->count(); ++index) {
