@@ -2,6 +2,7 @@
 #include "app/desktop/window_assembly.h"
 
 #include "app/desktop/actions/annotation_actions.h"
+#include "app/desktop/actions/comparison_actions.h"
 #include "app/desktop/actions/dataset_actions.h"
 #include "app/desktop/actions/file_actions.h"
 #include "app/desktop/actions/menus.h"
@@ -22,6 +23,7 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindAnnotationActions(*window);
     bindPanelActions(*window);
     bindFileActions(*window);
+    bindComparisonActions(*window);
     bindDatasetActions(*window);
     bindRigActions(*window);
     bindReviewActions(*window);

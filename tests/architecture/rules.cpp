@@ -26,13 +26,21 @@ const std::vector<std::string> kCoreFolders{"core/processor",      "core/numeric
                                             "core/io/footage",     "core/io/dataset",   "core/io/derived",
                                             "core/io/formats",     "core/io/detector",  "core/io/segmentation",
                                             "core/io/demo",        "core/io/import",    "core/io/benchmark"};
-const std::vector<std::string> kWidgetFolders{"widgets/text",          "widgets/document",
-                                              "widgets/jobs",          "widgets/jobs/benchmark",
-                                              "widgets/session",       "widgets/models",
-                                              "widgets/views",         "widgets/views/camera",
-                                              "widgets/views/scene",   "widgets/presenters",
-                                              "widgets/panels",        "widgets/panels/quality",
-                                              "widgets/panels/review", "widgets/panels/silhouettes",
+const std::vector<std::string> kWidgetFolders{"widgets/text",
+                                              "widgets/document",
+                                              "widgets/jobs",
+                                              "widgets/jobs/benchmark",
+                                              "widgets/session",
+                                              "widgets/models",
+                                              "widgets/views",
+                                              "widgets/views/camera",
+                                              "widgets/views/scene",
+                                              "widgets/presenters",
+                                              "widgets/presenters/inspect",
+                                              "widgets/panels",
+                                              "widgets/panels/quality",
+                                              "widgets/panels/review",
+                                              "widgets/panels/silhouettes",
                                               "widgets/workspaces"};
 const std::vector<std::string> kTops{"core", "widgets", "app"};
 

@@ -34,7 +34,7 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
     try {
         outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads,
-                                       {.matches = true});
+                                       {.matches = true, .confidence = true});
         outcome.errorMm = errorAgainst(pair, dataset, outcome.result.poses);
         for (const core::FitIteration& step : outcome.result.history)
             outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));

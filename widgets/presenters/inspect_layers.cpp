@@ -153,6 +153,8 @@ QString inspectLayerId(InspectLayer layer) {
         return QStringLiteral("field");
     case InspectLayer::Error:
         return QStringLiteral("error");
+    case InspectLayer::Uncertainty:
+        return QStringLiteral("uncertainty");
     }
     return {};
 }

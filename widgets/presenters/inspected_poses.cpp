@@ -2,23 +2,13 @@
 #include "widgets/presenters/inspected_poses.h"
 
 #include "widgets/presenters/inspect_columns.h"
+#include "widgets/presenters/inspect_layers.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {
 
 namespace {
-
-const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
-    const auto& history = method.result.history;
-    if (method.isFixed)
-        return method.result.poses;
-    if (iteration <= 0 || history.empty())
-        return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
-    if (iteration >= static_cast<int>(history.size()))
-        return method.result.poses;
-    return history[static_cast<std::size_t>(iteration - 1)].poses;
-}
 
 MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name,
                   const QColor& colour) {
@@ -32,6 +22,21 @@ MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, co
 
 } // namespace
 
+const core::HandPoses& inspectedPosesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+    const auto& history = method.result.history;
+    if (method.isFixed)
+        return method.result.poses;
+    if (iteration <= 0 || history.empty())
+        return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
+    if (iteration >= static_cast<int>(history.size()))
+        return method.result.poses;
+    return history[static_cast<std::size_t>(iteration - 1)].poses;
+}
+
+bool isAtResult(const MethodOutcome& method, int iteration) {
+    return method.isFixed || iteration >= static_cast<int>(method.result.history.size());
+}
+
 InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
                               const std::stop_token& stop) {
     InspectedPoses poses;
@@ -43,8 +48,9 @@ InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& ou
         if (stop.stop_requested())
             break;
         const MethodOutcome& method = outcome.methods[column];
-        poses.methods.push_back(layerOf(dataset, posesAt(outcome, method, iteration),
+        poses.methods.push_back(layerOf(dataset, inspectedPosesAt(outcome, method, iteration),
                                         QString::fromStdString(method.method), columnColour(outcome, column)));
+        poses.methodsByError.push_back(colouredByError(poses.methods.back(), poses.recorded));
     }
     return poses;
 }

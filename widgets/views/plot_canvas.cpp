@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QBuffer>
 #include <QContextMenuEvent>
+#include <QFile>
 #include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QSvgGenerator>
 
+#include "widgets/views/page_picture.h"
 #include "widgets/views/picture_export.h"
 
 namespace widgets {
@@ -224,17 +227,31 @@ QImage PlotCanvas::grabPicture(double scale) const {
     return picture;
 }
 
-bool PlotCanvas::saveSvg(const QString& path) const {
+QByteArray PlotCanvas::svg() const {
+    QBuffer buffer;
     QSvgGenerator svg;
-    svg.setFileName(path);
+    svg.setOutputDevice(&buffer);
     svg.setSize(size());
     svg.setViewBox(rect());
     svg.setTitle(labels().title);
-    QPainter painter;
-    if (!painter.begin(&svg))
-        return false;
+    QPainter painter(&svg);
     paintOnPaper(painter, rect());
-    return painter.end();
+    painter.end();
+    return buffer.data();
+}
+
+bool PlotCanvas::saveSvg(const QString& path) const {
+    const QByteArray text = svg();
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+}
+
+bool PlotCanvas::savePdf(const QString& path) const {
+    const QSizeF page(size());
+    const QRectF whole(QPointF(0, 0), page);
+    return savePagePdf(
+        {labels().title, page, Qt::white, {{whole, [this, whole](QPainter& p, double) { paintOnPaper(p, whole); }}}},
+        path);
 }
 
 void PlotCanvas::addPictureActions(QMenu& menu) {
@@ -243,7 +260,8 @@ void PlotCanvas::addPictureActions(QMenu& menu) {
                                {[this](double s) { return grabPicture(s); },
                                 [this](const QString& p) { return saveSvg(p); },
                                 title.isEmpty() ? tr("curves") : title,
-                                {}});
+                                {},
+                                [this](const QString& p) { return savePdf(p); }});
 }
 
 void PlotCanvas::contextMenuEvent(QContextMenuEvent* event) {

@@ -59,7 +59,10 @@ public:
     explicit PlotCanvas(QWidget* parent = nullptr);
 
     QImage grabPicture(double scale = 1) const;
+    /// As a drawing, for pages.
+    QByteArray svg() const;
     bool saveSvg(const QString& path) const;
+    bool savePdf(const QString& path) const;
     /// Draws everything into an area, in colours for paper: for pages that hold several plots.
     void paintOnPaper(QPainter& painter, const QRectF& area) const;
     void addPictureActions(QMenu& menu);

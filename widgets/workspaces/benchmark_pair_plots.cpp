@@ -71,7 +71,7 @@ BenchmarkPairPlots::BenchmarkPairPlots(QWidget* parent)
     });
 }
 
-void BenchmarkPairPlots::show(const PairTableModel& model) {
+void BenchmarkPairPlots::showPairs(const PairTableModel& model) {
     m_differences = model.table() ? differencesShown(model) : std::vector<int>{};
     showScatter(model);
     showHistogram(model);

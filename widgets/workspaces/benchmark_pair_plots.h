@@ -21,7 +21,7 @@ public:
     explicit BenchmarkPairPlots(QWidget* parent = nullptr);
 
     /// Draws what the model shows now.
-    void show(const PairTableModel& model);
+    void showPairs(const PairTableModel& model);
     /// Rings around these pairs.
     void setSelected(const std::vector<std::size_t>& pairs) { m_scatter->setHighlighted(pairs); }
 

@@ -72,7 +72,7 @@ QWidget* BenchmarkResultsView::makePictures() {
 
 void BenchmarkResultsView::connectPairs() {
     connect(
-        m_pairs, &BenchmarkPairsView::shownChanged, this, [this] { m_pairPlots->show(m_pairs->model()); });
+        m_pairs, &BenchmarkPairsView::shownChanged, this, [this] { m_pairPlots->showPairs(m_pairs->model()); });
     connect(m_pairs, &BenchmarkPairsView::selectionChanged, this,
             [this] { m_pairPlots->setSelected(m_pairs->selected()); });
     connect(m_pairs, &BenchmarkPairsView::pairOpened, this, &BenchmarkResultsView::openPair);

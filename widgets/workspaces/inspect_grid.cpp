@@ -216,8 +216,7 @@ void InspectGrid::showLayers() {
         return;
     InspectedPoses poses = *m_posed;
     if (m_overlays->isShown(InspectLayer::Error))
-        for (MeshLayer& method : poses.methods)
-            method = colouredByError(method, poses.recorded);
+        poses.methods = poses.methodsByError;
     for (int index = 0; index < m_grid->count(); ++index) {
         const std::size_t column = columnOf(index);
         LayerLook look = m_look;

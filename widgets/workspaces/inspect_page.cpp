@@ -38,6 +38,8 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_rows(new QSpinBox(this))
     , m_views(new InspectGrid(*m_columns, datasets, selection, cameras, pool, this))
     , m_layerBar(new InspectLayerBar(*m_views->overlays(), this))
+    , m_jointMarks(new InspectJointMarks(*m_columns, *m_views->overlays(), *m_views->grid(), this))
+    , m_joints(new InspectJointErrors(*m_columns, *m_jointMarks, this))
     , m_errors(new CurvePlot(this))
     , m_costs(new CurvePlot(this)) {
     build();
@@ -50,6 +52,8 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), m_views, &InspectGrid::setRows);
     for (CurvePlot* plot : {m_errors, m_costs})
         connect(plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(std::lround(x))); });
+    connect(overlays(), &InspectOverlays::shownChanged, this, &InspectPage::posesShown); // in other colours
+    connect(m_joints, &InspectJointErrors::jointChosen, this, &InspectPage::jointChosen);
     connect(m_views, &InspectGrid::pictureShown, this, &InspectPage::pictureShown);
     connect(m_views, &InspectGrid::pointerMoved, this, &InspectPage::showProbe);
     connect(m_views, &InspectGrid::pointerLeft, m_layerBar, &InspectLayerBar::clearProbe);
@@ -102,8 +106,9 @@ QWidget* InspectPage::makeViews() {
     auto* plotRow = new QHBoxLayout(plots);
     plotRow->setContentsMargins(0, 0, 0, 0);
     plotRow->setSpacing(kSpacing);
-    plotRow->addWidget(m_errors);
-    plotRow->addWidget(m_costs);
+    plotRow->addWidget(m_errors, 3);
+    plotRow->addWidget(m_costs, 3);
+    plotRow->addWidget(m_joints, 2);
     CurvePlotSettings settings;
     settings.xLabel = tr("Iteration");
     settings.xWhole = true;
@@ -185,6 +190,7 @@ void InspectPage::showPoses() {
         return;
     }
     m_views->setIteration(iteration());
+    m_joints->showIteration(m_datasets.dataset(), iteration());
     m_job.start([this, outcome, dataset = m_datasets.dataset(),
                  iteration = iteration()](const JobContext& context) -> Job::Delivery {
         auto posed =
@@ -224,10 +230,11 @@ std::vector<MeshLayer> InspectPage::posedLayers() const {
     std::vector<MeshLayer> layers;
     const auto& outcome = m_columns->outcome();
     if (m_posed && outcome) {
+        const auto& methods = overlays()->isShown(InspectLayer::Error) ? m_posed->methodsByError : m_posed->methods;
         layers = {m_posed->start, m_posed->recorded};
-        for (std::size_t column = 0; column < m_posed->methods.size() && column < outcome->methods.size(); ++column)
+        for (std::size_t column = 0; column < methods.size() && column < outcome->methods.size(); ++column)
             if (m_columns->columns()[column].kind == InspectColumn::Kind::Method)
-                layers.push_back(m_posed->methods[column]);
+                layers.push_back(methods[column]);
     }
     return layers;
 }

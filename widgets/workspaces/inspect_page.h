@@ -19,6 +19,7 @@
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/curve_plot.h"
 #include "widgets/workspaces/inspect_grid.h"
+#include "widgets/workspaces/inspect_joint_errors.h"
 #include "widgets/workspaces/inspect_layer_bar.h"
 
 namespace widgets {
@@ -39,6 +40,9 @@ public:
     int iteration() const;
     void setIteration(int iteration);
     int lastIteration() const;
+    /// Which pair is shown, and which iteration, in words; empty without a fit.
+    QString heading() const { return m_heading->text(); }
+    QString iterationText() const { return m_iterationText->text(); }
     /// How the meshes are drawn, and whether the start pose and the recorded silhouette are.
     void setLook(const LayerLook& look, bool startShown, bool recordedShown);
     /// The picture of the test frame; null without a fit, or before it has come.
@@ -48,6 +52,8 @@ public:
 
     /// Which layers are drawn over the views.
     InspectOverlays* overlays() const { return m_views->overlays(); }
+    InspectLayerBar* layerBar() const { return m_layerBar; }
+    InspectJointErrors* jointErrors() const { return m_joints; }
     CurvePlot* errorPlot() const { return m_errors; }
     CurvePlot* costPlot() const { return m_costs; }
     /// Cameras that are shown, from the current one on.
@@ -61,6 +67,8 @@ signals:
     void posesShown();
     void pictureShown(int camera);
     void fitRequested();
+    /// A joint of the drawing was clicked.
+    void jointChosen(const core::JointId& joint);
 
 private:
     void build();
@@ -87,6 +95,8 @@ private:
     QSpinBox* m_rows;
     InspectGrid* m_views;
     InspectLayerBar* m_layerBar;
+    InspectJointMarks* m_jointMarks;
+    InspectJointErrors* m_joints;
     CurvePlot* m_errors;
     CurvePlot* m_costs;
     std::shared_ptr<const InspectedPoses> m_posed;

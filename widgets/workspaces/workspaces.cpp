@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/presenters/inspect/inspect_scene_lines.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
@@ -146,10 +147,12 @@ void Workspaces::connectGrid() {
 void Workspaces::connectInspect() {
     connect(m_layers, &LayerPresenter::lookChanged, this, &Workspaces::lookInspected);
     connect(m_inspect, &InspectPage::posesShown, this, &Workspaces::showInScene);
+    new InspectSceneLines(*m_inspect->overlays(), *m_layers, *m_scene, m_session.pool, this);
     connect(m_inspect, &InspectPage::pictureShown, this, [this](int camera) {
         if (camera == m_grid->current())
             showCurrentCamera();
     });
+    connect(m_inspect, &InspectPage::jointChosen, &m_session.selection, &Selection::setJoint);
     connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
     connect(&m_session.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
     connect(&m_session.fits, &FitRunner::failed, this, [this] {

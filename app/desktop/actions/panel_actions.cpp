@@ -59,6 +59,12 @@ void bindLayers(MainWindow& window) {
         QString name = widgets::inspectLayerId(layer);
         name[0] = name[0].toUpper();
         const QString action = QStringLiteral("compare.layer") + name;
+        const auto nameBox = [&window, layer, action] { // name and tip stand in the table alone
+            window.workspaces().inspectPage()->layerBar()->setLayerTexts(layer, window.actions().plainText(action),
+                                                                         window.actions().action(action)->toolTip());
+        };
+        nameBox();
+        QObject::connect(&window.actions(), &Actions::shortcutsChanged, &window, nameBox);
         window.actions().bindToggle(
             action,
             [&window, overlays, layer](bool on) {

@@ -72,6 +72,9 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("workspace"), &ScriptSteps::workspace},
                                                          {QStringLiteral("results"), &ScriptSteps::results},
                                                          {QStringLiteral("pairs"), &ScriptSteps::pairs},
+                                                         {QStringLiteral("report"), &ScriptSteps::report},
+                                                         {QStringLiteral("film"), &ScriptSteps::film},
+                                                         {QStringLiteral("picture"), &ScriptSteps::picture},
                                                          {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
@@ -289,6 +292,18 @@ QJsonObject ScriptSteps::results(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::pairs(const QJsonObject& step) {
     return showPairs(m_window, step);
+}
+
+QJsonObject ScriptSteps::report(const QJsonObject& step) {
+    return saveReport(m_window, outPath(step));
+}
+
+QJsonObject ScriptSteps::film(const QJsonObject& step) {
+    return saveFilm(m_window, outPath(step));
+}
+
+QJsonObject ScriptSteps::picture(const QJsonObject& step) {
+    return saveComparison(m_window, outPath(step));
 }
 
 QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {

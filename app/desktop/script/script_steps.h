@@ -44,6 +44,9 @@ private:
     QJsonObject workspace(const QJsonObject& step);
     QJsonObject results(const QJsonObject& step);
     QJsonObject pairs(const QJsonObject& step);
+    QJsonObject report(const QJsonObject& step);
+    QJsonObject film(const QJsonObject& step);
+    QJsonObject picture(const QJsonObject& step);
     QJsonObject firstPass(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);

@@ -8,9 +8,12 @@
 #include <QJsonArray>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/comparison_report.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_steps.h"
 #include "core/error.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/text_file.h"
 #include "widgets/text/error_text.h"
 #include "widgets/views/picture_export.h"
 
@@ -120,6 +123,11 @@ int renderWorkspace(MainWindow& window, const std::string& file, const std::stri
         restoreFrom(window, file);
         for (const QString& name : saveWorkspacePictures(window, folder))
             std::cout << name.toStdString() << '\n';
+        const QString report = QStringLiteral("report.html");
+        core::writeFileAtomically(
+            folder.absoluteFilePath(report).toStdString(),
+            comparisonReportHtml(window, std::filesystem::path(file).filename().string(), core::readTextFile(file)));
+        std::cout << report.toStdString() << '\n';
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "handlens: " << error.what() << std::endl;

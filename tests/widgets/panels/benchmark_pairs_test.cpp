@@ -108,7 +108,7 @@ protected:
     PairPlotsTest() {
         plots.resize(1200, 260);
         plots.show();
-        plots.show(view.model());
+        plots.showPairs(view.model());
     }
     static int pixelsOf(const QImage& picture, const QColor& colour) {
         int count = 0;
@@ -139,13 +139,13 @@ TEST_F(PairPlotsTest, APointIsAPairAndClickingItSaysWhich) {
 
 TEST_F(PairPlotsTest, FollowTheFilterAndTheComparedMethods) {
     view.setFilter(QStringLiteral("sequence=a"));
-    plots.show(view.model());
+    plots.showPairs(view.model());
     EXPECT_EQ(plots.scatter()->points().size(), 2u);
     EXPECT_EQ(plots.boxes()->series().size(), 2u);
     EXPECT_EQ(plots.boxes()->series()[0].boxes.size(), 2u) << "1 and 5 frames apart";
     view.setFilter({});
     view.setCompared(QStringLiteral("dch-dt3"), QStringLiteral("ch"));
-    plots.show(view.model());
+    plots.showPairs(view.model());
     EXPECT_EQ(plots.scatter()->points().size(), 3u) << "one has no result of dch-dt3";
     int counted = 0;
     for (const int count : plots.histogram()->histogram().counts)
