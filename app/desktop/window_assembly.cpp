@@ -2,8 +2,8 @@
 #include "app/desktop/window_assembly.h"
 
 #include "app/desktop/actions/annotation_actions.h"
-#include "app/desktop/actions/comparison_actions.h"
 #include "app/desktop/actions/dataset_actions.h"
+#include "app/desktop/actions/figure_actions.h"
 #include "app/desktop/actions/file_actions.h"
 #include "app/desktop/actions/menus.h"
 #include "app/desktop/actions/number_keys.h"
@@ -23,7 +23,7 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindAnnotationActions(*window);
     bindPanelActions(*window);
     bindFileActions(*window);
-    bindComparisonActions(*window);
+    bindFigureActions(*window);
     bindDatasetActions(*window);
     bindRigActions(*window);
     bindReviewActions(*window);

@@ -328,7 +328,7 @@ void BenchmarkPage::takeDataset() {
 
 void BenchmarkPage::takeResults() {
     showSetups();
-    m_results->setResults(m_runner.results(), m_runner.pairTable());
+    m_results->setResults(m_runner.results(), m_runner.digest());
     m_save->setEnabled(m_runner.results() != nullptr);
 }
 

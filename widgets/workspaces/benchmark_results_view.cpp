@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 
 #include "core/benchmark/figures.h"
-#include "core/benchmark/metrics.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/views/joint_colours.h"
 #include "widgets/views/method_chip.h"
@@ -19,7 +18,6 @@ namespace widgets {
 
 namespace {
 
-constexpr double kCurveStepMm = 0.1;
 constexpr double kCurveMaxMm = 10;
 
 } // namespace
@@ -111,10 +109,11 @@ QWidget* BenchmarkResultsView::makeJointPart() {
 }
 
 void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResults> results,
-                                      const std::shared_ptr<const core::PairTable>& table) {
+                                      std::shared_ptr<const core::BenchmarkDigest> digest) {
     m_results = std::move(results);
-    m_summary->setResults(m_results);
-    m_pairs->setTable(table);
+    m_digest = std::move(digest);
+    m_summary->setDigest(m_digest);
+    m_pairs->setTable(m_digest ? std::shared_ptr<const core::PairTable>(m_digest, &m_digest->table) : nullptr);
     m_summaryTable->setVisible(m_results != nullptr);
     m_pairs->setVisible(m_results != nullptr);
     m_pictures->tabBar()->setVisible(m_results != nullptr);
@@ -127,8 +126,8 @@ void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResul
 
 void BenchmarkResultsView::showCurves() {
     std::vector<Curve> curves;
-    if (m_results && !m_results->rows.empty()) {
-        for (const core::ErrorCurve& found : core::errorCurves(*m_results, kCurveStepMm, kCurveMaxMm)) {
+    if (m_digest) {
+        for (const core::ErrorCurve& found : m_digest->curves) {
             const bool isStart = found.method == "initial";
             Curve curve{isStart ? tr("start") : QString::fromStdString(found.method),
                         methodColour(isStart ? "start" : found.method),
@@ -162,8 +161,9 @@ void BenchmarkResultsView::showJointMethods() {
 
 void BenchmarkResultsView::showJointErrors() {
     std::vector<JointError> errors;
-    if (m_results && m_jointMethod->currentIndex() >= 0) {
-        const auto means = core::meanJointErrorsMm(*m_results, m_jointMethod->currentText().toStdString());
+    const auto method = static_cast<std::size_t>(m_jointMethod->currentIndex());
+    if (m_digest && m_jointMethod->currentIndex() >= 0 && method < m_digest->jointErrorsMm.size()) {
+        const std::vector<double>& means = m_digest->jointErrorsMm[method];
         for (std::size_t i = 0; i < m_results->joints.size() && i < means.size(); ++i)
             errors.push_back({m_results->joints[i], means[i]});
     }

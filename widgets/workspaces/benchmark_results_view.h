@@ -10,6 +10,7 @@
 #include <QWidget>
 
 #include "core/benchmark/benchmark_results.h"
+#include "core/benchmark/comparison/benchmark_digest.h"
 #include "widgets/models/summary_model.h"
 #include "widgets/panels/joint_error_diagram.h"
 #include "widgets/views/curve_plot.h"
@@ -27,10 +28,10 @@ class BenchmarkResultsView : public QWidget {
 public:
     explicit BenchmarkResultsView(QWidget* parent = nullptr);
 
-    /// Null for none; `table` holds the same with a row per pair. While a run goes on, each call brings the rows that
+    /// Null for none; `digest` is of them. While a run goes on, each call brings the rows that
     /// have come since.
     void setResults(std::shared_ptr<const core::BenchmarkResults> results,
-                    const std::shared_ptr<const core::PairTable>& table);
+                    std::shared_ptr<const core::BenchmarkDigest> digest);
     BenchmarkPairsView* pairs() const { return m_pairs; }
     BenchmarkPairPlots* pairPlots() const { return m_pairPlots; }
     /// Brings the plots of two methods to the front.
@@ -54,6 +55,7 @@ private:
     std::vector<std::string> methodsToInspect() const;
 
     std::shared_ptr<const core::BenchmarkResults> m_results;
+    std::shared_ptr<const core::BenchmarkDigest> m_digest;
     SummaryModel* m_summary;
     QTableView* m_summaryTable;
     BenchmarkPairsView* m_pairs;

@@ -9,10 +9,10 @@
 #include <QDir>
 
 #include "app/desktop/actions/action_id.h"
-#include "app/desktop/actions/ask_for_file.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/workspace_player.h"
 #include "app/desktop/windows/annotation_format_text.h"
+#include "app/desktop/windows/ask_for_file.h"
 #include "app/desktop/windows/export_window.h"
 #include "core/error.h"
 #include "core/io/formats/annotation_formats.h"

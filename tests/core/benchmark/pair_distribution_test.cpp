@@ -11,12 +11,12 @@
 namespace core {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 TEST(PairDistribution, CountsEveryValueInItsRange) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal(1, 3);
-    std::vector<double> values{kNone};
+    std::vector<double> values{kNoValue};
     for (int i = 0; i < 2000; ++i)
         values.push_back(normal(random));
     const Histogram histogram = roundHistogram(values);
@@ -35,7 +35,7 @@ TEST(PairDistribution, CountsEveryValueInItsRange) {
 
 TEST(PairDistribution, ManagesFewAndEqualValues) {
     EXPECT_TRUE(roundHistogram({}).counts.empty());
-    EXPECT_TRUE(roundHistogram({kNone}).counts.empty());
+    EXPECT_TRUE(roundHistogram({kNoValue}).counts.empty());
     EXPECT_EQ(roundHistogram({0, 0, 0}).counts, (std::vector<int>{3}));
     const Histogram one = roundHistogram({2.5});
     EXPECT_EQ(one.counts.back(), 1);
@@ -46,7 +46,7 @@ TEST(PairDistribution, BoxesAreQuantiles) {
     std::vector<double> values(101);
     std::iota(values.begin(), values.end(), 0);
     std::shuffle(values.begin(), values.end(), std::mt19937(5));
-    values.push_back(kNone);
+    values.push_back(kNoValue);
     const BoxStatistics box = boxStatistics(values);
     EXPECT_EQ(box.count, 101u);
     EXPECT_DOUBLE_EQ(box.low, 5);
@@ -55,7 +55,7 @@ TEST(PairDistribution, BoxesAreQuantiles) {
     EXPECT_DOUBLE_EQ(box.upperQuartile, 75);
     EXPECT_DOUBLE_EQ(box.high, 95);
     EXPECT_DOUBLE_EQ(boxStatistics({1, 2}).median, 1.5);
-    EXPECT_EQ(boxStatistics({kNone}).count, 0u);
+    EXPECT_EQ(boxStatistics({kNoValue}).count, 0u);
 }
 
 } // namespace

@@ -16,6 +16,7 @@ namespace widgets {
 
 namespace {
 
+constexpr std::size_t kMostLiveRows = 20000;
 constexpr qint64 kUpdateMs = 100; ///< rows may come faster than tables and curves are worth drawing
 
 } // namespace
@@ -114,11 +115,12 @@ void BenchmarkRunner::take(std::shared_ptr<const Held> held) {
     m_held = std::move(held);
     const core::BenchmarkFolder* folder = shown();
     m_results = folder ? std::shared_ptr<const core::BenchmarkResults>(m_held, &folder->results) : nullptr;
-    m_table = nullptr;
+    m_digest = nullptr;
     if (folder) {
         const auto place = static_cast<std::size_t>(folder - m_held->folders.data());
-        m_table = place < m_held->tables.size() ? m_held->tables[place]
-                                                : std::make_shared<core::PairTable>(core::pairTable(*m_results));
+        m_digest = place < m_held->digests.size()
+                       ? m_held->digests[place]
+                       : std::make_shared<core::BenchmarkDigest>(core::benchmarkDigest(*m_results));
     }
     emit updated();
 }
@@ -157,8 +159,11 @@ void BenchmarkRunner::takeLive() {
     auto snapshot = std::make_shared<Held>();
     {
         const std::scoped_lock lock(m_live->mutex);
-        if (!std::exchange(m_live->hasNews, false))
-            return;
+        std::size_t rows = 0;
+        for (const core::BenchmarkFolder& folder : m_live->folders)
+            rows += folder.results.rows.size();
+        if (rows > kMostLiveRows || !std::exchange(m_live->hasNews, false))
+            return; // of very many results, the new ones are shown at the end
         snapshot->folders = m_live->folders;
     }
     m_sinceUpdate.start();
@@ -238,7 +243,7 @@ std::shared_ptr<const BenchmarkRunner::Held> BenchmarkRunner::makeHeld(std::vect
     auto held = std::make_shared<Held>(Held{std::move(folders), {}, {}});
     held->agreement = core::setupsRankAgreement(core::setupResults(held->folders));
     for (const core::BenchmarkFolder& folder : held->folders)
-        held->tables.push_back(std::make_shared<core::PairTable>(core::pairTable(folder.results)));
+        held->digests.push_back(std::make_shared<core::BenchmarkDigest>(core::benchmarkDigest(folder.results)));
     return held;
 }
 

@@ -11,7 +11,7 @@
 #include <QString>
 
 #include "core/benchmark/benchmark_run.h"
-#include "core/benchmark/comparison/pair_table.h"
+#include "core/benchmark/comparison/benchmark_digest.h"
 #include "core/benchmark/rank_agreement.h"
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/dataset/dataset.h"
@@ -53,8 +53,12 @@ public:
     /// The last results of this dataset, finished or not, or those of a folder that was opened; of a run in both setups
     /// those that show() has chosen, else the first ones. Null if there are none.
     const std::shared_ptr<const core::BenchmarkResults>& results() const { return m_results; }
+    /// What is shown of them; null if there are none.
+    const std::shared_ptr<const core::BenchmarkDigest>& digest() const { return m_digest; }
     /// The same with a row per pair; null if there are none.
-    const std::shared_ptr<const core::PairTable>& pairTable() const { return m_table; }
+    std::shared_ptr<const core::PairTable> pairTable() const {
+        return m_digest ? std::shared_ptr<const core::PairTable>(m_digest, &m_digest->table) : nullptr;
+    }
     /// Their setup.
     core::BenchmarkSetup setup() const;
     /// All setups that there are results of.
@@ -83,7 +87,8 @@ private:
     struct Held {
         std::vector<core::BenchmarkFolder> folders; ///< one per setup, at least one
         std::optional<core::RankAgreement> agreement;
-        std::vector<std::shared_ptr<const core::PairTable>> tables; ///< parallel to folders; none while a run goes on
+        std::vector<std::shared_ptr<const core::BenchmarkDigest>>
+            digests; ///< parallel to folders; none while a run goes on
     };
     static std::vector<SetupRun> setupRuns(const core::Dataset& dataset, const BenchmarkRequest& request,
                                            const core::BenchmarkFolder* there);
@@ -102,7 +107,7 @@ private:
     std::shared_ptr<const Held> m_held;
     core::BenchmarkSetup m_shown = core::BenchmarkSetup::Synthetic;
     std::shared_ptr<const core::BenchmarkResults> m_results; ///< of the shown one of m_held
-    std::shared_ptr<const core::PairTable> m_table;
+    std::shared_ptr<const core::BenchmarkDigest> m_digest;
 };
 
 } // namespace widgets

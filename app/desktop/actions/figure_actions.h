@@ -6,6 +6,6 @@ namespace app {
 class MainWindow;
 
 /// The actions that save the compared pair: as a figure, as a film, as a page.
-void bindComparisonActions(MainWindow& window);
+void bindFigureActions(MainWindow& window);
 
 } // namespace app

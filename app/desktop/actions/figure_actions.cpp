@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "app/desktop/actions/comparison_actions.h"
+#include "app/desktop/actions/figure_actions.h"
 
 #include <QDir>
 
 #include "app/desktop/actions/action_id.h"
-#include "app/desktop/actions/ask_for_file.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/comparison_report.h"
+#include "app/desktop/windows/ask_for_file.h"
 #include "core/error.h"
 #include "widgets/text/error_text.h"
 #include "widgets/views/picture_export.h"
@@ -94,7 +94,7 @@ void bindFilm(MainWindow& window) {
 
 } // namespace
 
-void bindComparisonActions(MainWindow& window) {
+void bindFigureActions(MainWindow& window) {
     window.actions().bind(
         id("compare.savePicture"),
         [&window] {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/desktop/actions/ask_for_file.h"
+#include "app/desktop/windows/ask_for_file.h"
 
 #include <algorithm>
 
