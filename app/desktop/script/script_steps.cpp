@@ -11,6 +11,7 @@
 #include <QWindow>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/compare_steps.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
@@ -69,7 +70,9 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("layer"), &ScriptSteps::layer},
                                                          {QStringLiteral("probe"), &ScriptSteps::probe},
                                                          {QStringLiteral("workspace"), &ScriptSteps::workspace},
-                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
+                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass},
+                                                         {QStringLiteral("columns"), &ScriptSteps::columns},
+                                                         {QStringLiteral("whatIf"), &ScriptSteps::whatIf}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -230,7 +233,9 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printMatches(m_window, step);
     if (what == QLatin1String("review"))
         return printReview(m_window);
-    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\" or \"review\""));
+    if (what == QLatin1String("columns"))
+        return printColumns(m_window);
+    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\", \"columns\" or \"review\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -280,6 +285,14 @@ QJsonObject ScriptSteps::probe(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {
     return runFirstPass(m_window, step);
+}
+
+QJsonObject ScriptSteps::columns(const QJsonObject& step) {
+    return chooseColumns(m_window, step);
+}
+
+QJsonObject ScriptSteps::whatIf(const QJsonObject& step) {
+    return tryWhatIf(m_window, step);
 }
 
 QJsonObject ScriptSteps::workspace(const QJsonObject& step) {

@@ -43,6 +43,8 @@ private:
     QJsonObject probe(const QJsonObject& step);
     QJsonObject workspace(const QJsonObject& step);
     QJsonObject firstPass(const QJsonObject& step);
+    QJsonObject columns(const QJsonObject& step);
+    QJsonObject whatIf(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();
