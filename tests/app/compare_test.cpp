@@ -173,8 +173,7 @@ TEST_F(CompareTest, AnotherTrackersEstimateIsAColumnWithItsOwnError) {
 TEST_F(CompareTest, DraggedTauFitsAgainAsTheCommandLineWould) {
     fit("\"dch-thres\",\"ch\"");
     const double before = errorOf("dch-thres");
-    const json points =
-        run(R"({"do":"whatIf","method":"dch-thres","set":"tau","to":10})")[0]["points"]["dch-thres"];
+    const json points = run(R"({"do":"whatIf","method":"dch-thres","set":"tau","to":10})")[0]["points"]["dch-thres"];
     ASSERT_EQ(points.size(), 2u);
     EXPECT_EQ(points[1], (std::vector<double>{22.5, before})) << "known from the start";
     EXPECT_EQ(points[0][0], 10);

@@ -192,6 +192,8 @@ void InspectGrid::showTitles() {
                         method.failure.isEmpty() ? error : tr("failed"), false};
         title.colour = m_columns.colour(column);
         view->setTitle(title);
+        if (!method.failure.isEmpty())
+            view->setMessage(method.failure);
     }
 }
 

@@ -68,6 +68,15 @@ void showCameras(MainWindow& window, const QStringList& names) {
     window.workspaces().inspectPage()->views()->chooseCameras(cameras);
 }
 
+double matchBytes(const widgets::FitOutcome& outcome) {
+    std::size_t bytes = 0;
+    for (const widgets::MethodOutcome& method : outcome.methods)
+        for (const core::FitIteration& step : method.result.history)
+            for (std::size_t c = 0; step.matchRecords && c < step.matchRecords->size(); ++c)
+                bytes += (*step.matchRecords)[c].matches.capacity() * sizeof(core::MatchRecord);
+    return static_cast<double>(bytes);
+}
+
 } // namespace
 
 QJsonObject chooseColumns(MainWindow& window, const QJsonObject& step) {
@@ -94,7 +103,20 @@ QJsonObject printColumns(MainWindow& window) {
     for (const int camera : page.views()->rowCameras())
         cameras.append(
             QString::fromStdString(window.session().opened.dataset()->cameras[static_cast<std::size_t>(camera)].name));
-    return {{QStringLiteral("columns"), columns}, {QStringLiteral("cameras"), cameras}};
+    return {{QStringLiteral("columns"), columns},
+            {QStringLiteral("cameras"), cameras},
+            {QStringLiteral("matchBytes"), matchBytes(*page.columns()->outcome())}};
+}
+
+widgets::CameraView& inspectedView(MainWindow& window, const QJsonObject& step) {
+    const widgets::InspectPage& page = pageWithFit(window);
+    const std::string column = textField(step, "column").toStdString(),
+                      camera = textField(step, "camera").toStdString();
+    for (int view = 0; view < page.grid()->count(); ++view)
+        if (widgets::columnId(page.columns()->columns()[page.views()->columnOf(view)]) == column &&
+            page.grid()->view(view)->camera().name == camera)
+            return *page.grid()->view(view);
+    throw notPossible("column", QStringLiteral("there is no such column, or no such row"));
 }
 
 QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {

@@ -101,6 +101,8 @@ void ScriptSteps::settle() {
 }
 
 widgets::CameraView& ScriptSteps::cameraView(const QJsonObject& step) const {
+    if (step.contains(QLatin1String("column")))
+        return inspectedView(m_window, step);
     const QString name = textField(step, "camera");
     widgets::CameraView* view = m_window.workspaces().grid()->view(name);
     if (!view)

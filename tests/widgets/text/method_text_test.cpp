@@ -25,8 +25,8 @@ TEST(MethodText, EveryOptionHasAMeaningOfItsOwn) {
 TEST(MethodText, ProblemsAreThoseOfTheCommandLine) {
     for (const std::string& name : core::plainMethodNames()) {
         for (const core::MethodOption& option : core::methodOptions()) {
-            for (const char* value : {"0", "1", "2.5", "-1", "22.5", "300", "1e9", "rigid", "paper", "chord", "cut",
-                                      "tensor", "", "x"}) {
+            for (const char* value :
+                 {"0", "1", "2.5", "-1", "22.5", "300", "1e9", "rigid", "paper", "chord", "cut", "tensor", "", "x"}) {
                 const std::string method = name + ":" + std::string(option.key) + "=" + value;
                 bool isRefused = false;
                 try {
@@ -49,7 +49,8 @@ TEST(MethodText, SaysWhichValuesAnOptionTakes) {
     EXPECT_EQ(widgets::methodProblem(QStringLiteral("ch:schedule=slow")),
               QStringLiteral("schedule must be rigid or paper, not \"slow\"."));
     const QString unknown = widgets::methodProblem(QStringLiteral("ch:tau=3"));
-    EXPECT_TRUE(unknown.startsWith(QStringLiteral("ch has no option \"tau\"; it has noise, gate"))) << unknown.toStdString();
+    EXPECT_TRUE(unknown.startsWith(QStringLiteral("ch has no option \"tau\"; it has noise, gate")))
+        << unknown.toStdString();
 }
 
 } // namespace

@@ -24,8 +24,9 @@ struct WhatIfCase {
 struct WhatIfTrial {
     std::string method; ///< as core::parseMethod reads it
     WhatIfCase what;
-    int tag = 0;  ///< the asker's own
-    double x = 0; ///< value of the parameter that is explored
+    std::string column; ///< whose place it takes; empty for none
+    std::string key;    ///< the parameter that is explored
+    double x = 0;       ///< its value
 };
 
 /// Fits the open pair again and again while a parameter is dragged. One fit at a time, in the background: the one that

@@ -22,8 +22,7 @@ namespace {
 constexpr const char* kCamerasKey = "cameras";
 constexpr const char* kNoiseKey = "outlines";
 constexpr const char* kLive = "best:live=1";
-constexpr int kLiveTag = -1;
-constexpr int kWithoutTag = 1000; ///< and above: without the camera of the number beyond it
+constexpr const char* kWithoutKey = "without"; ///< a camera, whose index is the place
 
 bool isBest(const std::string& method) {
     return method.substr(0, method.find(':')) == "best";
@@ -184,34 +183,34 @@ std::string WhatIfPanel::withOption(const std::string& method, const std::string
     return {};
 }
 
-WhatIfTrial WhatIfPanel::trial(const std::string& method, double x, const std::string& columnId) {
-    const auto known = std::find(m_tags.begin(), m_tags.end(), columnId);
-    const int tag = static_cast<int>(known - m_tags.begin());
-    if (known == m_tags.end())
-        m_tags.push_back(columnId);
-    return {method, currentCase(), tag, x};
-}
-
 /// The quick ones first: the real-time variant where it has the parameter, then the column, then the other columns.
-std::vector<WhatIfTrial> WhatIfPanel::trialsOf(const std::string& key) {
+std::vector<WhatIfTrial> WhatIfPanel::trialsOf(const std::string& key) const {
     const bool isOfPair = key == kCamerasKey || key == kNoiseKey;
     const double x = place(key);
+    const std::string mine = m_form->method();
+    const WhatIfCase what = currentCase();
     std::vector<WhatIfTrial> trials;
-    if (isOfPair || isBest(m_base)) {
-        WhatIfTrial live = trial(liveOf(m_form->method()), x, m_base);
-        if (!isBest(m_base))
-            live.tag = kLiveTag;
-        trials.push_back(live);
-    }
-    trials.push_back(trial(m_form->method(), x, m_base));
+    if (const std::string live = liveOf(mine); (isOfPair || isBest(mine)) && live != mine)
+        trials.push_back({live, what, isBest(mine) ? m_base : std::string(), key, x});
+    trials.push_back({mine, what, m_base, key, x});
     for (const InspectColumn& column : m_columns.columns()) {
         if (key.empty() || column.kind != InspectColumn::Kind::Method || column.name == m_base)
             continue;
         const std::string method = isOfPair ? column.name : withOption(column.name, key);
         if (!method.empty())
-            trials.push_back(trial(method, x, column.name));
+            trials.push_back({method, what, column.name, key, x});
     }
     return trials;
+}
+
+/// Whether all else is as it was fitted: only then do the fits of before belong to the curve.
+bool WhatIfPanel::isOnlyChange(const std::string& key) const {
+    const WhatIfCase what = currentCase();
+    const bool hasAll = std::find(what.cameras.begin(), what.cameras.end(), false) == what.cameras.end();
+    if ((key != kCamerasKey && !hasAll) || (key != kNoiseKey && what.outlineNoisePx > 0))
+        return false;
+    const std::string mine = m_form->method();
+    return key == kCamerasKey || key == kNoiseKey ? mine == m_base : withOption(m_base, key) == mine;
 }
 
 void WhatIfPanel::explore(const std::string& key) {
@@ -232,11 +231,10 @@ void WhatIfPanel::explore(const std::string& key) {
 void WhatIfPanel::startCurve(const std::string& key) {
     m_key = key;
     m_points.clear();
-    m_tags.clear();
     const bool isOfPair = key == kCamerasKey || key == kNoiseKey;
     for (const InspectColumn& column : m_columns.columns()) {
         const MethodOutcome* outcome = column.kind == InspectColumn::Kind::Method ? fitted(column.name) : nullptr;
-        if (!outcome || std::isnan(outcome->errorMm) || key.empty())
+        if (!outcome || std::isnan(outcome->errorMm) || key.empty() || !isOnlyChange(key))
             continue;
         if (isOfPair) {
             m_points[column.name][key == kNoiseKey ? 0 : static_cast<double>(m_cameras.size())] = outcome->errorMm;
@@ -261,25 +259,27 @@ void WhatIfPanel::take(const WhatIfTrial& trial, const MethodOutcome& outcome) {
         m_answer->setText(outcome.failure);
         return;
     }
-    if (trial.tag >= kWithoutTag) {
-        m_without[trial.tag - kWithoutTag] = outcome.errorMm;
+    if (trial.key == kWithoutKey) {
+        m_without[static_cast<int>(trial.x)] = outcome.errorMm;
         showCameraTexts();
         return;
     }
-    const bool isLive = trial.tag == kLiveTag;
-    const std::string& column = isLive ? trial.method : m_tags[static_cast<std::size_t>(trial.tag)];
-    const bool isOwnLive = !isLive && column == m_base && trial.method != m_form->method() && isBest(m_base);
+    if (trial.key != m_key)
+        return; // of what was dragged before
+    const bool isLive = trial.column.empty() || (trial.column == m_base && trial.method != m_form->method());
+    const bool isAnswer = trial.column == m_base && !isLive;
+    const std::string curve = isLive ? kLive : trial.column;
     if (!m_key.empty() && std::isfinite(outcome.errorMm) && std::isfinite(trial.x))
-        m_points[isOwnLive ? kLive : column][trial.x] = outcome.errorMm;
+        m_points[curve][trial.x] = outcome.errorMm;
     showCurves();
-    if (column == m_base && !isOwnLive) {
+    if (isAnswer) {
         const MethodOutcome* before = fitted(m_base);
         m_answer->setText(before && std::isfinite(before->errorMm)
                               ? tr("%1 instead of %2").arg(millimetres(outcome.errorMm), millimetres(before->errorMm))
                               : QString());
     }
-    if (!isLive) {
-        m_previews[column] = outcome;
+    if (!trial.column.empty()) {
+        m_previews[trial.column] = outcome;
         m_columns.setPreviews(m_previews);
     }
 }
@@ -319,7 +319,8 @@ void WhatIfPanel::measureCameras() {
     showCameraTexts();
     std::vector<WhatIfTrial> trials;
     for (std::size_t c = 0; c < m_cameras.size(); ++c) {
-        WhatIfTrial without{m_base, {std::vector<bool>(m_cameras.size(), true), 0}, kWithoutTag + static_cast<int>(c)};
+        WhatIfTrial without{
+            m_base, {std::vector<bool>(m_cameras.size(), true), 0}, {}, kWithoutKey, static_cast<double>(c)};
         without.what.cameras[c] = false;
         trials.push_back(without);
     }

@@ -61,8 +61,8 @@ private:
     void takeLine();
     void edit(const std::string& key);
     void explore(const std::string& key);
-    std::vector<WhatIfTrial> trialsOf(const std::string& key);
-    WhatIfTrial trial(const std::string& method, double x, const std::string& columnId);
+    std::vector<WhatIfTrial> trialsOf(const std::string& key) const;
+    bool isOnlyChange(const std::string& key) const;
     std::string withOption(const std::string& method, const std::string& key) const;
     void take(const WhatIfTrial& trial, const MethodOutcome& outcome);
     void startCurve(const std::string& key);
@@ -97,7 +97,6 @@ private:
     std::string m_key;  ///< what was dragged last
     std::map<std::string, std::map<double, double>> m_points;
     std::map<std::string, MethodOutcome> m_previews; ///< by column id
-    std::vector<std::string> m_tags;                 ///< column ids of trials
     std::map<int, double> m_without;                 ///< error without a camera, mm
 };
 

@@ -22,6 +22,7 @@ WipeCover::WipeCover(CameraView& over, const CameraView& other)
     , m_area(over.viewport())
     , m_other(&other) {
     setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true); // the view below sees the pointer through this
     m_area->installEventFilter(this);
     other.viewport()->installEventFilter(this);
     layOut();
@@ -40,7 +41,6 @@ void WipeCover::setPlace(double share) {
 void WipeCover::layOut() {
     const int x = line();
     setGeometry(x, 0, std::max(0, m_area->width() - x), m_area->height());
-    setCursor(m_place > 0 ? Qt::ArrowCursor : Qt::CrossCursor);
     setVisible(m_place < 1);
     update();
 }
@@ -74,6 +74,8 @@ void WipeCover::mousePressEvent(QMouseEvent* event) {
 
 void WipeCover::mouseMoveEvent(QMouseEvent* event) {
     event->setAccepted(m_dragging);
+    setCursor(m_dragging || (m_place > 0 && event->pos().x() <= kWipeReachPx) ? QCursor(Qt::SplitHCursor)
+                                                                              : m_area->cursor());
     if (m_dragging)
         emit dragged(
             std::clamp(static_cast<double>(mapToParent(event->pos()).x()) / std::max(1, m_area->width()), 0.02, 0.98));
