@@ -2,6 +2,7 @@
 #include "app/desktop/window_assembly.h"
 
 #include "app/desktop/actions/annotation_actions.h"
+#include "app/desktop/actions/compare_actions.h"
 #include "app/desktop/actions/dataset_actions.h"
 #include "app/desktop/actions/figure_actions.h"
 #include "app/desktop/actions/file_actions.h"
@@ -22,6 +23,7 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindWindowActions(*window);
     bindAnnotationActions(*window);
     bindPanelActions(*window);
+    bindCompareActions(*window);
     bindFileActions(*window);
     bindFigureActions(*window);
     bindDatasetActions(*window);

@@ -2,7 +2,6 @@
 #include "widgets/jobs/fit_runner.h"
 
 #include <algorithm>
-#include <mutex>
 #include <thread>
 
 #include "core/error.h"
@@ -11,27 +10,20 @@
 
 namespace widgets {
 
-/// Made by the first fit of a dataset: preparing the coarser levels of the hands takes a moment.
-struct FitRunner::Estimator {
-    std::once_flag once;
-    std::optional<core::PoseEstimator> estimator;
-
-    const core::PoseEstimator& get(const core::Dataset& dataset) {
-        std::call_once(once, [&] { estimator.emplace(dataset.hands, dataset.cameras); });
-        return *estimator;
-    }
-};
-
-namespace {
-
-using Progress = std::function<void(double fractionOfMethod)>;
+const core::PoseEstimator& SharedEstimator::get(const core::Dataset& dataset) {
+    std::call_once(m_once, [&] { m_estimator.emplace(dataset.hands, dataset.cameras); });
+    return *m_estimator;
+}
 
 MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
-                        const std::string& method, const std::stop_token& stop, const Progress& progress) {
+                        const std::string& method, const std::stop_token& stop, int threads,
+                        const std::function<void(double)>& progress) {
     MethodOutcome outcome;
     outcome.method = method;
-    const auto report = [&](int iteration, int most) { progress(most > 0 ? double(iteration) / most : 0); };
-    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
+    const auto report = [&](int iteration, int most) {
+        if (progress)
+            progress(most > 0 ? double(iteration) / most : 0);
+    };
     try {
         outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads,
                                        {.matches = true, .confidence = true});
@@ -43,8 +35,6 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     }
     return outcome;
 }
-
-} // namespace
 
 FitRunner::FitRunner(const AnnotationDocument& document, JobPool& pool, QObject* parent)
     : QObject(parent)
@@ -62,7 +52,7 @@ void FitRunner::setSequence(std::shared_ptr<const core::Dataset> dataset, const 
                             std::shared_ptr<const core::Motion> motion) {
     m_job.stop();
     if (dataset != m_dataset)
-        m_estimator = std::make_shared<Estimator>();
+        m_estimator = std::make_shared<SharedEstimator>();
     m_dataset = std::move(dataset);
     m_motion = std::move(motion);
     m_sequence = sequence ? *sequence : core::Sequence();
@@ -139,9 +129,10 @@ void FitRunner::start(std::vector<std::string> methods, std::function<std::optio
             };
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);
         const double count = static_cast<double>(methods.size());
+        const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
         for (std::size_t i = 0; i < methods.size() && !context.stop.stop_requested(); ++i)
             outcome->methods.push_back(runMethod(
-                poseEstimator, *dataset, *outcome, methods[i], context.stop,
+                poseEstimator, *dataset, *outcome, methods[i], context.stop, threads,
                 [&](double fraction) {
                     context.report((static_cast<double>(i) + fraction) / count, QString::fromStdString(methods[i]));
                 }));

@@ -3,7 +3,9 @@
 
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,22 @@ struct FitOutcome : FitPair {
     std::vector<MethodOutcome> methods;
 };
 
+/// Made by the first fit of a dataset: preparing the coarser levels of the hands takes a moment.
+class SharedEstimator {
+public:
+    const core::PoseEstimator& get(const core::Dataset& dataset);
+
+private:
+    std::once_flag m_once;
+    std::optional<core::PoseEstimator> m_estimator;
+};
+
+/// One method on one pair, errors measured against the pair's reference. Slow: not for the window's thread.
+/// `progress` gets the share of the method's iterations that are done.
+MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
+                        const std::string& method, const std::stop_token& stop, int threads,
+                        const std::function<void(double)>& progress = {});
+
 /// Fits a frame pair with several methods, one after the other, in the background. Stopping keeps the methods that have
 /// ended.
 class FitRunner : public QObject {
@@ -65,6 +83,9 @@ public:
     /// The last finished run of this sequence, or null.
     const std::shared_ptr<const FitOutcome>& outcome() const { return m_outcome; }
 
+    /// Of the open dataset; null before one is open.
+    const std::shared_ptr<SharedEstimator>& estimator() const { return m_estimator; }
+
 signals:
     void started();
     void progressed(double fraction, const QString& text);
@@ -74,7 +95,6 @@ signals:
     void cleared();
 
 private:
-    struct Estimator;
     void start(std::vector<std::string> methods, std::function<std::optional<FitRefusal>(FitOutcome&)> prepare);
     QString objection(const FitRequest& request) const;
 
@@ -82,7 +102,7 @@ private:
     Job m_job;
     std::shared_ptr<const core::Dataset> m_dataset;
     std::shared_ptr<const core::Motion> m_motion;
-    std::shared_ptr<Estimator> m_estimator;
+    std::shared_ptr<SharedEstimator> m_estimator;
     std::shared_ptr<const FitOutcome> m_outcome;
     core::Sequence m_sequence;
     core::ClickSigmas m_sigmas;

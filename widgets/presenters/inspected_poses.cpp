@@ -16,7 +16,8 @@ MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, co
     layer.name = name;
     layer.colour = colour;
     for (std::size_t hand = 0; hand < dataset.hands.size() && hand < poses.size(); ++hand)
-        layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
+        if (poses[hand].size() > 0) // a tracker may have one hand only
+            layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
     return layer;
 }
 

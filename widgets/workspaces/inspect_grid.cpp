@@ -18,7 +18,8 @@ InspectGrid::InspectGrid(InspectColumns& columns, const DatasetSession& datasets
     , m_cameras(cameras)
     , m_frames(pool)
     , m_grid(new CameraGrid(this))
-    , m_overlays(new InspectOverlays(*m_grid, pool, this)) {
+    , m_overlays(new InspectOverlays(*m_grid, pool, this))
+    , m_wipe(new ColumnWipe(*m_grid, columns, this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_grid);
@@ -43,6 +44,8 @@ InspectGrid::InspectGrid(InspectColumns& columns, const DatasetSession& datasets
             m_posed.reset(); // of the columns before
             layOut();
         });
+    connect(
+        &columns, &InspectColumns::currentChanged, this, [this] { m_grid->setCurrent(currentView()); });
     connect(&columns, &InspectColumns::shownChanged, this, [this] { showPoses(m_posed, m_iteration); });
     layOut();
 }
@@ -51,12 +54,23 @@ void InspectGrid::connectView(int index, CameraView* view) {
     view->setPlacingEnabled(false);
     connect(
         view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
-    connect(view, &CameraView::pointerMoved, this, [this, index](QPointF px) { emit pointerMoved(index, px); });
+    connect(
+        view, &CameraView::pointerMoved, this, [this, index](QPointF px) { emit pointerMoved(index, px); });
+    connect(view, &CameraView::contextMenuRequested, this,
+            [this, index](QPointF, const core::JointId&, QPoint position) { emit menuRequested(index, position); });
     connect(view, &CameraView::pointerLeft, this, &InspectGrid::pointerLeft);
 }
 
 std::size_t InspectGrid::columnOf(int view) const {
     return m_columns.count() ? static_cast<std::size_t>(view) % m_columns.count() : 0;
+}
+
+int InspectGrid::currentView() const {
+    if (m_grid->count() == 0 || m_columns.count() == 0)
+        return -1;
+    const auto columns = static_cast<int>(m_columns.count());
+    const int row = std::max(0, m_grid->current()) / columns;
+    return std::min(row * columns + static_cast<int>(m_columns.current()), m_grid->count() - 1);
 }
 
 int InspectGrid::cameraOf(int view) const {
@@ -120,6 +134,8 @@ void InspectGrid::layOut() {
     }
     for (const int camera : m_rowCameras)
         showPicture(camera, picture(camera));
+    m_grid->setCurrent(currentView());
+    m_wipe->refresh();
     showTitles();
     if (m_posed)
         showPoses(m_posed, m_iteration);
@@ -172,10 +188,12 @@ void InspectGrid::showTitles() {
         if (const double iou = m_overlays->iou(index); !std::isnan(iou))
             error = tr("%1, IoU %2").arg(error, QLocale().toString(iou, 'f', 3));
         CameraView* view = m_grid->view(index);
-        ViewTitle title{columnTitle(m_columns.columns()[column]), QString::fromStdString(view->camera().name),
+        ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
                         method.failure.isEmpty() ? error : tr("failed"), false};
         title.colour = m_columns.colour(column);
         view->setTitle(title);
+        if (!method.failure.isEmpty())
+            view->setMessage(method.failure);
     }
 }
 

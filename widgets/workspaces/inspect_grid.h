@@ -10,6 +10,7 @@
 #include "widgets/document/selection.h"
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/frame_loader.h"
+#include "widgets/panels/compare/column_wipe.h"
 #include "widgets/presenters/inspect_columns.h"
 #include "widgets/presenters/inspect_overlays.h"
 #include "widgets/presenters/inspected_poses.h"
@@ -31,6 +32,9 @@ public:
     /// Which layers are drawn over the views.
     InspectOverlays* overlays() const { return m_overlays; }
 
+    /// One column over another.
+    ColumnWipe* wipe() const { return m_wipe; }
+
     /// What the views show from now on; null clears them.
     void showPoses(std::shared_ptr<const InspectedPoses> posed, int iteration);
     /// The titles of another iteration, before its poses are there.
@@ -49,6 +53,8 @@ public:
 
     /// The picture of the test frame; null without a fit, or before it has come.
     ImagePyramid picture(int camera) const;
+    /// The view that keys are about; -1 without one.
+    int currentView() const;
     /// Column and camera of a view.
     std::size_t columnOf(int view) const;
     int cameraOf(int view) const;
@@ -61,6 +67,8 @@ signals:
     void pointerMoved(int view, QPointF px);
     void pointerLeft();
     void camerasChanged();
+    /// A right click.
+    void menuRequested(int view, const QPoint& globalPosition);
 
 private:
     void connectView(int index, CameraView* view);
@@ -82,6 +90,7 @@ private:
     const core::Sequence* m_sequence = nullptr;
     CameraGrid* m_grid;
     InspectOverlays* m_overlays;
+    ColumnWipe* m_wipe;
     int m_rows = 2;
     std::vector<std::string> m_chosenCameras;
     std::vector<int> m_rowCameras;

@@ -28,15 +28,18 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_fits(fits)
     , m_datasets(datasets)
     , m_job(pool)
-    , m_columns(new InspectColumns(fits, this))
+    , m_columns(new InspectColumns(fits, datasets, pool, this))
     , m_pages(new QStackedWidget(this))
     , m_hint(new QLabel(this))
     , m_fit(new QPushButton(tr("Fit this frame"), this))
+    , m_message(new MessageBar(this))
     , m_heading(new QLabel(this))
     , m_slider(new QSlider(Qt::Horizontal, this))
     , m_iterationText(new QLabel(this))
     , m_rows(new QSpinBox(this))
     , m_views(new InspectGrid(*m_columns, datasets, selection, cameras, pool, this))
+    , m_columnBar(new ColumnBar(*m_columns, this))
+    , m_cameraChoice(new CameraChoice(this))
     , m_layerBar(new InspectLayerBar(*m_views->overlays(), this))
     , m_jointMarks(new InspectJointMarks(*m_columns, *m_views->overlays(), *m_views->grid(), this))
     , m_joints(new InspectJointErrors(*m_columns, *m_jointMarks, this))
@@ -54,6 +57,9 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
         connect(plot, &CurvePlot::xClicked, this, [this](double x) { setIteration(static_cast<int>(std::lround(x))); });
     connect(overlays(), &InspectOverlays::shownChanged, this, &InspectPage::posesShown); // in other colours
     connect(m_joints, &InspectJointErrors::jointChosen, this, &InspectPage::jointChosen);
+    connect(m_columns, &InspectColumns::failed, m_message, &MessageBar::setMessage);
+    connect(m_cameraChoice, &CameraChoice::chosen, m_views, &InspectGrid::chooseCameras);
+    connect(m_views, &InspectGrid::camerasChanged, this, &InspectPage::showCameras);
     connect(m_views, &InspectGrid::pictureShown, this, &InspectPage::pictureShown);
     connect(m_views, &InspectGrid::pointerMoved, this, &InspectPage::showProbe);
     connect(m_views, &InspectGrid::pointerLeft, m_layerBar, &InspectLayerBar::clearProbe);
@@ -98,6 +104,8 @@ QLayout* InspectPage::makeIterationRow() {
     row->addWidget(m_slider, 1);
     row->addWidget(m_iterationText);
     row->addWidget(m_rows);
+    row->addWidget(m_cameraChoice);
+    row->addWidget(m_columnBar->addButton());
     return row;
 }
 
@@ -119,7 +127,13 @@ QWidget* InspectPage::makeViews() {
     settings.yLabel = tr("Cost, mm\u00b2");
     m_costs->setSettings(settings);
     auto* splitter = new QSplitter(Qt::Vertical, this);
-    splitter->addWidget(m_views);
+    auto* views = new QWidget(this);
+    auto* viewColumn = new QVBoxLayout(views);
+    viewColumn->setContentsMargins(0, 0, 0, 0);
+    viewColumn->setSpacing(0);
+    viewColumn->addWidget(m_columnBar);
+    viewColumn->addWidget(m_views, 1);
+    splitter->addWidget(views);
     splitter->addWidget(plots);
     splitter->setStretchFactor(0, 1);
     splitter->setSizes({kViewsHeight, kPlotsHeight});
@@ -128,6 +142,7 @@ QWidget* InspectPage::makeViews() {
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(m_message);
     column->addLayout(makeIterationRow());
     column->addWidget(m_layerBar);
     column->addWidget(splitter, 1);
@@ -167,9 +182,21 @@ void InspectPage::takeColumns() {
                                : QString());
     m_pages->setCurrentIndex(outcome ? 1 : 0);
     m_posed.reset();
+    if (const auto& dataset = m_datasets.dataset()) {
+        std::vector<std::string> cameras;
+        for (const core::Camera& camera : dataset->cameras)
+            cameras.push_back(camera.name);
+        m_cameraChoice->setCameras(cameras);
+        showCameras();
+    }
     showHint();
     showCurves();
     showPoses();
+}
+
+void InspectPage::showCameras() {
+    m_cameraChoice->setChosen(m_views->chosenCameras());
+    m_rows->setEnabled(m_views->chosenCameras().empty());
 }
 
 void InspectPage::showHint() {

@@ -14,10 +14,13 @@
 #include "widgets/document/selection.h"
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/fit_runner.h"
+#include "widgets/panels/compare/camera_choice.h"
+#include "widgets/panels/compare/column_bar.h"
 #include "widgets/presenters/inspect_columns.h"
 #include "widgets/presenters/inspected_poses.h"
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/curve_plot.h"
+#include "widgets/views/message_bar.h"
 #include "widgets/workspaces/inspect_grid.h"
 #include "widgets/workspaces/inspect_joint_errors.h"
 #include "widgets/workspaces/inspect_layer_bar.h"
@@ -59,6 +62,7 @@ public:
     /// Cameras that are shown, from the current one on.
     int rows() const { return m_rows->value(); }
     void setRows(int rows) { m_rows->setValue(rows); }
+    ColumnBar* columnBar() const { return m_columnBar; }
     /// Of a method of the fit, in a camera, at the iteration that is shown.
     ShownMatches matches(const QString& method, int camera) const;
 
@@ -76,6 +80,7 @@ private:
     QWidget* makeViews();
     QLayout* makeIterationRow();
     void showHint();
+    void showCameras();
     void takeColumns();
     void showPoses();
     void showCurves();
@@ -89,11 +94,14 @@ private:
     QStackedWidget* m_pages;
     QLabel* m_hint;
     QPushButton* m_fit;
+    MessageBar* m_message;
     QLabel* m_heading;
     QSlider* m_slider;
     QLabel* m_iterationText;
     QSpinBox* m_rows;
     InspectGrid* m_views;
+    ColumnBar* m_columnBar;
+    CameraChoice* m_cameraChoice;
     InspectLayerBar* m_layerBar;
     InspectJointMarks* m_jointMarks;
     InspectJointErrors* m_joints;

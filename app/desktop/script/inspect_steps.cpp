@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <QElapsedTimer>
 #include <QJsonArray>
 
 #include "app/desktop/main_window.h"
@@ -85,8 +86,12 @@ QJsonObject showLayer(MainWindow& window, const QJsonObject& step) {
     const QJsonValue on = step.value(QLatin1String("on"));
     if (!on.isBool())
         throw impossible("on", QStringLiteral("expected true or false"));
+    QElapsedTimer clock;
+    clock.start();
     fittedPage(window).overlays()->setShown(*layer, on.toBool());
-    return {};
+    waitUntilIdle(window);
+    fittedPage(window).grid()->repaint();
+    return {{QStringLiteral("ms"), static_cast<double>(clock.nsecsElapsed()) * 1e-6}};
 }
 
 QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {

@@ -12,6 +12,7 @@
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/benchmark_steps.h"
+#include "app/desktop/script/compare_steps.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
@@ -75,7 +76,9 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("report"), &ScriptSteps::report},
                                                          {QStringLiteral("film"), &ScriptSteps::film},
                                                          {QStringLiteral("picture"), &ScriptSteps::picture},
-                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
+                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass},
+                                                         {QStringLiteral("columns"), &ScriptSteps::columns},
+                                                         {QStringLiteral("whatIf"), &ScriptSteps::whatIf}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -104,6 +107,8 @@ void ScriptSteps::settle() {
 }
 
 widgets::CameraView& ScriptSteps::cameraView(const QJsonObject& step) const {
+    if (step.contains(QLatin1String("column")))
+        return inspectedView(m_window, step);
     const QString name = textField(step, "camera");
     widgets::CameraView* view = m_window.workspaces().grid()->view(name);
     if (!view)
@@ -238,7 +243,10 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printReview(m_window);
     if (what == QLatin1String("pairs"))
         return printPairs(m_window, step);
-    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\", \"review\" or \"pairs\""));
+    if (what == QLatin1String("columns"))
+        return printColumns(m_window);
+    throw refused("what",
+                  QStringLiteral("expected \"joint\", \"results\", \"matches\", \"columns\", \"review\" or \"pairs\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -308,6 +316,14 @@ QJsonObject ScriptSteps::picture(const QJsonObject& step) {
 
 QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {
     return runFirstPass(m_window, step);
+}
+
+QJsonObject ScriptSteps::columns(const QJsonObject& step) {
+    return chooseColumns(m_window, step);
+}
+
+QJsonObject ScriptSteps::whatIf(const QJsonObject& step) {
+    return tryWhatIf(m_window, step);
 }
 
 QJsonObject ScriptSteps::workspace(const QJsonObject& step) {

@@ -48,6 +48,8 @@ private:
     QJsonObject film(const QJsonObject& step);
     QJsonObject picture(const QJsonObject& step);
     QJsonObject firstPass(const QJsonObject& step);
+    QJsonObject columns(const QJsonObject& step);
+    QJsonObject whatIf(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();
