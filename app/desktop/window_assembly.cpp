@@ -2,7 +2,9 @@
 #include "app/desktop/window_assembly.h"
 
 #include "app/desktop/actions/annotation_actions.h"
+#include "app/desktop/actions/compare_actions.h"
 #include "app/desktop/actions/dataset_actions.h"
+#include "app/desktop/actions/figure_actions.h"
 #include "app/desktop/actions/file_actions.h"
 #include "app/desktop/actions/menus.h"
 #include "app/desktop/actions/number_keys.h"
@@ -21,7 +23,9 @@ std::unique_ptr<MainWindow> makeMainWindow(QSettings& settings, const WindowOpti
     bindWindowActions(*window);
     bindAnnotationActions(*window);
     bindPanelActions(*window);
+    bindCompareActions(*window);
     bindFileActions(*window);
+    bindFigureActions(*window);
     bindDatasetActions(*window);
     bindRigActions(*window);
     bindReviewActions(*window);

@@ -47,6 +47,7 @@ auto& valueOf(AnyMethod& method) {
 }
 
 struct ValueFormat {
+    OptionDomain domain;
     std::string (*parse)(Method& method, std::string_view value);
     std::string (*print)(const Method& method);
 };
@@ -54,7 +55,8 @@ struct ValueFormat {
 /// A number within [Low, High].
 template <auto Field, double Low, double High>
 constexpr ValueFormat number() {
-    return {[](Method& method, std::string_view value) -> std::string {
+    return {{Low, High, std::is_integral_v<FieldValue<Field>>, {}},
+            [](Method& method, std::string_view value) -> std::string {
                 double parsed = 0;
                 if (!parseNumber(value, parsed) || parsed < Low || parsed > High)
                     return "'" + std::string(value) + "' is not a number from " + exactText(Low) + " to " +
@@ -70,7 +72,8 @@ constexpr ValueFormat number() {
 /// One of two words, for the values 0 and 1 of the field.
 template <auto Field, const std::array<std::string_view, 2>& Words>
 constexpr ValueFormat choice() {
-    return {[](Method& method, std::string_view value) -> std::string {
+    return {{0, 0, false, Words},
+            [](Method& method, std::string_view value) -> std::string {
                 for (int i = 0; i < 2; ++i) {
                     if (value == Words[static_cast<std::size_t>(i)]) {
                         valueOf<Field>(method) = static_cast<FieldValue<Field>>(i);
@@ -95,7 +98,7 @@ constexpr ValueFormat flag() {
 
 constexpr MethodOption option(std::string_view key, unsigned methods, ValueFormat format, std::string_view meaning,
                               std::string_view defaultText, std::string_view source) {
-    return {key, methods, meaning, defaultText, source, format.parse, format.print};
+    return {key, methods, meaning, defaultText, source, format.domain, format.parse, format.print};
 }
 
 using B = BestOptions;

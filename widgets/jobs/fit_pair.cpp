@@ -2,6 +2,7 @@
 #include "widgets/jobs/fit_pair.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include <opencv2/imgproc.hpp>
@@ -110,6 +111,8 @@ std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const 
     if (recorded && pair.reference.empty())
         pair.reference = core::namedJointPositions(dataset.hands, pair.truePoses);
     pair.initialErrorMm = errorAgainst(pair, dataset, pair.startPoses);
+    pair.trueErrorMm =
+        recorded ? errorAgainst(pair, dataset, pair.truePoses) : std::numeric_limits<double>::quiet_NaN();
     return pair;
 }
 

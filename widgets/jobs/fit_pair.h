@@ -44,6 +44,7 @@ struct FitPair {
     core::JointPositions
         reference;             ///< what errors are measured against: recorded joints, or those marked in the test frame
     double initialErrorMm = 0; ///< mean joint distance of the start pose; NaN without a reference
+    double trueErrorMm = 0;    ///< of the recorded pose; NaN without one, or without a reference
 };
 
 /// What pairs of one sequence are prepared from. Copied to the worker.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/jobs/fit_runner.h"
 
-#include <mutex>
+#include <algorithm>
 #include <thread>
 
 #include "core/error.h"
@@ -10,30 +10,23 @@
 
 namespace widgets {
 
-/// Made by the first fit of a dataset: preparing the coarser levels of the hands takes a moment.
-struct FitRunner::Estimator {
-    std::once_flag once;
-    std::optional<core::PoseEstimator> estimator;
-
-    const core::PoseEstimator& get(const core::Dataset& dataset) {
-        std::call_once(once, [&] { estimator.emplace(dataset.hands, dataset.cameras); });
-        return *estimator;
-    }
-};
-
-namespace {
-
-using Progress = std::function<void(double fractionOfMethod)>;
+const core::PoseEstimator& SharedEstimator::get(const core::Dataset& dataset) {
+    std::call_once(m_once, [&] { m_estimator.emplace(dataset.hands, dataset.cameras); });
+    return *m_estimator;
+}
 
 MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
-                        const std::string& method, const std::stop_token& stop, const Progress& progress) {
+                        const std::string& method, const std::stop_token& stop, int threads,
+                        const std::function<void(double)>& progress) {
     MethodOutcome outcome;
     outcome.method = method;
-    const auto report = [&](int iteration, int most) { progress(most > 0 ? double(iteration) / most : 0); };
-    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
+    const auto report = [&](int iteration, int most) {
+        if (progress)
+            progress(most > 0 ? double(iteration) / most : 0);
+    };
     try {
         outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads,
-                                       {.matches = true});
+                                       {.matches = true, .confidence = true});
         outcome.errorMm = errorAgainst(pair, dataset, outcome.result.poses);
         for (const core::FitIteration& step : outcome.result.history)
             outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));
@@ -42,8 +35,6 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     }
     return outcome;
 }
-
-} // namespace
 
 FitRunner::FitRunner(const AnnotationDocument& document, JobPool& pool, QObject* parent)
     : QObject(parent)
@@ -61,7 +52,7 @@ void FitRunner::setSequence(std::shared_ptr<const core::Dataset> dataset, const 
                             std::shared_ptr<const core::Motion> motion) {
     m_job.stop();
     if (dataset != m_dataset)
-        m_estimator = std::make_shared<Estimator>();
+        m_estimator = std::make_shared<SharedEstimator>();
     m_dataset = std::move(dataset);
     m_motion = std::move(motion);
     m_sequence = sequence ? *sequence : core::Sequence();
@@ -96,27 +87,55 @@ void FitRunner::run(const FitRequest& request) {
     const FitSource source{m_dataset,          m_sequence,
                            m_motion,           readsMarks ? m_document.annotations() : core::AnnotationSet(),
                            m_document.rater(), m_sigmas};
-    m_job.start([this, request, source, dataset = m_dataset,
-                 estimator = m_estimator](const JobContext& context) -> Job::Delivery {
-        auto outcome = std::make_shared<FitOutcome>();
+    start(request.methods, [request, source](FitOutcome& outcome) -> std::optional<FitRefusal> {
         auto prepared = prepareFitPair(source, request);
         if (const auto* refusal = std::get_if<FitRefusal>(&prepared))
+            return *refusal;
+        static_cast<FitPair&>(outcome) = std::move(std::get<FitPair>(prepared));
+        outcome.sequence = source.sequence.name;
+        outcome.request = request;
+        return std::nullopt;
+    });
+}
+
+void FitRunner::extend(const std::vector<std::string>& methods) {
+    if (!m_outcome)
+        return;
+    std::vector<std::string> missing;
+    for (const std::string& method : methods) {
+        const bool isThere = std::any_of(m_outcome->methods.begin(), m_outcome->methods.end(),
+                                         [&](const MethodOutcome& fitted) { return fitted.method == method; });
+        if (!isThere && std::find(missing.begin(), missing.end(), method) == missing.end())
+            missing.push_back(method);
+    }
+    if (missing.empty())
+        return;
+    start(missing, [before = m_outcome, missing](FitOutcome& outcome) -> std::optional<FitRefusal> {
+        outcome = *before;
+        outcome.request.methods.insert(outcome.request.methods.end(), missing.begin(), missing.end());
+        return std::nullopt;
+    });
+}
+
+/// `prepare` makes the pair, on the worker; the methods' outcomes come behind those that it holds.
+void FitRunner::start(std::vector<std::string> methods, std::function<std::optional<FitRefusal>(FitOutcome&)> prepare) {
+    m_job.start([this, methods = std::move(methods), prepare = std::move(prepare), dataset = m_dataset,
+                 estimator = m_estimator](const JobContext& context) -> Job::Delivery {
+        auto outcome = std::make_shared<FitOutcome>();
+        if (const std::optional<FitRefusal> refusal = prepare(*outcome))
             return [this, why = *refusal] {
                 m_job.stop();
                 emit failed(fitRefusalText(why));
             };
-        static_cast<FitPair&>(*outcome) = std::move(std::get<FitPair>(prepared));
-        outcome->sequence = source.sequence.name;
-        outcome->request = request;
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);
-        const double count = static_cast<double>(request.methods.size());
-        for (std::size_t i = 0; i < request.methods.size() && !context.stop.stop_requested(); ++i) {
-            const std::string& method = request.methods[i];
-            outcome->methods.push_back(
-                runMethod(poseEstimator, *dataset, *outcome, method, context.stop, [&](double fraction) {
-                    context.report((static_cast<double>(i) + fraction) / count, QString::fromStdString(method));
+        const double count = static_cast<double>(methods.size());
+        const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency() / 2));
+        for (std::size_t i = 0; i < methods.size() && !context.stop.stop_requested(); ++i)
+            outcome->methods.push_back(runMethod(
+                poseEstimator, *dataset, *outcome, methods[i], context.stop, threads,
+                [&](double fraction) {
+                    context.report((static_cast<double>(i) + fraction) / count, QString::fromStdString(methods[i]));
                 }));
-        }
         return [this, outcome] { m_outcome = outcome; };
     });
 }

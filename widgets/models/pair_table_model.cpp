@@ -2,19 +2,21 @@
 #include "widgets/models/pair_table_model.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include <QLocale>
+#include <QFont>
+
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
-bool isText(int column) {
-    return column == PairTableModel::Method || column == PairTableModel::Sequence;
-}
+using core::PairField;
+using core::PairQuantity;
 
-bool isSameRow(const core::PairResult& a, const core::PairResult& b) {
-    return a.pair == b.pair && a.method == b.method && a.errorMm == b.errorMm && a.seconds == b.seconds;
+bool isOfMethod(PairField field) {
+    return field == PairField::ErrorMm || field == PairField::Iterations || field == PairField::Seconds;
 }
 
 } // namespace
@@ -22,80 +24,185 @@ bool isSameRow(const core::PairResult& a, const core::PairResult& b) {
 PairTableModel::PairTableModel(QObject* parent)
     : QAbstractTableModel(parent) {}
 
-void PairTableModel::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
-    const std::size_t before = m_results ? m_results->rows.size() : 0;
-    const bool onlyMore = before > 0 && results && results->rows.size() >= before &&
-                          std::equal(m_results->rows.begin(), m_results->rows.end(), results->rows.begin(), isSameRow);
-    if (onlyMore) { // a run goes on: what is selected and scrolled to stays
-        const auto after = static_cast<int>(results->rows.size());
-        if (after > static_cast<int>(before))
-            beginInsertRows({}, static_cast<int>(before), after - 1);
-        m_results = std::move(results);
-        if (after > static_cast<int>(before))
-            endInsertRows();
-        return;
-    }
+void PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
     beginResetModel();
-    m_results = std::move(results);
+    const bool sameMethods = m_table && table && m_table->methods == table->methods;
+    m_table = std::move(table);
+    if (!sameMethods) {
+        m_filter.clear();
+        m_compared = {m_table && m_table->methods.size() > 1 ? 1u : 0u, 0u};
+        m_sorted = PairQuantity{PairField::ErrorDifferenceMm, m_compared.a, m_compared.b};
+        m_order = Qt::DescendingOrder;
+    }
+    makeColumns();
+    refresh();
     endResetModel();
 }
 
+void PairTableModel::setCompared(const core::ComparedMethods& compared) {
+    if (compared == m_compared)
+        return;
+    beginResetModel();
+    m_compared = compared;
+    if (m_sorted && m_sorted->field == PairField::ErrorDifferenceMm)
+        m_sorted = PairQuantity{PairField::ErrorDifferenceMm, compared.a, compared.b};
+    makeColumns();
+    refresh();
+    endResetModel();
+}
+
+void PairTableModel::setFilter(core::PairFilter filter) {
+    beginResetModel();
+    m_filter = std::move(filter);
+    refresh();
+    endResetModel();
+}
+
+void PairTableModel::sort(int column, Qt::SortOrder order) {
+    if (column < 0 || column >= columnCount())
+        return;
+    beginResetModel();
+    m_sorted = quantity(column);
+    m_order = order;
+    refresh();
+    endResetModel();
+}
+
+void PairTableModel::refresh() {
+    m_shown = m_table ? core::filteredPairs(*m_table, m_filter) : std::vector<std::size_t>{};
+    if (m_table && m_sorted)
+        m_shown = core::sortedPairs(*m_table, std::move(m_shown), *m_sorted, m_order == Qt::DescendingOrder);
+}
+
+void PairTableModel::makeColumns() {
+    m_columns.clear();
+    if (!m_table)
+        return;
+    m_columns = {{PairField::Sequence, 0, 0},
+                 {PairField::Start, 0, 0},
+                 {PairField::Test, 0, 0},
+                 {PairField::Difference, 0, 0},
+                 {PairField::StartErrorMm, 0, 0}};
+    if (m_table->methods.size() > 1)
+        m_columns.push_back({PairField::ErrorDifferenceMm, m_compared.a, m_compared.b});
+    for (const PairField field : {PairField::ErrorMm, PairField::Iterations, PairField::Seconds})
+        for (std::size_t method = 0; method < m_table->methods.size(); ++method)
+            m_columns.push_back({field, method, 0});
+}
+
+int PairTableModel::columnOf(const PairQuantity& quantity) const {
+    const auto found = std::find(m_columns.begin(), m_columns.end(), quantity);
+    return found == m_columns.end() ? -1 : static_cast<int>(found - m_columns.begin());
+}
+
 int PairTableModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_results ? 0 : static_cast<int>(m_results->rows.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
 }
 
 int PairTableModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : ColumnCount;
+    return parent.isValid() ? 0 : static_cast<int>(m_columns.size());
 }
 
-QVariant PairTableModel::value(const core::PairResult& row, int column) const {
-    switch (column) {
-    case Method:
-        return QString::fromStdString(row.method);
-    case Sequence:
-        return QString::fromStdString(row.pair.sequence);
-    case Start:
-        return row.pair.start;
-    case Test:
-        return row.pair.test;
-    case InitialErrorMm:
-        return row.initialErrorMm;
-    case ErrorMm:
-        return row.errorMm;
-    case Iterations:
-        return row.iterations;
-    case Seconds:
-        return row.seconds;
-    default:
+QString PairTableModel::cell(const PairQuantity& quantity, std::size_t pair) const {
+    if (quantity.field == PairField::Sequence)
+        return QString::fromStdString(m_table->pairs[pair].sequence);
+    const double value = core::pairValue(*m_table, quantity, pair);
+    if (std::isnan(value))
         return {};
+    switch (quantity.field) {
+    case PairField::StartErrorMm:
+    case PairField::ErrorMm:
+        return localNumber(value, 2);
+    case PairField::ErrorDifferenceMm:
+        return (value > 0 ? QStringLiteral("+") : QString()) + localNumber(value, 2);
+    case PairField::Seconds:
+        return localNumber(value, 3);
+    default:
+        return QString::number(static_cast<int>(value)); // frames are names, not amounts
     }
+}
+
+/// The best of several methods stands out in its row.
+bool PairTableModel::isSmallestError(const PairQuantity& quantity, std::size_t pair) const {
+    if (quantity.field != PairField::ErrorMm || m_table->columns.size() < 2)
+        return false;
+    const double mine = core::pairValue(*m_table, quantity, pair);
+    return !std::isnan(mine) &&
+           std::none_of(m_table->columns.begin(), m_table->columns.end(),
+                        [&](const core::PairTable::Column& column) { return column.errorMm[pair] < mine; });
 }
 
 QVariant PairTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid))
         return {};
-    const QVariant raw = value(pair(index.row()), index.column());
-    if (role == ValueRole)
-        return raw;
+    const PairQuantity& what = quantity(index.column());
+    const std::size_t pair = m_shown[static_cast<std::size_t>(index.row())];
+    if (role == Qt::DisplayRole)
+        return cell(what, pair);
     if (role == Qt::TextAlignmentRole)
-        return int((isText(index.column()) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
+        return int((what.field == PairField::Sequence ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role == Qt::FontRole && isSmallestError(what, pair)) {
+        QFont bold;
+        bold.setBold(true);
+        return bold;
+    }
+    return {};
+}
+
+QString PairTableModel::headerText(const PairQuantity& quantity) const {
+    const QString method =
+        isOfMethod(quantity.field) ? QString::fromStdString(m_table->methods[quantity.method]) : QString();
+    switch (quantity.field) {
+    case PairField::Sequence:
+        return tr("Sequence");
+    case PairField::Start:
+        return tr("Start");
+    case PairField::Test:
+        return tr("Test");
+    case PairField::Difference:
+        return tr("Apart");
+    case PairField::StartErrorMm:
+        return tr("Start mm");
+    case PairField::ErrorMm:
+        return tr("%1 mm").arg(method);
+    case PairField::ErrorDifferenceMm:
+        return tr("A \u2212 B mm");
+    case PairField::Iterations:
+        return tr("%1 iterations").arg(method);
+    case PairField::Seconds:
+        return tr("%1 s").arg(method);
+    }
+    return {};
+}
+
+QString PairTableModel::headerTip(const PairQuantity& quantity) const {
+    const auto name = [this](std::size_t method) { return QString::fromStdString(m_table->methods[method]); };
+    switch (quantity.field) {
+    case PairField::Difference:
+        return tr("Frames between start and test");
+    case PairField::StartErrorMm:
+        return tr("Mean joint error of the start pose");
+    case PairField::ErrorMm:
+        return tr("Mean joint error of %1; the smallest of a row is bold").arg(name(quantity.method));
+    case PairField::ErrorDifferenceMm:
+        return tr("Error of %1 minus error of %2: above 0 where %1 is worse")
+            .arg(name(quantity.method), name(quantity.other));
+    default:
         return {};
-    if (raw.type() == QVariant::Double)
-        return QLocale().toString(raw.toDouble(), 'f', index.column() == Seconds ? 3 : 2);
-    return raw.type() == QVariant::Int ? QVariant(QLocale().toString(raw.toInt())) : raw;
+    }
 }
 
 QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount)
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
         return {};
+    const PairQuantity& what = quantity(section);
     if (role == Qt::TextAlignmentRole)
-        return int((isText(section) ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole)
-        return {};
-    const QString names[ColumnCount] = {tr("Method"),   tr("Sequence"), tr("Start"),      tr("Test"),
-                                        tr("Start mm"), tr("Error mm"), tr("Iterations"), tr("s")};
-    return names[section];
+        return int((what.field == PairField::Sequence ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole)
+        return headerTip(what);
+    if (role == Qt::DecorationRole && what.field == PairField::ErrorMm)
+        return m_methodIcon ? QVariant(m_methodIcon(m_table->methods[what.method])) : QVariant();
+    return role == Qt::DisplayRole ? QVariant(headerText(what)) : QVariant();
 }
 
 } // namespace widgets

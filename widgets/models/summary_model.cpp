@@ -3,48 +3,42 @@
 
 #include <QLocale>
 
-#include "core/benchmark/metrics.h"
-
 namespace widgets {
 
 SummaryModel::SummaryModel(QObject* parent)
     : QAbstractTableModel(parent) {}
 
-void SummaryModel::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
-    std::vector<int> differences = results ? core::differencesOf(*results) : std::vector<int>{};
-    const bool sameShape =
-        m_results && results && m_results->methods == results->methods && differences == m_differences;
+void SummaryModel::setDigest(std::shared_ptr<const core::BenchmarkDigest> digest) {
+    const bool sameShape = m_digest && digest && m_digest->table.methods == digest->table.methods &&
+                           m_digest->differences == digest->differences;
     if (sameShape) { // a run goes on
-        m_results = std::move(results);
+        m_digest = std::move(digest);
         emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
         return;
     }
     beginResetModel();
-    m_results = std::move(results);
-    m_differences = std::move(differences);
+    m_digest = std::move(digest);
     endResetModel();
 }
 
 int SummaryModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !m_results ? 0 : static_cast<int>(m_results->methods.size()) + 1;
+    return parent.isValid() || !m_digest ? 0 : static_cast<int>(m_digest->summary.size());
 }
 
 int SummaryModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0
-                            : static_cast<int>(m_differences.size()) + 4; // method, differences, all, pairs, seconds
+    const std::size_t differences = m_digest ? m_digest->differences.size() : 0;
+    return parent.isValid() ? 0 : static_cast<int>(differences) + 4; // method, differences, all, pairs, seconds
 }
 
 QString SummaryModel::cell(int row, int column) const {
     const bool isStart = row == 0;
-    const std::string method = isStart ? std::string() : m_results->methods[static_cast<std::size_t>(row - 1)];
+    const core::BenchmarkDigest::SummaryRow& values = m_digest->summary[static_cast<std::size_t>(row)];
     const int last = columnCount() - 1;
     if (column == 0)
-        return isStart ? tr("start") : QString::fromStdString(method);
-    std::optional<int> difference;
-    if (column <= static_cast<int>(m_differences.size()))
-        difference = m_differences[static_cast<std::size_t>(column - 1)];
-    const core::ErrorStatistics found = isStart ? core::initialStatistics(*m_results, difference)
-                                                : core::errorStatistics(*m_results, method, difference);
+        return isStart ? tr("start") : QString::fromStdString(values.method);
+    const std::size_t difference = static_cast<std::size_t>(column - 1);
+    const core::ErrorStatistics& found =
+        difference < values.byDifference.size() ? values.byDifference[difference] : values.all;
     if (column == last - 1)
         return QLocale().toString(found.pairs);
     if (found.pairs == 0 || (isStart && column == last))
@@ -61,8 +55,9 @@ QVariant SummaryModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole)
         return int((index.column() == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == ValueRole && index.column() == 0)
-        return index.row() == 0 ? QStringLiteral("start")
-                                : QString::fromStdString(m_results->methods[static_cast<std::size_t>(index.row() - 1)]);
+        return index.row() == 0
+                   ? QStringLiteral("start")
+                   : QString::fromStdString(m_digest->summary[static_cast<std::size_t>(index.row())].method);
     return role == Qt::DisplayRole ? QVariant(cell(index.row(), index.column())) : QVariant();
 }
 
@@ -85,7 +80,7 @@ QVariant SummaryModel::headerData(int section, Qt::Orientation orientation, int 
         return tr("Pairs");
     if (section == columnCount() - 3)
         return tr("All, mm");
-    return QLocale().toString(m_differences[static_cast<std::size_t>(section - 1)]);
+    return QLocale().toString(m_digest->differences[static_cast<std::size_t>(section - 1)]);
 }
 
 } // namespace widgets

@@ -6,7 +6,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/benchmark/benchmark_results.h"
+#include "core/benchmark/comparison/benchmark_digest.h"
 
 namespace widgets {
 
@@ -20,7 +20,8 @@ public:
 
     explicit SummaryModel(QObject* parent = nullptr);
 
-    void setResults(std::shared_ptr<const core::BenchmarkResults> results);
+    /// Null for no results.
+    void setDigest(std::shared_ptr<const core::BenchmarkDigest> digest);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -30,8 +31,7 @@ public:
 private:
     QString cell(int row, int column) const;
 
-    std::shared_ptr<const core::BenchmarkResults> m_results;
-    std::vector<int> m_differences;
+    std::shared_ptr<const core::BenchmarkDigest> m_digest;
 };
 
 } // namespace widgets

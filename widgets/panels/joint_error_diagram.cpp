@@ -6,6 +6,7 @@
 
 #include <QHelpEvent>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
@@ -34,12 +35,22 @@ JointErrorDiagram::JointErrorDiagram(QWidget* parent)
     setAccessibleName(tr("Mean error per joint"));
 }
 
-void JointErrorDiagram::setErrors(const std::vector<JointError>& errors) {
+void JointErrorDiagram::setErrors(const std::vector<JointError>& errors, double largestMm) {
     m_errors = errors;
-    m_largestMm = 0;
+    m_largestMm = largestMm;
     for (const JointError& error : errors)
         if (std::isfinite(error.errorMm))
             m_largestMm = std::max(m_largestMm, error.errorMm);
+    update();
+}
+
+void JointErrorDiagram::setClickable(bool clickable) {
+    m_isClickable = clickable;
+    setMouseTracking(clickable);
+}
+
+void JointErrorDiagram::setSelected(const std::optional<core::JointId>& joint) {
+    m_selected = joint;
     update();
 }
 
@@ -55,10 +66,23 @@ QRectF JointErrorDiagram::handsArea() const {
     return {0, 0, double(width()), double(height() - fontMetrics().height() - kLegendHeight)};
 }
 
-QPointF JointErrorDiagram::placeOf(const core::JointId& joint, bool* known) const {
+std::optional<QPointF> JointErrorDiagram::placeOf(const core::JointId& joint) const {
     const auto unit = diagramPosition(joint.joint);
-    *known = unit.has_value();
-    return unit ? placeInHand(joint.hand, handArea(joint.hand, handsArea()), *unit) : QPointF();
+    return unit ? std::optional(placeInHand(joint.hand, handArea(joint.hand, handsArea()), *unit)) : std::nullopt;
+}
+
+const JointError* JointErrorDiagram::errorAt(QPointF place) const {
+    const JointError* nearest = nullptr;
+    double least = 2 * kDotRadius;
+    for (const JointError& error : m_errors) {
+        const auto centre = placeOf(error.joint);
+        const double distance = centre ? std::hypot(centre->x() - place.x(), centre->y() - place.y()) : least;
+        if (distance < least) {
+            least = distance;
+            nearest = &error;
+        }
+    }
+    return nearest;
 }
 
 void JointErrorDiagram::paintEvent(QPaintEvent*) {
@@ -67,14 +91,18 @@ void JointErrorDiagram::paintEvent(QPaintEvent*) {
     for (const core::Side hand : {core::Side::Left, core::Side::Right})
         paintHandOutline(painter, hand, handArea(hand, handsArea()), palette());
     for (const JointError& error : m_errors) {
-        bool known = false;
-        const QPointF centre = placeOf(error.joint, &known);
-        if (!known)
+        const auto centre = placeOf(error.joint);
+        if (!centre)
             continue;
         painter.setPen(QPen(palette().color(QPalette::Window), 1));
         const bool finite = std::isfinite(error.errorMm) && m_largestMm > 0;
         painter.setBrush(finite ? QBrush(errorColour(error.errorMm / m_largestMm)) : QBrush(Qt::NoBrush));
-        painter.drawEllipse(centre, kDotRadius, kDotRadius);
+        painter.drawEllipse(*centre, kDotRadius, kDotRadius);
+        if (error.joint == m_selected) {
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+            painter.drawEllipse(*centre, kDotRadius + 3, kDotRadius + 3);
+        }
     }
     if (m_largestMm > 0)
         paintLegend(painter);
@@ -99,15 +127,22 @@ bool JointErrorDiagram::event(QEvent* event) {
     if (event->type() != QEvent::ToolTip)
         return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
-    QString text;
-    for (const JointError& error : m_errors) {
-        bool known = false;
-        const QPointF offset = placeOf(error.joint, &known) - help->pos();
-        if (known && std::hypot(offset.x(), offset.y()) < 2 * kDotRadius)
-            text = QStringLiteral("%1: %2").arg(jointText(error.joint), millimetres(error.errorMm));
-    }
+    const JointError* pointed = errorAt(help->pos());
+    const QString text =
+        pointed ? QStringLiteral("%1: %2").arg(jointText(pointed->joint), millimetres(pointed->errorMm)) : QString();
     QToolTip::showText(help->globalPos(), text, this);
     return true;
+}
+
+void JointErrorDiagram::mousePressEvent(QMouseEvent* event) {
+    const JointError* pointed =
+        m_isClickable && event->button() == Qt::LeftButton ? errorAt(event->localPos()) : nullptr;
+    if (pointed)
+        emit jointClicked(pointed->joint);
+}
+
+void JointErrorDiagram::mouseMoveEvent(QMouseEvent* event) {
+    setCursor(errorAt(event->localPos()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
 }
 
 } // namespace widgets

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QWidget>
@@ -22,22 +23,35 @@ class JointErrorDiagram : public QWidget {
 public:
     explicit JointErrorDiagram(QWidget* parent = nullptr);
 
-    void setErrors(const std::vector<JointError>& errors);
+    /// `largestMm`: the end of the colour scale; 0: the largest error.
+    void setErrors(const std::vector<JointError>& errors, double largestMm = 0);
+    /// Whether joints can be clicked; one of them may be selected: a ring around it, and its name and error below.
+    void setClickable(bool clickable);
+    void setSelected(const std::optional<core::JointId>& joint);
+    /// The middle of a joint's dot, in the widget; empty if the drawing does not have it.
+    std::optional<QPointF> placeOf(const core::JointId& joint) const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
+signals:
+    void jointClicked(const core::JointId& joint);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     bool event(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
 
 private:
     QRectF handsArea() const;
     void paintLegend(QPainter& painter) const;
-    QPointF placeOf(const core::JointId& joint, bool* known) const;
+    const JointError* errorAt(QPointF place) const;
 
     std::vector<JointError> m_errors;
     double m_largestMm = 0;
+    bool m_isClickable = false;
+    std::optional<core::JointId> m_selected;
 };
 
 } // namespace widgets

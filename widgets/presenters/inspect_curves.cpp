@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspect_curves.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "widgets/views/joint_colours.h"
+#include "widgets/presenters/inspect_columns.h"
 
 namespace widgets {
 
 InspectCurves inspectCurves(const FitOutcome& outcome) {
     InspectCurves curves;
-    for (const MethodOutcome& method : outcome.methods) {
-        Curve error{QString::fromStdString(method.method), methodColour(method.method), false, false, {}};
+    std::size_t last = 0;
+    for (const MethodOutcome& method : outcome.methods)
+        last = std::max(last, method.result.history.size());
+    for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
+        const MethodOutcome& method = outcome.methods[column];
+        if (method.isFixed) { // the same at every iteration: a line to compare with
+            const QString name = columnTitle(columnOf(method.method));
+            if (method.errorMm > 0 && last > 0)
+                curves.errors.push_back({name,
+                                         columnColour(outcome, column),
+                                         true,
+                                         false,
+                                         {{0, method.errorMm}, {static_cast<double>(last), method.errorMm}}});
+            continue;
+        }
+        Curve error{QString::fromStdString(method.method), columnColour(outcome, column), false, false, {}};
         Curve cost = error;
         if (!std::isnan(outcome.initialErrorMm))
             error.points.emplace_back(0, outcome.initialErrorMm);

@@ -153,6 +153,8 @@ QString inspectLayerId(InspectLayer layer) {
         return QStringLiteral("field");
     case InspectLayer::Error:
         return QStringLiteral("error");
+    case InspectLayer::Uncertainty:
+        return QStringLiteral("uncertainty");
     }
     return {};
 }
@@ -197,7 +199,7 @@ InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Camera& c
     const auto [target, matches] = shownMatches(method, cameraIndex, iteration);
     if (!target)
         return overlay;
-    if (shown.count(InspectLayer::Field))
+    if (shown.count(InspectLayer::Field) && !method.isFixed)
         overlay.field = fieldPicture(*target, core::matchRule(core::parseMethod(method.method)), camera, fieldAngleRad);
     if (shown.count(InspectLayer::Difference))
         addDifference(camera, target->mask, posed, overlay);

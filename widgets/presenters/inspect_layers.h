@@ -24,10 +24,12 @@ enum class InspectLayer {
     Matches,    ///< p -> q by residual; refused ones dashed
     Difference, ///< silhouettes: missed and extra pixels
     Field,      ///< what a rim point of one direction would cost, pixel by pixel
-    Error       ///< the mesh by its vertices' distance to the recorded pose
+    Error,      ///< the mesh by its vertices' distance to the recorded pose
+    Uncertainty ///< 95 % regions of the result's joints, as the fit judged them
 };
 inline constexpr std::array kInspectLayers{InspectLayer::Contour,    InspectLayer::Rim,   InspectLayer::Matches,
-                                           InspectLayer::Difference, InspectLayer::Field, InspectLayer::Error};
+                                           InspectLayer::Difference, InspectLayer::Field, InspectLayer::Error,
+                                           InspectLayer::Uncertainty};
 
 /// "contour", "rim", ...: as scripts and settings call it.
 QString inspectLayerId(InspectLayer layer);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspect_overlays.h"
 
+#include "widgets/presenters/inspect_uncertainty.h"
+
 namespace widgets {
 
 namespace {
@@ -16,9 +18,11 @@ std::vector<InspectOverlay> makeOverlays(const InspectOverlays::Scene& scene, co
                 return {};
             const MeshLayer posed =
                 scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m] : MeshLayer();
-            overlays.push_back(inspectOverlay(scene.outcome->methods[m],
-                                              scene.dataset->cameras[static_cast<std::size_t>(camera)], camera,
-                                              scene.iteration, shown, posed, fieldAngleRad));
+            const MethodOutcome& method = scene.outcome->methods[m];
+            const core::Camera& seen = scene.dataset->cameras[static_cast<std::size_t>(camera)];
+            overlays.push_back(inspectOverlay(method, seen, camera, scene.iteration, shown, posed, fieldAngleRad));
+            if (shown.count(InspectLayer::Uncertainty) && isAtResult(method, scene.iteration))
+                addUncertainty(jointUncertainties(*scene.dataset, method), seen, overlays.back().shapes);
         }
     }
     return overlays;

@@ -26,6 +26,7 @@ public:
     /// Difference and Field take each other's place.
     void setShown(InspectLayer layer, bool shown);
     bool isShown(InspectLayer layer) const { return m_shown.count(layer) > 0; }
+    const std::set<InspectLayer>& shown() const { return m_shown; }
     /// The direction whose field is shown.
     void setFieldAngleRad(double angleRad);
     double fieldAngleRad() const { return m_fieldAngleRad; }
@@ -39,6 +40,7 @@ public:
         int iteration = 0;
     };
     void show(Scene scene);
+    const Scene& scene() const { return m_scene; }
     /// Of the silhouettes of one view, while their difference is shown; else NaN.
     double iou(int view) const;
 

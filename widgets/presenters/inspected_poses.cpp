@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspected_poses.h"
 
+#include "widgets/presenters/inspect_columns.h"
+#include "widgets/presenters/inspect_layers.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/views/joint_colours.h"
 
@@ -8,8 +10,23 @@ namespace widgets {
 
 namespace {
 
-const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name,
+                  const QColor& colour) {
+    MeshLayer layer;
+    layer.name = name;
+    layer.colour = colour;
+    for (std::size_t hand = 0; hand < dataset.hands.size() && hand < poses.size(); ++hand)
+        if (poses[hand].size() > 0) // a tracker may have one hand only
+            layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
+    return layer;
+}
+
+} // namespace
+
+const core::HandPoses& inspectedPosesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
     const auto& history = method.result.history;
+    if (method.isFixed)
+        return method.result.poses;
     if (iteration <= 0 || history.empty())
         return history.empty() && iteration > 0 ? method.result.poses : outcome.startPoses;
     if (iteration >= static_cast<int>(history.size()))
@@ -17,17 +34,9 @@ const core::HandPoses& posesAt(const FitOutcome& outcome, const MethodOutcome& m
     return history[static_cast<std::size_t>(iteration - 1)].poses;
 }
 
-MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, const QString& name,
-                  const QColor& colour) {
-    MeshLayer layer;
-    layer.name = name;
-    layer.colour = colour;
-    for (std::size_t hand = 0; hand < dataset.hands.size() && hand < poses.size(); ++hand)
-        layer.surfaces.push_back(makeViewSurface(dataset.hands[hand], poses[hand]));
-    return layer;
+bool isAtResult(const MethodOutcome& method, int iteration) {
+    return method.isFixed || iteration >= static_cast<int>(method.result.history.size());
 }
-
-} // namespace
 
 InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
                               const std::stop_token& stop) {
@@ -36,16 +45,20 @@ InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& ou
     if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
         poses.recorded =
             layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
-    for (const MethodOutcome& method : outcome.methods) {
+    for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
         if (stop.stop_requested())
             break;
-        poses.methods.push_back(layerOf(dataset, posesAt(outcome, method, iteration),
-                                        QString::fromStdString(method.method), methodColour(method.method)));
+        const MethodOutcome& method = outcome.methods[column];
+        poses.methods.push_back(layerOf(dataset, inspectedPosesAt(outcome, method, iteration),
+                                        QString::fromStdString(method.method), columnColour(outcome, column)));
+        poses.methodsByError.push_back(colouredByError(poses.methods.back(), poses.recorded));
     }
     return poses;
 }
 
 double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
+    if (method.isFixed)
+        return method.errorMm;
     if (iteration <= 0)
         return outcome.initialErrorMm;
     if (iteration > static_cast<int>(method.iterationErrorMm.size()))

@@ -16,7 +16,14 @@ struct InspectedPoses {
     MeshLayer start;                ///< where every method began
     MeshLayer recorded;             ///< no surfaces if the target is mask files, or there is no recorded pose
     std::vector<MeshLayer> methods; ///< as in the outcome
+    /// The same in the colours of their vertices' distance to the recorded pose (colouredByError).
+    std::vector<MeshLayer> methodsByError;
 };
+
+/// A method's poses after `iteration` steps.
+const core::HandPoses& inspectedPosesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration);
+/// True if those are the method's result.
+bool isAtResult(const MethodOutcome& method, int iteration);
 
 /// Poses the hands after `iteration` steps of every method; a method that ended before stays at its result, 0 is the
 /// start.

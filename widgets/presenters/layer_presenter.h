@@ -46,6 +46,7 @@ public:
 
     /// Inspected poses, which the scene shows instead of those of the current frame; empty for the current frame's.
     void setInspected(std::optional<std::vector<MeshLayer>> layers);
+    bool showsInspected() const { return m_inspected.has_value(); }
     /// Each way of inspecting has an opacity of its own: over footage that is clicked in, meshes must not hide it.
     void setInspecting(bool inspecting);
 

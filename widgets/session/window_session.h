@@ -9,7 +9,7 @@
 #include "widgets/document/reconstructions.h"
 #include "widgets/document/selection.h"
 #include "widgets/document/shown_cameras.h"
-#include "widgets/jobs/benchmark_runner.h"
+#include "widgets/jobs/benchmark/benchmark_runner.h"
 #include "widgets/jobs/first_pass.h"
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/jobs/frame_loader.h"

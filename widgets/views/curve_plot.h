@@ -4,12 +4,10 @@
 #include <vector>
 
 #include <QColor>
-#include <QImage>
 #include <QPointF>
 #include <QString>
-#include <QWidget>
 
-class QMenu;
+#include "widgets/views/plot_canvas.h"
 
 namespace widgets {
 
@@ -34,7 +32,7 @@ struct CurvePlotSettings {
 };
 
 /// Line plot: error curves, convergence. Reads out the curves under the pointer; saves itself as PNG and SVG.
-class CurvePlot : public QWidget {
+class CurvePlot : public PlotCanvas {
     Q_OBJECT
 public:
     explicit CurvePlot(QWidget* parent = nullptr);
@@ -46,37 +44,27 @@ public:
     /// A vertical line, such as the iteration that is shown; NaN for none.
     void setCursor(double x);
 
-    QImage grabPicture(double scale = 1) const;
-    bool saveSvg(const QString& path) const;
-    void addPictureActions(QMenu& menu);
-
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
-
 signals:
     /// The plot was clicked at this x.
     void xClicked(double x);
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    bool isEmpty() const override { return m_curves.empty(); }
+    PlotLabels labels() const override;
+    PlotFrame axes() const override;
+    void paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const override;
+    void paintPointed(QPainter& painter, const PlotFrame& frame) const override;
+    void addMenuActions(QMenu& menu) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
-    struct Frame;
-    Frame frame(const QRectF& area) const;
-    void paint(QPainter& painter, const QRectF& area, const QPalette& colours) const;
-    void paintAxes(QPainter& painter, const Frame& frame, const QPalette& colours) const;
-    void paintCurves(QPainter& painter, const Frame& frame, const QPalette& colours) const;
-    void paintLegend(QPainter& painter, const Frame& frame, const QPalette& colours) const;
-    void paintReadout(QPainter& painter, const Frame& frame) const;
+    void paintCurves(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    double valueOfPlace(const PlotFrame& frame, QPointF place) const;
 
     CurvePlotSettings m_settings;
     std::vector<Curve> m_curves;
-    double valueOfPlace(const Frame& frame, QPointF place) const;
-
     double m_cursorX;
     double m_hoverX;
 };

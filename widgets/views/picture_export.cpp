@@ -29,25 +29,29 @@ void tell(QWidget* parent, const QString& text) {
     QCoreApplication::sendEvent(parent, &tip);
 }
 
-void askAndSave(QWidget* parent, const PictureSource& source) {
+} // namespace
+
+void askToSavePicture(QWidget* parent, const PictureSource& source) {
     QString filter = PictureExport::tr("PNG picture (*.png)");
     if (source.saveSvg)
         filter += QStringLiteral(";;") + PictureExport::tr("SVG drawing (*.svg)");
+    if (source.savePdf)
+        filter += QStringLiteral(";;") + PictureExport::tr("PDF page (*.pdf)");
     QString chosen;
     QString path = QFileDialog::getSaveFileName(parent, PictureExport::tr("Save picture"),
                                                 source.fileName + QStringLiteral(".png"), filter, &chosen);
     if (path.isEmpty())
         return;
     if (QFileInfo(path).suffix().isEmpty())
-        path += chosen.contains(QLatin1String("svg")) ? QStringLiteral(".svg") : QStringLiteral(".png");
+        path += chosen.contains(QLatin1String("svg"))   ? QStringLiteral(".svg")
+                : chosen.contains(QLatin1String("pdf")) ? QStringLiteral(".pdf")
+                                                        : QStringLiteral(".png");
     const bool saved = savePicture(source, path);
     if (!saved && source.failed)
         source.failed(PictureExport::tr("%1 could not be written. Choose a folder that you may write to.").arg(path));
     else if (saved)
         tell(parent, PictureExport::tr("Saved to %1").arg(path));
 }
-
-} // namespace
 
 void addPictureActions(QMenu& menu, QWidget* parent, const PictureSource& source) {
     QAction* copy = menu.addAction(QIcon::fromTheme(QStringLiteral("edit-copy")), PictureExport::tr("Copy picture"));
@@ -57,13 +61,18 @@ void addPictureActions(QMenu& menu, QWidget* parent, const PictureSource& source
     });
     QAction* save =
         menu.addAction(QIcon::fromTheme(QStringLiteral("document-save-as")), PictureExport::tr("Save picture..."));
-    QObject::connect(save, &QAction::triggered, parent, [parent, source] { askAndSave(parent, source); });
+    QObject::connect(save, &QAction::triggered, parent, [parent, source] { askToSavePicture(parent, source); });
 }
 
 bool savePicture(const PictureSource& source, const QString& path) {
-    if (source.saveSvg && path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive)) {
+    std::function<bool(const QString&)> drawing;
+    if (path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
+        drawing = source.saveSvg;
+    else if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        drawing = source.savePdf;
+    if (drawing) {
         const QString beside = path + QStringLiteral(".part");
-        if (!source.saveSvg(beside)) {
+        if (!drawing(beside)) {
             QFile::remove(beside);
             return false;
         }

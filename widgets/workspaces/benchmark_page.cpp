@@ -193,6 +193,7 @@ void BenchmarkPage::connectRunner() {
                     m_runner.setup() == core::BenchmarkSetup::Realistic ? FitTarget::Masks : FitTarget::Recorded;
                 emit pairOpened(QString::fromStdString(pair.sequence), {pair.start, pair.test, methods, target});
             });
+    connect(m_results, &BenchmarkResultsView::runRequested, this, &BenchmarkPage::runPairs);
     connect(&m_runner, &BenchmarkRunner::failed, this, [this](const QString& message) {
         showRunning(false);
         m_message->setMessage(message);
@@ -288,6 +289,24 @@ void BenchmarkPage::runOrStop() {
         m_runner.run(wanted);
 }
 
+void BenchmarkPage::runPairs(const std::vector<core::FramePair>& pairs) {
+    BenchmarkRequest wanted = request();
+    wanted.framePairs = pairs;
+    if (m_runner.isRunning())
+        m_message->setMessage(tr("Stop the benchmark first."));
+    else if (wanted.methods.empty())
+        m_message->setMessage(tr("Choose at least one method."));
+    else
+        m_runner.run(wanted);
+}
+
+void BenchmarkPage::runSelectedPairs() {
+    if (m_results->pairs()->selected().empty())
+        m_message->setMessage(tr("Select pairs in the table first."));
+    else
+        m_results->pairs()->runSelected();
+}
+
 void BenchmarkPage::showRunning(bool running) {
     m_run->setText(running ? tr("Stop") : tr("Run"));
     m_progress->setVisible(running);
@@ -309,7 +328,7 @@ void BenchmarkPage::takeDataset() {
 
 void BenchmarkPage::takeResults() {
     showSetups();
-    m_results->setResults(m_runner.results());
+    m_results->setResults(m_runner.results(), m_runner.digest());
     m_save->setEnabled(m_runner.results() != nullptr);
 }
 

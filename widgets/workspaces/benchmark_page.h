@@ -19,7 +19,7 @@
 #include <QWidget>
 
 #include "widgets/document/annotation_document.h"
-#include "widgets/jobs/benchmark_runner.h"
+#include "widgets/jobs/benchmark/benchmark_runner.h"
 #include "widgets/jobs/fit_pair.h"
 #include "widgets/session/annotation_coverage.h"
 #include "widgets/session/dataset_session.h"
@@ -49,6 +49,11 @@ public:
     core::PairOptions pairOptions() const;
 
     void runOrStop();
+    /// Runs the ticked methods on pairs of the results that are shown, and adds what they find.
+    void runPairs(const std::vector<core::FramePair>& pairs);
+    /// The same with those that are selected; says so if none is.
+    void runSelectedPairs();
+    BenchmarkResultsView* results() const { return m_results; }
     /// Asks for a folder, then saves the results there, or shows those of it.
     void askToSave();
     void askToOpen();

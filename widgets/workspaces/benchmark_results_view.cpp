@@ -6,10 +6,10 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include "core/benchmark/figures.h"
-#include "core/benchmark/metrics.h"
 #include "widgets/panels/table_style.h"
 #include "widgets/views/joint_colours.h"
 #include "widgets/views/method_chip.h"
@@ -18,7 +18,6 @@ namespace widgets {
 
 namespace {
 
-constexpr double kCurveStepMm = 0.1;
 constexpr double kCurveMaxMm = 10;
 
 } // namespace
@@ -27,51 +26,68 @@ BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
     : QWidget(parent)
     , m_summary(new SummaryModel(this))
     , m_summaryTable(new QTableView(this))
-    , m_pairs(new PairTableModel(this))
-    , m_sortedPairs(new QSortFilterProxyModel(this))
-    , m_pairTable(new QTableView(this))
+    , m_pairs(new BenchmarkPairsView(this))
+    , m_pictures(new QTabWidget(this))
+    , m_pairPlots(new BenchmarkPairPlots(this))
     , m_curves(new CurvePlot(this))
     , m_jointMethod(new QComboBox(this))
     , m_jointErrors(new JointErrorDiagram(this)) {
     m_summaryTable->setObjectName(QStringLiteral("benchmarkSummary"));
-    m_pairTable->setObjectName(QStringLiteral("benchmarkPairs"));
     m_summaryTable->setModel(m_summary);
     m_summaryTable->setItemDelegateForColumn(0, new MethodDelegate(SummaryModel::ValueRole, m_summaryTable));
-    m_sortedPairs->setSourceModel(m_pairs);
-    m_sortedPairs->setSortRole(PairTableModel::ValueRole);
-    m_pairTable->setModel(m_sortedPairs);
-    m_pairTable->setItemDelegateForColumn(PairTableModel::Method,
-                                          new MethodDelegate(PairTableModel::ValueRole, m_pairTable));
-    for (QTableView* table : {m_summaryTable, m_pairTable}) {
-        styleTable(*table);
-        table->setFocusPolicy(Qt::NoFocus);
-    }
-    m_pairTable->setSortingEnabled(true);
-    m_pairTable->sortByColumn(PairTableModel::ErrorMm, Qt::DescendingOrder);
-    m_pairTable->setToolTip(tr("Double-click a pair to inspect it with every method"));
-    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0,
-                           100, false, tr("Run the benchmark to compare the methods.")});
-    auto* pictures = new QSplitter(Qt::Horizontal, this);
-    pictures->addWidget(m_curves);
-    pictures->addWidget(makeJointPart());
-    pictures->setStretchFactor(0, 2);
-    pictures->setStretchFactor(1, 1);
+    styleTable(*m_summaryTable);
+    m_summaryTable->setFocusPolicy(Qt::NoFocus);
     auto* rows = new QSplitter(Qt::Vertical, this);
     rows->addWidget(m_summaryTable);
-    rows->addWidget(pictures);
-    rows->addWidget(m_pairTable);
-    rows->setStretchFactor(1, 2);
-    rows->setStretchFactor(2, 1);
-    for (QSplitter* splitter : {pictures, rows})
-        splitter->setChildrenCollapsible(false);
+    rows->addWidget(makePictures());
+    rows->addWidget(m_pairs);
+    rows->setStretchFactor(0, 1);
+    rows->setStretchFactor(1, 3);
+    rows->setStretchFactor(2, 2);
+    rows->setChildrenCollapsible(false);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(rows);
-    connect(m_pairTable, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
-        const core::PairResult& row = m_pairs->pair(m_sortedPairs->mapToSource(index).row());
-        emit pairOpened(row.pair, methodsToInspect(row.method));
+    connectPairs();
+    setResults(nullptr, nullptr);
+}
+
+QWidget* BenchmarkResultsView::makePictures() {
+    m_curves->setSettings({tr("Share of pairs below each error"), tr("Error, mm"), tr("Pairs, %"), 0, kCurveMaxMm, 0,
+                           100, false, tr("Run the benchmark to compare the methods.")});
+    auto* all = new QSplitter(Qt::Horizontal, this);
+    all->addWidget(m_curves);
+    all->addWidget(makeJointPart());
+    all->setStretchFactor(0, 2);
+    all->setStretchFactor(1, 1);
+    all->setChildrenCollapsible(false);
+    m_pictures->setDocumentMode(true);
+    m_pictures->setFocusPolicy(Qt::NoFocus);
+    m_pictures->addTab(all, tr("All methods"));
+    m_pictures->addTab(m_pairPlots, tr("A against B"));
+    return m_pictures;
+}
+
+void BenchmarkResultsView::connectPairs() {
+    connect(
+        m_pairs, &BenchmarkPairsView::shownChanged, this, [this] { m_pairPlots->showPairs(m_pairs->model()); });
+    connect(m_pairs, &BenchmarkPairsView::selectionChanged, this,
+            [this] { m_pairPlots->setSelected(m_pairs->selected()); });
+    connect(m_pairs, &BenchmarkPairsView::pairOpened, this, &BenchmarkResultsView::openPair);
+    connect(m_pairs, &BenchmarkPairsView::runRequested, this, [this](const std::vector<std::size_t>& pairs) {
+        std::vector<core::FramePair> wanted;
+        for (const std::size_t pair : pairs)
+            wanted.push_back(m_pairs->model().table()->pairs[pair]);
+        emit runRequested(wanted);
     });
-    setResults(nullptr);
+    connect(m_pairPlots, &BenchmarkPairPlots::pairClicked, this, &BenchmarkResultsView::openPair);
+    connect(m_pairPlots, &BenchmarkPairPlots::conditionClicked, this,
+            [this](const QString& condition) { m_pairs->setFilter(condition); });
+}
+
+void BenchmarkResultsView::openPair(std::size_t pair) {
+    m_pairs->select({pair});
+    emit pairOpened(m_pairs->model().table()->pairs[pair], methodsToInspect());
 }
 
 QWidget* BenchmarkResultsView::makeJointPart() {
@@ -92,12 +108,17 @@ QWidget* BenchmarkResultsView::makeJointPart() {
     return part;
 }
 
-void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResults> results) {
+void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResults> results,
+                                      std::shared_ptr<const core::BenchmarkDigest> digest) {
     m_results = std::move(results);
-    m_summary->setResults(m_results);
-    m_pairs->setResults(m_results);
+    m_digest = std::move(digest);
+    m_summary->setDigest(m_digest);
+    m_pairs->setTable(m_digest ? std::shared_ptr<const core::PairTable>(m_digest, &m_digest->table) : nullptr);
     m_summaryTable->setVisible(m_results != nullptr);
-    m_pairTable->setVisible(m_results != nullptr);
+    m_pairs->setVisible(m_results != nullptr);
+    m_pictures->tabBar()->setVisible(m_results != nullptr);
+    if (!m_results)
+        m_pictures->setCurrentIndex(0);
     showCurves();
     showJointMethods();
     showJointErrors();
@@ -105,8 +126,8 @@ void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResul
 
 void BenchmarkResultsView::showCurves() {
     std::vector<Curve> curves;
-    if (m_results && !m_results->rows.empty()) {
-        for (const core::ErrorCurve& found : core::errorCurves(*m_results, kCurveStepMm, kCurveMaxMm)) {
+    if (m_digest) {
+        for (const core::ErrorCurve& found : m_digest->curves) {
             const bool isStart = found.method == "initial";
             Curve curve{isStart ? tr("start") : QString::fromStdString(found.method),
                         methodColour(isStart ? "start" : found.method),
@@ -140,21 +161,25 @@ void BenchmarkResultsView::showJointMethods() {
 
 void BenchmarkResultsView::showJointErrors() {
     std::vector<JointError> errors;
-    if (m_results && m_jointMethod->currentIndex() >= 0) {
-        const auto means = core::meanJointErrorsMm(*m_results, m_jointMethod->currentText().toStdString());
+    const auto method = static_cast<std::size_t>(m_jointMethod->currentIndex());
+    if (m_digest && m_jointMethod->currentIndex() >= 0 && method < m_digest->jointErrorsMm.size()) {
+        const std::vector<double>& means = m_digest->jointErrorsMm[method];
         for (std::size_t i = 0; i < m_results->joints.size() && i < means.size(); ++i)
             errors.push_back({m_results->joints[i], means[i]});
     }
     m_jointErrors->setErrors(errors);
 }
 
-/// All that can be run here; of a long list the most telling ones, and the one that was clicked.
-std::vector<std::string> BenchmarkResultsView::methodsToInspect(const std::string& clicked) const {
+/// All that can be run here; of a long list the most telling ones, and the two that are compared.
+std::vector<std::string> BenchmarkResultsView::methodsToInspect() const {
     constexpr std::size_t kMost = 9;
     std::vector<std::string> wanted =
         m_results->methods.size() > kMost ? core::headlineMethods(*m_results, kMost) : m_results->methods;
-    if (std::find(wanted.begin(), wanted.end(), clicked) == wanted.end())
-        wanted.push_back(clicked);
+    const auto [a, b] = m_pairs->model().compared();
+    for (const std::size_t compared : {a, b})
+        if (const std::string& method = m_pairs->model().table()->methods[compared];
+            std::find(wanted.begin(), wanted.end(), method) == wanted.end())
+            wanted.push_back(method);
     std::erase_if(wanted, [this](const std::string& method) {
         return std::find(m_results->external.begin(), m_results->external.end(), method) != m_results->external.end();
     });

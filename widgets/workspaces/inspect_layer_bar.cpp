@@ -55,16 +55,10 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     auto* row = new QHBoxLayout;
     row->setSpacing(kSpacing / 2);
     column->addLayout(row);
-    addBox(InspectLayer::Contour, tr("Contour"), tr("The observed outline; its colour is its direction"));
-    addBox(InspectLayer::Rim, tr("Rim"), tr("Rim points of the posed hands with their normals"));
-    addBox(InspectLayer::Matches, tr("Matches"),
-           tr("From rim points to their contour points, by distance; refused ones dashed"));
-    addBox(InspectLayer::Difference, tr("Difference"),
-           tr("Silhouettes: red is seen but not covered, blue is covered but not seen"));
-    addBox(InspectLayer::Field, tr("Field"), tr("What a rim point of one direction costs at every pixel"));
-    addBox(InspectLayer::Error, tr("Error"), tr("The mesh by its distance to the recorded pose"));
-    for (const InspectLayer layer : kInspectLayers)
+    for (const InspectLayer layer : kInspectLayers) {
+        addBox(layer);
         row->addWidget(m_boxes.at(layer));
+    }
     m_scale->setPixmap(scalePicture());
     m_legend->setMinimumWidth(1);
     m_direction->setRange(0, 360 / kDegreesPerStep - 1);
@@ -87,9 +81,13 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     showState();
 }
 
-void InspectLayerBar::addBox(InspectLayer layer, const QString& text, const QString& tip) {
-    auto* box = new QCheckBox(text, this);
-    box->setToolTip(tip);
+void InspectLayerBar::setLayerTexts(InspectLayer layer, const QString& text, const QString& tip) {
+    m_boxes.at(layer)->setText(text);
+    m_boxes.at(layer)->setToolTip(tip);
+}
+
+void InspectLayerBar::addBox(InspectLayer layer) {
+    auto* box = new QCheckBox(inspectLayerId(layer), this);
     box->setFocusPolicy(Qt::NoFocus);
     connect(box, &QCheckBox::toggled, this, [this, layer](bool on) { m_overlays.setShown(layer, on); });
     m_boxes[layer] = box;
@@ -118,7 +116,10 @@ void InspectLayerBar::showLegend() {
         parts << tr("field 0\u2013%1 px").arg(kFieldScalePx);
     if (m_overlays.isShown(InspectLayer::Error))
         parts << tr("error 0\u2013%1 mm").arg(kErrorScaleMm);
-    m_scale->setVisible(!parts.isEmpty());
+    const bool hasScale = !parts.isEmpty();
+    if (m_overlays.isShown(InspectLayer::Uncertainty))
+        parts << tr("ellipses: 95 % of the result's joints");
+    m_scale->setVisible(hasScale);
     m_legend->setVisible(!parts.isEmpty());
     m_legend->setText(parts.join(QStringLiteral(", ")));
 }

@@ -20,12 +20,14 @@ class InspectLayerBar : public QWidget {
 public:
     explicit InspectLayerBar(InspectOverlays& overlays, QWidget* parent = nullptr);
 
+    /// What a layer is called, and what its tip says. Until then it has its id.
+    void setLayerTexts(InspectLayer layer, const QString& text, const QString& tip);
     /// `shown`: the method's matches in the view under the pointer.
     void showProbe(const std::string& method, const ShownMatches& shown, QPointF px);
     void clearProbe();
 
 private:
-    void addBox(InspectLayer layer, const QString& text, const QString& tip);
+    void addBox(InspectLayer layer);
     void showState();
     void showLegend();
 

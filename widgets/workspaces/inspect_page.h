@@ -14,45 +14,55 @@
 #include "widgets/document/selection.h"
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/fit_runner.h"
-#include "widgets/jobs/frame_loader.h"
-#include "widgets/presenters/inspect_overlays.h"
+#include "widgets/panels/compare/camera_choice.h"
+#include "widgets/panels/compare/column_bar.h"
+#include "widgets/presenters/inspect_columns.h"
 #include "widgets/presenters/inspected_poses.h"
 #include "widgets/session/dataset_session.h"
-#include "widgets/views/camera/camera_grid.h"
 #include "widgets/views/curve_plot.h"
+#include "widgets/views/message_bar.h"
+#include "widgets/workspaces/inspect_grid.h"
+#include "widgets/workspaces/inspect_joint_errors.h"
 #include "widgets/workspaces/inspect_layer_bar.h"
 
 namespace widgets {
 
-/// The fitted pair, methods side by side: a column per method, a row per camera, over the pictures of the pair's own
-/// test frame, the recorded silhouette as a white line, at the iteration that the slider chooses; below, how error and
-/// cost fell.
+/// The fitted pair, methods side by side: the views of InspectGrid, the recorded silhouette as a white line, at the
+/// iteration that the slider chooses; below, how error and cost fell.
 class InspectPage : public QWidget {
     Q_OBJECT
 
 public:
-    InspectPage(const FitRunner& fits, const DatasetSession& datasets, const Selection& selection,
+    InspectPage(FitRunner& fits, const DatasetSession& datasets, const Selection& selection,
                 const ShownCameras& cameras, JobPool& pool, QWidget* parent = nullptr);
 
-    CameraGrid* grid() const { return m_grid; }
+    CameraGrid* grid() const { return m_views->grid(); }
+    InspectGrid* views() const { return m_views; }
+    InspectColumns* columns() const { return m_columns; }
     /// 0 is the start pose; methods that ended before stay at their result.
     int iteration() const;
     void setIteration(int iteration);
     int lastIteration() const;
+    /// Which pair is shown, and which iteration, in words; empty without a fit.
+    QString heading() const { return m_heading->text(); }
+    QString iterationText() const { return m_iterationText->text(); }
     /// How the meshes are drawn, and whether the start pose and the recorded silhouette are.
     void setLook(const LayerLook& look, bool startShown, bool recordedShown);
     /// The picture of the test frame; null without a fit, or before it has come.
-    ImagePyramid picture(int camera) const;
+    ImagePyramid picture(int camera) const { return m_views->picture(camera); }
     /// Start, recorded pose and every method at the iteration that is shown, for the scene; none without a fit.
     std::vector<MeshLayer> posedLayers() const;
 
     /// Which layers are drawn over the views.
-    InspectOverlays* overlays() const { return m_overlays; }
+    InspectOverlays* overlays() const { return m_views->overlays(); }
+    InspectLayerBar* layerBar() const { return m_layerBar; }
+    InspectJointErrors* jointErrors() const { return m_joints; }
     CurvePlot* errorPlot() const { return m_errors; }
     CurvePlot* costPlot() const { return m_costs; }
     /// Cameras that are shown, from the current one on.
     int rows() const { return m_rows->value(); }
     void setRows(int rows) { m_rows->setValue(rows); }
+    ColumnBar* columnBar() const { return m_columnBar; }
     /// Of a method of the fit, in a camera, at the iteration that is shown.
     ShownMatches matches(const QString& method, int camera) const;
 
@@ -61,53 +71,43 @@ signals:
     void posesShown();
     void pictureShown(int camera);
     void fitRequested();
+    /// A joint of the drawing was clicked.
+    void jointChosen(const core::JointId& joint);
 
 private:
     void build();
     QWidget* makeEmptyPage();
     QWidget* makeViews();
     QLayout* makeIterationRow();
-    void requestPictures();
     void showHint();
-    void showFailure(int camera, const QString& message);
-    void showLayers();
-    void takeOutcome();
-    void layOutGrid();
+    void showCameras();
+    void takeColumns();
     void showPoses();
-    void showPicture(int camera, const ImagePyramid& picture);
     void showCurves();
-    void showTitles();
     void showProbe(int view, QPointF px);
-    void syncRow(int index);
-    std::vector<int> rowCameras() const;
-    std::size_t methodCount() const;
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
-    const Selection& m_selection;
-    const ShownCameras& m_cameras;
-    FrameLoader m_frames; ///< of the pair's test frame, whatever the window's current one is
-    std::shared_ptr<const core::Dataset> m_dataset;
-    const core::Sequence* m_sequence = nullptr;
     Job m_job;
+    InspectColumns* m_columns;
+    std::shared_ptr<const FitOutcome> m_shown; ///< of which the curves are
     QStackedWidget* m_pages;
     QLabel* m_hint;
     QPushButton* m_fit;
+    MessageBar* m_message;
     QLabel* m_heading;
     QSlider* m_slider;
     QLabel* m_iterationText;
     QSpinBox* m_rows;
-    CameraGrid* m_grid;
-    InspectOverlays* m_overlays;
+    InspectGrid* m_views;
+    ColumnBar* m_columnBar;
+    CameraChoice* m_cameraChoice;
     InspectLayerBar* m_layerBar;
+    InspectJointMarks* m_jointMarks;
+    InspectJointErrors* m_joints;
     CurvePlot* m_errors;
     CurvePlot* m_costs;
-    std::vector<int> m_rowCameras; ///< per row
     std::shared_ptr<const InspectedPoses> m_posed;
-    LayerLook m_look;
-    bool m_startShown = false;
-    bool m_recordedShown = true;
-    bool m_syncing = false;
 };
 
 } // namespace widgets

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/presenters/inspect/inspect_scene_lines.h"
 #include "widgets/views/message_bar.h"
 
 namespace widgets {
@@ -59,6 +60,7 @@ Workspaces::Workspaces(WindowSession& session, QWidget* parent)
     , m_viewPanel(new ViewPanel(session.selection, session.opened, session.shownCameras, *m_layers, *m_options, this))
     , m_inspect(
           new InspectPage(session.fits, session.opened, session.selection, session.shownCameras, session.pool, this))
+    , m_whatIf(new WhatIfPanel(session.fits, *m_inspect->columns(), session.opened, session.pool, this))
     , m_benchmark(new BenchmarkPage(session.benchmarks, session.opened, session.document, session.coverage, this))
     , m_scenePanel(new ScenePanel(m_scene, *m_layers, this))
     , m_masks(session.opened, session.selection, session.pool) {
@@ -94,6 +96,7 @@ void Workspaces::build() {
     m_tabs->addTab(scrolled(m_quality, this), tr("Quality"));
     m_tabs->addTab(scrolled(m_review, this), tr("Review"));
     m_tabs->addTab(scrolled(m_fitting, this), tr("Fit"));
+    m_tabs->addTab(scrolled(m_whatIf, this), tr("What if"));
     m_tabs->addTab(scrolled(m_viewPanel, this), tr("View"));
     m_tabs->addTab(scrolled(m_raters, this), tr("Raters"));
     m_grid->setEmptyText(tr("All views are hidden: tick one under View, Cameras."));
@@ -108,6 +111,7 @@ void Workspaces::build() {
         splitter->setHandleWidth(kSpacing / 2);
         splitter->setChildrenCollapsible(false);
     }
+    m_tabs->setTabVisible(tabOf(m_whatIf), false);
     m_columns->setStretchFactor(1, 1);
     connect(m_columns, &QSplitter::splitterMoved, this, [this] { m_columnsMoved = true; });
     shareWidth();
@@ -146,9 +150,15 @@ void Workspaces::connectGrid() {
 void Workspaces::connectInspect() {
     connect(m_layers, &LayerPresenter::lookChanged, this, &Workspaces::lookInspected);
     connect(m_inspect, &InspectPage::posesShown, this, &Workspaces::showInScene);
+    new InspectSceneLines(*m_inspect->overlays(), *m_layers, *m_scene, m_session.pool, this);
     connect(m_inspect, &InspectPage::pictureShown, this, [this](int camera) {
         if (camera == m_grid->current())
             showCurrentCamera();
+    });
+    connect(m_inspect, &InspectPage::jointChosen, &m_session.selection, &Selection::setJoint);
+    connect(m_inspect->columnBar(), &ColumnBar::settingsWanted, this, [this](std::size_t column) {
+        m_whatIf->showColumn(column);
+        raisePanel(m_whatIf);
     });
     connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
     connect(&m_session.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
@@ -297,6 +307,7 @@ void Workspaces::showTabs() {
         m_annotationTab = m_tabs->currentWidget();
     for (QWidget* panel : std::initializer_list<QWidget*>{m_quality, m_review, m_raters})
         m_tabs->setTabVisible(tabOf(panel), annotates);
+    m_tabs->setTabVisible(tabOf(m_whatIf), m_kind == Kind::Inspect);
     if (!annotates)
         m_tabs->setCurrentIndex(tabOf(m_fitting));
     else if (QWidget* tab = std::exchange(m_annotationTab, nullptr))
@@ -324,7 +335,9 @@ void Workspaces::openPair(const QString& sequence, const FitRequest& request) {
 
 void Workspaces::raisePanel(QWidget* panel) {
     const bool isOfAnnotating = panel == m_quality || panel == m_review || panel == m_raters;
-    if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
+    if (panel == m_whatIf)
+        setCurrent(Kind::Inspect);
+    else if (m_kind == Kind::Benchmark || (isOfAnnotating && m_kind != Kind::Annotate))
         setCurrent(Kind::Annotate);
     m_tabs->setCurrentIndex(tabOf(panel));
 }
@@ -346,6 +359,7 @@ QWidget* Workspaces::part(const QString& name) const {
                                             {QStringLiteral("review"), m_review},
                                             {QStringLiteral("raters"), m_raters},
                                             {QStringLiteral("view"), m_viewPanel},
+                                            {QStringLiteral("whatif"), m_whatIf},
                                             {QStringLiteral("inspect"), m_inspect},
                                             {QStringLiteral("benchmark"), m_benchmark},
                                             {QStringLiteral("curves"), m_fitting->plot()},

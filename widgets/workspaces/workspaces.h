@@ -7,6 +7,7 @@
 #include <QTabWidget>
 #include <QWidget>
 
+#include "widgets/panels/compare/what_if_panel.h"
 #include "widgets/panels/fitting_panel.h"
 #include "widgets/panels/joints_panel.h"
 #include "widgets/panels/quality/quality_panel.h"
@@ -58,6 +59,7 @@ public:
     RatersPanel* ratersPanel() const { return m_raters; }
     ReviewPanel* reviewPanel() const { return m_review; }
     ViewPanel* viewPanel() const { return m_viewPanel; }
+    WhatIfPanel* whatIfPanel() const { return m_whatIf; }
     InspectPage* inspectPage() const { return m_inspect; }
     BenchmarkPage* benchmarkPage() const { return m_benchmark; }
     ScenePanel* scenePanel() const { return m_scenePanel; }
@@ -67,7 +69,7 @@ public:
     /// Brings the tab with this panel to the front.
     void raisePanel(QWidget* panel);
     /// A part of the window by its name for scripts: "scene", "joints", "diagram", "fit", "quality", "review",
-    /// "raters", "view", "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
+    /// "raters", "view", "whatif", "curves", "views", "inspect", "benchmark" or a camera's name; null if there is none.
     QWidget* part(const QString& name) const;
 
     QByteArray saveState() const;
@@ -124,6 +126,7 @@ private:
     ReviewPanel* m_review;
     ViewPanel* m_viewPanel;
     InspectPage* m_inspect;
+    WhatIfPanel* m_whatIf;
     BenchmarkPage* m_benchmark;
     ScenePanel* m_scenePanel;
     MaskAttacher m_masks;

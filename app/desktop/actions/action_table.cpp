@@ -20,6 +20,7 @@ constexpr const char* kMaximise = QT_TRANSLATE_NOOP("app::ActionTable", "One &vi
 constexpr const char* kMarks = QT_TRANSLATE_NOOP("app::ActionTable", "Mar&ks");
 constexpr const char* kMesh = QT_TRANSLATE_NOOP("app::ActionTable", "&Mesh");
 constexpr const char* kLayers = QT_TRANSLATE_NOOP("app::ActionTable", "&Layers of the methods");
+constexpr const char* kColumns = QT_TRANSLATE_NOOP("app::ActionTable", "C&olumns of the comparison");
 constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
 constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
 constexpr const char* kNudge = QT_TRANSLATE_NOOP("app::ActionTable", "&Nudge");
@@ -174,12 +175,36 @@ const std::vector<ActionRow> kRows = {
     {"compare.layerContour", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Contour"), "Alt+1", "", QT_TRANSLATE_NOOP("app::ActionTable", "The observed outline over the inspected views; its colour is its direction"), kCheck},
     {"compare.layerRim", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Rim"), "Alt+2", "", QT_TRANSLATE_NOOP("app::ActionTable", "Rim points of the posed hands with their normals"), kCheck},
     {"compare.layerMatches", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Matches"), "Alt+3", "", QT_TRANSLATE_NOOP("app::ActionTable", "From rim points to their contour points, by distance; refused ones dashed"), kCheck},
-    {"compare.layerDifference", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Difference of silhouettes"), "Alt+4", "", QT_TRANSLATE_NOOP("app::ActionTable", "Red is seen but not covered, blue is covered but not seen"), kCheck},
+    {"compare.layerDifference", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Difference"), "Alt+4", "", QT_TRANSLATE_NOOP("app::ActionTable", "Silhouettes: red is seen but not covered, blue is covered but not seen"), kCheck},
     {"compare.layerField", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Field"), "Alt+5", "", QT_TRANSLATE_NOOP("app::ActionTable", "What a rim point of one direction costs at every pixel"), kCheck},
     {"compare.layerError", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Error"), "Alt+6", "", QT_TRANSLATE_NOOP("app::ActionTable", "The mesh by its distance to the recorded pose"), kCheck},
+    {"compare.layerUncertainty", kLayers, QT_TRANSLATE_NOOP("app::ActionTable", "&Uncertainty"), "Alt+7", "", QT_TRANSLATE_NOOP("app::ActionTable", "Where the joints of a result lie with 95 % probability, as the fit judged it"), kCheck},
+    {"compare.addStart", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Add the &start"), "Ctrl+Alt+1", "", QT_TRANSLATE_NOOP("app::ActionTable", "The pose that every method began with, as a column")},
+    {"compare.addTruth", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Add the &truth"), "Ctrl+Alt+2", "", QT_TRANSLATE_NOOP("app::ActionTable", "The recorded pose, as a column")},
+    {"compare.addTracker", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Add a tracker's &estimates..."), "Ctrl+Alt+3", "", QT_TRANSLATE_NOOP("app::ActionTable", "A file of joints per frame pair, as handlens-batch benchmark takes it")},
+    {"compare.removeColumn", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Remove the column"), "Ctrl+Alt+0", "list-remove", ""},
+    {"compare.previousColumn", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Previous column"), "Alt+Left", "", QT_TRANSLATE_NOOP("app::ActionTable", "What the settings and the wipe are about"), kPlain, true},
+    {"compare.nextColumn", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Next column"), "Alt+Right", "", ""},
+    {"compare.columnLeft", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Move the column to the &left"), "Alt+Shift+Left", "", ""},
+    {"compare.columnRight", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Move the column to the ri&ght"), "Alt+Shift+Right", "", ""},
+    {"compare.hideHere", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Hide or show the hands in this view"), "Alt+0", "", QT_TRANSLATE_NOOP("app::ActionTable", "The column in the current view")},
+    {"compare.wipe", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Wipe to the next column"), "Ctrl+Alt+W", "", QT_TRANSLATE_NOOP("app::ActionTable", "The next column lies over this one, behind a line that can be dragged"), kCheck, true},
+    {"compare.wipeLeft", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Line of the wipe to the left"), "Ctrl+Alt+,", "", ""},
+    {"compare.wipeRight", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Line of the wipe to the right"), "Ctrl+Alt+.", "", ""},
+    {"compare.blink", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Blink with the next column"), "Ctrl+Alt+B", "", QT_TRANSLATE_NOOP("app::ActionTable", "Shows this column and the next one by turns"), kCheck},
+    {"compare.whatIf", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "What &if..."), "Ctrl+Alt+I", "configure", QT_TRANSLATE_NOOP("app::ActionTable", "Settings of the column's method, cameras and noise: drag one, and the methods run again"), kPlain, true},
+    {"compare.useSettings", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Use these settings"), "Ctrl+Alt+U", "dialog-ok-apply", QT_TRANSLATE_NOOP("app::ActionTable", "Gives the column what was tried under What if")},
+    {"compare.addSettings", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Add these settings as a column"), "Ctrl+Alt+A", "list-add", QT_TRANSLATE_NOOP("app::ActionTable", "What was tried under What if, beside the column")},
+    {"compare.resetSettings", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Bac&k to what was fitted"), "Ctrl+Alt+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Ends what was tried under What if")},
+    {"compare.measureCameras", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "What does each &camera add?"), "Ctrl+Alt+C", "", QT_TRANSLATE_NOOP("app::ActionTable", "Fits without each camera in turn")},
     {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
+    {"benchmark.filter", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Fil&ter the benchmark's pairs"), "Ctrl+Alt+P", "view-filter", QT_TRANSLATE_NOOP("app::ActionTable", "By errors, differences of methods, sequences and frames, such as A-B>1")},
+    {"benchmark.runSelected", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run the selected pairs"), "Ctrl+Alt+N", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "Adds what the ticked methods make of them to the results that are shown")},
     {"file.saveWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again"), kPlain, true},
     {"file.openWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
+    {"compare.savePicture", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save the comparison as a picture..."), "Ctrl+Alt+G", "document-save-as", QT_TRANSLATE_NOOP("app::ActionTable", "Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors")},
+    {"compare.saveFilm", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save the iterations as a film..."), "Ctrl+Alt+M", "video-x-generic", QT_TRANSLATE_NOOP("app::ActionTable", "The comparison from the start pose to the last iteration")},
+    {"compare.saveReport", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Report of this comparison..."), "Ctrl+Alt+H", "text-html", QT_TRANSLATE_NOOP("app::ActionTable", "One page with pictures, tables, settings and the command that makes it again")},
     {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
     {"file.openResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
 
@@ -195,10 +220,10 @@ const std::vector<ActionRow> kRows = {
 // clang-format on
 
 const std::vector<MenuRow> kMenus = {
-    {kFile, nullptr},     {kEdit, nullptr},    {kView, nullptr},     {kMaximise, kView},   {kMarks, kView},
-    {kLayers, kFit},      {kMesh, kView},      {kScene, kView},      {kAnnotate, nullptr}, {kStep, kAnnotate},
-    {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate}, {kGo, nullptr},       {kFit, nullptr},
-    {kRaters, nullptr},   {kHelp, nullptr}};
+    {kFile, nullptr},   {kEdit, nullptr},     {kView, nullptr},    {kMaximise, kView},   {kMarks, kView},
+    {kLayers, kFit},    {kColumns, kFit},     {kMesh, kView},      {kScene, kView},      {kAnnotate, nullptr},
+    {kStep, kAnnotate}, {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate}, {kGo, nullptr},
+    {kFit, nullptr},    {kRaters, nullptr},   {kHelp, nullptr}};
 
 } // namespace
 

@@ -7,12 +7,12 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFileDialog>
 
 #include "app/desktop/actions/action_id.h"
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/workspace_player.h"
 #include "app/desktop/windows/annotation_format_text.h"
+#include "app/desktop/windows/ask_for_file.h"
 #include "app/desktop/windows/export_window.h"
 #include "core/error.h"
 #include "core/io/formats/annotation_formats.h"
@@ -22,41 +22,6 @@
 namespace app {
 
 namespace {
-
-/// A filter of a file dialog, and the ending that a name without one gets; empty for folders.
-struct FileKind {
-    QString filter, suffix;
-};
-
-/// Shows a file dialog that does not block, to save a file if a name is proposed; `chosen` gets the path and which of
-/// the kinds it is.
-void askForFile(MainWindow& window, const QString& title, const std::vector<FileKind>& kinds,
-                const QString& proposedName, const std::function<void(const QString& path, std::size_t kind)>& chosen) {
-    auto* dialog = new QFileDialog(&window, title);
-    QStringList filters;
-    for (const FileKind& kind : kinds)
-        filters << kind.filter;
-    dialog->setNameFilters(filters);
-    const bool toSave = !proposedName.isEmpty();
-    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const auto kindOf = [filters](const QString& filter) {
-        return static_cast<std::size_t>(std::max(0, filters.indexOf(filter)));
-    };
-    const auto setSuffix = [dialog, kinds,
-                            kindOf](const QString& filter) { // before the dialog asks whether to overwrite
-        dialog->setDefaultSuffix(kinds[kindOf(filter)].suffix);
-    };
-    setSuffix(filters.front());
-    if (toSave)
-        dialog->selectFile(proposedName);
-    QObject::connect(dialog, &QFileDialog::filterSelected, dialog, setSuffix);
-    QObject::connect(dialog, &QFileDialog::fileSelected, &window, [dialog, chosen, kindOf](const QString& path) {
-        chosen(path, kindOf(dialog->selectedNameFilter()));
-    });
-    dialog->open();
-}
 
 /// The kinds of annotations that can be read.
 struct FormatChoice {

@@ -59,6 +59,12 @@ void bindLayers(MainWindow& window) {
         QString name = widgets::inspectLayerId(layer);
         name[0] = name[0].toUpper();
         const QString action = QStringLiteral("compare.layer") + name;
+        const auto nameBox = [&window, layer, action] { // name and tip stand in the table alone
+            window.workspaces().inspectPage()->layerBar()->setLayerTexts(layer, window.actions().plainText(action),
+                                                                         window.actions().action(action)->toolTip());
+        };
+        nameBox();
+        QObject::connect(&window.actions(), &Actions::shortcutsChanged, &window, nameBox);
         window.actions().bindToggle(
             action,
             [&window, overlays, layer](bool on) {
@@ -92,11 +98,19 @@ void bindComparing(MainWindow& window) {
     widgets::Workspaces& spaces = window.workspaces();
     widgets::BenchmarkPage* page = spaces.benchmarkPage();
     actions.bind(id("compare.nextMethod"), [&spaces] { spaces.scenePanel()->showNext(); });
+    actions.bind(id("benchmark.run"), [&spaces, page] {
+        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+        page->runOrStop();
+    });
+    actions.bind(id("benchmark.filter"), [&spaces, page] {
+        spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
+        page->results()->pairs()->askForFilter();
+    });
     actions.bind(
-        id("benchmark.run"),
+        id("benchmark.runSelected"),
         [&spaces, page] {
             spaces.setCurrent(widgets::Workspaces::Kind::Benchmark);
-            page->runOrStop();
+            page->runSelectedPairs();
         });
     actions.bind(
         id("file.saveResults"), [page] { page->askToSave(); });

@@ -4,17 +4,26 @@
 #include <cmath>
 #include <numbers>
 
+#include <QElapsedTimer>
 #include <QJsonArray>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/comparison_report.h"
+#include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
 #include "core/fitting/method_name.h"
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
+#include "widgets/views/picture_export.h"
+#include "widgets/workspaces/inspect_film.h"
+#include "widgets/workspaces/inspect_picture.h"
 
 namespace app {
 
 namespace {
+
+constexpr int kFilmMs = 10 * 60 * 1000;
 
 core::Error impossible(const char* field, const QString& why) {
     return {core::ErrorCode::Usage, {}, field, why.toStdString()};
@@ -77,8 +86,12 @@ QJsonObject showLayer(MainWindow& window, const QJsonObject& step) {
     const QJsonValue on = step.value(QLatin1String("on"));
     if (!on.isBool())
         throw impossible("on", QStringLiteral("expected true or false"));
+    QElapsedTimer clock;
+    clock.start();
     fittedPage(window).overlays()->setShown(*layer, on.toBool());
-    return {};
+    waitUntilIdle(window);
+    fittedPage(window).grid()->repaint();
+    return {{QStringLiteral("ms"), static_cast<double>(clock.nsecsElapsed()) * 1e-6}};
 }
 
 QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
@@ -127,6 +140,48 @@ QJsonObject probeAt(MainWindow& window, const QJsonObject& step) {
     answer[QStringLiteral("kept")] = isFound && probe.verdict == core::MatchVerdict::Kept;
     answer[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(probe.verdict));
     return answer;
+}
+
+QJsonObject saveReport(MainWindow& window, const QString& path) {
+    fittedPage(window);
+    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+    waitUntilIdle(window);
+    saveComparisonReport(window, path.toStdString());
+    return {{QStringLiteral("path"), path}};
+}
+
+QJsonObject saveFilm(MainWindow& window, const QString& path) {
+    fittedPage(window);
+    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+    waitUntilIdle(window);
+    auto* film = window.findChild<widgets::InspectFilm*>();
+    QString error;
+    bool ended = false;
+    QObject scope;
+    QObject::connect(film, &widgets::InspectFilm::finished, &scope, [&] { ended = true; });
+    QObject::connect(film, &widgets::InspectFilm::stopped, &scope, [&] {
+        error = QStringLiteral("it was stopped");
+        ended = true;
+    });
+    QObject::connect(film, &widgets::InspectFilm::failed, &scope, [&](const QString& message) {
+        error = widgets::withDetailBehind(message);
+        ended = true;
+    });
+    film->save(path);
+    waitFor(
+        window, [&ended] { return ended; }, kFilmMs);
+    if (!ended || !error.isEmpty())
+        throw impossible("path", ended ? error : QStringLiteral("no answer in time"));
+    return {{QStringLiteral("path"), path}};
+}
+
+QJsonObject saveComparison(MainWindow& window, const QString& path) {
+    const widgets::InspectPage& page = fittedPage(window);
+    window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+    waitUntilIdle(window);
+    if (!widgets::savePicture(widgets::comparisonSource(page), path))
+        throw impossible("path", QStringLiteral("\"%1\" could not be written").arg(path));
+    return {{QStringLiteral("path"), path}};
 }
 
 } // namespace app

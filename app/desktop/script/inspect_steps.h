@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QJsonObject>
+#include <QString>
 
 namespace app {
 
@@ -19,5 +20,12 @@ QJsonObject printMatches(MainWindow& window, const QJsonObject& step);
 /// {"camera":"cam0","px":[x,y],"method":"dch-thres"}: what the method would match a rim point there with that has the
 /// direction of the nearest rim point.
 QJsonObject probeAt(MainWindow& window, const QJsonObject& step);
+
+/// Writes the page about the comparison and its workspace file.
+QJsonObject saveReport(MainWindow& window, const QString& path);
+/// Writes the iterations as a film (.mp4, .avi).
+QJsonObject saveFilm(MainWindow& window, const QString& path);
+/// Writes the comparison as a figure (.png, .svg, .pdf).
+QJsonObject saveComparison(MainWindow& window, const QString& path);
 
 } // namespace app

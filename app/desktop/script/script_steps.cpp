@@ -11,6 +11,8 @@
 #include <QWindow>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/benchmark_steps.h"
+#include "app/desktop/script/compare_steps.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/inspect_steps.h"
 #include "app/desktop/script/joint_json.h"
@@ -69,7 +71,14 @@ QJsonObject ScriptSteps::run(const QJsonObject& step) {
                                                          {QStringLiteral("layer"), &ScriptSteps::layer},
                                                          {QStringLiteral("probe"), &ScriptSteps::probe},
                                                          {QStringLiteral("workspace"), &ScriptSteps::workspace},
-                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass}};
+                                                         {QStringLiteral("results"), &ScriptSteps::results},
+                                                         {QStringLiteral("pairs"), &ScriptSteps::pairs},
+                                                         {QStringLiteral("report"), &ScriptSteps::report},
+                                                         {QStringLiteral("film"), &ScriptSteps::film},
+                                                         {QStringLiteral("picture"), &ScriptSteps::picture},
+                                                         {QStringLiteral("firstPass"), &ScriptSteps::firstPass},
+                                                         {QStringLiteral("columns"), &ScriptSteps::columns},
+                                                         {QStringLiteral("whatIf"), &ScriptSteps::whatIf}};
     const QString name = textField(step, "do");
     const auto handler = kHandlers.find(name);
     if (handler == kHandlers.end())
@@ -98,6 +107,8 @@ void ScriptSteps::settle() {
 }
 
 widgets::CameraView& ScriptSteps::cameraView(const QJsonObject& step) const {
+    if (step.contains(QLatin1String("column")))
+        return inspectedView(m_window, step);
     const QString name = textField(step, "camera");
     widgets::CameraView* view = m_window.workspaces().grid()->view(name);
     if (!view)
@@ -230,7 +241,12 @@ QJsonObject ScriptSteps::print(const QJsonObject& step) {
         return printMatches(m_window, step);
     if (what == QLatin1String("review"))
         return printReview(m_window);
-    throw refused("what", QStringLiteral("expected \"joint\", \"results\", \"matches\" or \"review\""));
+    if (what == QLatin1String("pairs"))
+        return printPairs(m_window, step);
+    if (what == QLatin1String("columns"))
+        return printColumns(m_window);
+    throw refused("what",
+                  QStringLiteral("expected \"joint\", \"results\", \"matches\", \"columns\", \"review\" or \"pairs\""));
 }
 
 QJsonObject ScriptSteps::printJoint(const QJsonObject& step) {
@@ -278,8 +294,36 @@ QJsonObject ScriptSteps::probe(const QJsonObject& step) {
     return probeAt(m_window, step);
 }
 
+QJsonObject ScriptSteps::results(const QJsonObject& step) {
+    return openResults(m_window, m_out, step);
+}
+
+QJsonObject ScriptSteps::pairs(const QJsonObject& step) {
+    return showPairs(m_window, step);
+}
+
+QJsonObject ScriptSteps::report(const QJsonObject& step) {
+    return saveReport(m_window, outPath(step));
+}
+
+QJsonObject ScriptSteps::film(const QJsonObject& step) {
+    return saveFilm(m_window, outPath(step));
+}
+
+QJsonObject ScriptSteps::picture(const QJsonObject& step) {
+    return saveComparison(m_window, outPath(step));
+}
+
 QJsonObject ScriptSteps::firstPass(const QJsonObject& step) {
     return runFirstPass(m_window, step);
+}
+
+QJsonObject ScriptSteps::columns(const QJsonObject& step) {
+    return chooseColumns(m_window, step);
+}
+
+QJsonObject ScriptSteps::whatIf(const QJsonObject& step) {
+    return tryWhatIf(m_window, step);
 }
 
 QJsonObject ScriptSteps::workspace(const QJsonObject& step) {

@@ -42,7 +42,14 @@ private:
     QJsonObject layer(const QJsonObject& step);
     QJsonObject probe(const QJsonObject& step);
     QJsonObject workspace(const QJsonObject& step);
+    QJsonObject results(const QJsonObject& step);
+    QJsonObject pairs(const QJsonObject& step);
+    QJsonObject report(const QJsonObject& step);
+    QJsonObject film(const QJsonObject& step);
+    QJsonObject picture(const QJsonObject& step);
     QJsonObject firstPass(const QJsonObject& step);
+    QJsonObject columns(const QJsonObject& step);
+    QJsonObject whatIf(const QJsonObject& step);
 
     QJsonObject printJoint(const QJsonObject& step);
     QJsonObject printResults();

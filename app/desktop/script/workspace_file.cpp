@@ -11,6 +11,25 @@
 
 namespace app {
 
+namespace {
+
+void addColumns(MainWindow& window, Workspace& workspace) {
+    const widgets::InspectPage& page = *window.workspaces().inspectPage();
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (std::size_t column = 0; column < page.columns()->count(); ++column) {
+        const std::string id = widgets::columnId(page.columns()->columns()[column]);
+        workspace.columns.push_back(id);
+        for (std::size_t camera = 0; camera < cameras.size(); ++camera)
+            if (!page.columns()->isShown(column, static_cast<int>(camera)))
+                workspace.hidden.push_back({id, cameras[camera].name});
+    }
+    workspace.cameras = page.views()->chosenCameras();
+    for (const widgets::Tracker& tracker : page.columns()->trackers())
+        workspace.trackers.push_back({tracker.name, tracker.file.toStdString()});
+}
+
+} // namespace
+
 Workspace currentWorkspace(MainWindow& window) {
     const auto& outcome = window.session().fits.outcome();
     if (!outcome)
@@ -29,6 +48,7 @@ Workspace currentWorkspace(MainWindow& window) {
         if (page.overlays()->isShown(layer))
             workspace.layers.push_back(widgets::inspectLayerId(layer).toStdString());
     workspace.fieldDirectionDeg = page.overlays()->fieldAngleRad() * 180 / std::numbers::pi;
+    addColumns(window, workspace);
     return workspace;
 }
 
@@ -45,10 +65,23 @@ Workspace readWorkspace(const std::filesystem::path& file) {
     workspace.rows = document.value("rows", workspace.rows);
     workspace.layers = document.value("layers", workspace.layers);
     workspace.fieldDirectionDeg = document.value("fieldDirectionDeg", 0.0);
+    workspace.columns = document.value("columns", workspace.columns);
+    workspace.cameras = document.value("cameras", workspace.cameras);
+    for (const nlohmann::json& hidden : document.value("hidden", nlohmann::json::array()))
+        workspace.hidden.push_back({hidden["column"].get<std::string>(), hidden["camera"].get<std::string>()});
+    for (const nlohmann::json& tracker : document.value("trackers", nlohmann::json::array())) {
+        const std::filesystem::path path = tracker["file"].get<std::string>(); // beside the workspace, or absolute
+        workspace.trackers.push_back({tracker["name"].get<std::string>(), (file.parent_path() / path).string()});
+    }
     return workspace;
 }
 
 void writeWorkspace(const std::filesystem::path& file, const Workspace& workspace) {
+    nlohmann::json hidden = nlohmann::json::array(), trackers = nlohmann::json::array();
+    for (const Workspace::Hidden& one : workspace.hidden)
+        hidden.push_back({{"column", one.column}, {"camera", one.camera}});
+    for (const Workspace::Tracker& tracker : workspace.trackers)
+        trackers.push_back({{"name", tracker.name}, {"file", tracker.file}});
     core::writeJsonFile(file, {{"format", "handlens-workspace"},
                                {"version", 1},
                                {"sequence", workspace.sequence},
@@ -60,7 +93,11 @@ void writeWorkspace(const std::filesystem::path& file, const Workspace& workspac
                                {"camera", workspace.camera},
                                {"rows", workspace.rows},
                                {"layers", workspace.layers},
-                               {"fieldDirectionDeg", workspace.fieldDirectionDeg}});
+                               {"fieldDirectionDeg", workspace.fieldDirectionDeg},
+                               {"columns", workspace.columns},
+                               {"cameras", workspace.cameras},
+                               {"hidden", hidden},
+                               {"trackers", trackers}});
 }
 
 } // namespace app

@@ -21,6 +21,16 @@ struct Workspace {
     int rows = 2;
     std::vector<std::string> layers; ///< ids of InspectLayer
     double fieldDirectionDeg = 0;
+    std::vector<std::string> columns; ///< ids of columns, from left to right; empty: the methods
+    std::vector<std::string> cameras; ///< of the rows; empty: `rows` of them from `camera` on
+    struct Hidden {
+        std::string column, camera;
+    };
+    std::vector<Hidden> hidden; ///< columns that are switched off in a camera
+    struct Tracker {
+        std::string name, file;
+    };
+    std::vector<Tracker> trackers; ///< whose estimates are columns
 };
 
 /// Of the fit that is shown. Throws core::Error(Usage) if nothing was fitted.

@@ -8,9 +8,12 @@
 #include <QJsonArray>
 
 #include "app/desktop/main_window.h"
+#include "app/desktop/script/comparison_report.h"
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_steps.h"
 #include "core/error.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/text_file.h"
 #include "widgets/text/error_text.h"
 #include "widgets/views/picture_export.h"
 
@@ -57,6 +60,39 @@ QString fileName(const std::string& method, const std::string& camera) {
 
 } // namespace
 
+namespace {
+
+/// Fields that files of before have not.
+void restoreColumns(MainWindow& window, const Workspace& workspace) {
+    QJsonObject step{{QStringLiteral("do"), QStringLiteral("columns")}};
+    const auto list = [](const std::vector<std::string>& texts) {
+        QJsonArray array;
+        for (const std::string& text : texts)
+            array.append(QString::fromStdString(text));
+        return array;
+    };
+    QJsonArray trackers;
+    for (const Workspace::Tracker& tracker : workspace.trackers)
+        trackers.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(tracker.name)},
+                                    {QStringLiteral("file"), QString::fromStdString(tracker.file)}});
+    step[QStringLiteral("trackers")] = trackers;
+    step[QStringLiteral("cameras")] = list(workspace.cameras);
+    step[QStringLiteral("show")] = list(workspace.columns.empty() ? workspace.methods : workspace.columns);
+    ScriptSteps(window, QDir()).run(step);
+    widgets::InspectColumns& columns = *window.workspaces().inspectPage()->columns();
+    const auto isHidden = [&](const std::string& column, const std::string& camera) {
+        return std::any_of(workspace.hidden.begin(), workspace.hidden.end(),
+                           [&](const auto& one) { return one.column == column && one.camera == camera; });
+    };
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (std::size_t column = 0; column < columns.count(); ++column)
+        for (std::size_t camera = 0; camera < cameras.size(); ++camera)
+            columns.setShown(column, static_cast<int>(camera),
+                             !isHidden(widgets::columnId(columns.columns()[column]), cameras[camera].name));
+}
+
+} // namespace
+
 void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
     ScriptSteps steps(window, QDir());
     steps.run(goToStep(workspace));
@@ -69,6 +105,7 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
     }
     page->setRows(workspace.rows);
     steps.run(fitStep(workspace));
+    restoreColumns(window, workspace);
     window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
     page->setIteration(workspace.iteration);
     page->overlays()->setFieldAngleRad(workspace.fieldDirectionDeg * std::numbers::pi / 180);
@@ -82,7 +119,7 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
 
 QStringList saveWorkspacePictures(MainWindow& window, const QDir& folder) {
     const widgets::InspectPage& page = *window.workspaces().inspectPage();
-    const auto& methods = window.session().fits.outcome()->methods;
+    const auto& methods = page.columns()->outcome()->methods;
     page.grid()->finishDrawing();
     QStringList saved;
     for (int index = 0; index < page.grid()->count(); ++index) {
@@ -120,6 +157,11 @@ int renderWorkspace(MainWindow& window, const std::string& file, const std::stri
         restoreFrom(window, file);
         for (const QString& name : saveWorkspacePictures(window, folder))
             std::cout << name.toStdString() << '\n';
+        const QString report = QStringLiteral("report.html");
+        core::writeFileAtomically(
+            folder.absoluteFilePath(report).toStdString(),
+            comparisonReportHtml(window, std::filesystem::path(file).filename().string(), core::readTextFile(file)));
+        std::cout << report.toStdString() << '\n';
         return 0;
     } catch (const std::exception& error) {
         std::cerr << "handlens: " << error.what() << std::endl;

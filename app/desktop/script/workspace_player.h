@@ -18,7 +18,8 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace);
 /// workspaces give equal files. Returns their names. Throws core::Error(Io).
 QStringList saveWorkspacePictures(MainWindow& window, const QDir& folder);
 
-/// Restores the workspace of a file and saves its pictures; what fails is said on stderr. Returns the exit status.
+/// Restores the workspace of a file and saves its pictures and its report (report.html); what fails is said on stderr.
+/// Returns the exit status.
 int renderWorkspace(MainWindow& window, const std::string& file, const std::string& outFolder);
 
 /// Restores the workspace of a file in a window that a person looks at, once the dataset is open; what fails is shown.

@@ -90,7 +90,7 @@ TEST_F(BothSetupsTest, RunOneAfterTheOtherAndEitherIsShown) {
     EXPECT_LT(realistic.joints.size(), synthetic.joints.size()) << "the marked joints";
     for (const core::PairResult& row : realistic.rows)
         EXPECT_TRUE(row.pair.test >= kFirst && row.pair.test <= kLast) << row.pair.test;
-    EXPECT_EQ(benchmarkTable("benchmarkPairs").model()->rowCount(), static_cast<int>(realistic.rows.size()));
+    EXPECT_EQ(benchmarkTable("benchmarkPairs").model()->rowCount(), static_cast<int>(realistic.pairs.size()));
     std::optional<widgets::FitRequest> opened;
     QObject::connect(&benchmark, &widgets::BenchmarkPage::pairOpened,
                      [&](const QString&, const widgets::FitRequest& asked) { opened = asked; });

@@ -119,9 +119,7 @@ TEST_F(FitPanelsTest, TheBenchmarkRunsWhatItsFieldsSay) {
     session.benchmarks.run(request);
     settle();
     ASSERT_TRUE(session.benchmarks.results());
-    auto tables = benchmark.findChildren<QTableView*>();
-    std::sort(tables.begin(), tables.end(),
-              [](const QTableView* a, const QTableView* b) { return a->model()->rowCount() < b->model()->rowCount(); });
+    const std::vector<QTableView*> tables{&benchmarkTable("benchmarkSummary"), &benchmarkTable("benchmarkPairs")};
     EXPECT_EQ(tables[0]->model()->rowCount(), 2); // start, dch-thres
     EXPECT_EQ(tables[1]->model()->rowCount(), static_cast<int>(session.benchmarks.results()->rows.size()));
     const std::set<int> tests = benchmark.testFrames();

@@ -120,8 +120,12 @@ public:
     /// Draws the image and all overlays as they are now: a picture of the visible part, `scale` times the size on
     /// screen.
     QImage grabPicture(double scale = 1) const;
+    /// The same on any paint device whose logical size is the view's picture; `pictureScale` pixels of embedded
+    /// pictures per logical one.
+    void paintPicture(QPainter& painter, double pictureScale) const { paintAll(painter, pictureScale); }
     /// The same as SVG: the image embedded, the overlays as vectors. False if the file cannot be written.
     bool saveSvg(const QString& path) const;
+    bool savePdf(const QString& path) const;
     /// Appends "Copy picture", "Save picture..." to a context menu of the window's.
     void addPictureActions(QMenu& menu);
 

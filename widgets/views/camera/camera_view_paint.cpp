@@ -14,6 +14,7 @@
 #include "widgets/views/camera/loupe.h"
 #include "widgets/views/camera/view_cursor.h"
 #include "widgets/views/message_bar.h"
+#include "widgets/views/page_picture.h"
 #include "widgets/views/picture_export.h"
 
 namespace widgets {
@@ -163,11 +164,21 @@ bool CameraView::saveSvg(const QString& path) const {
     return painter.end();
 }
 
+bool CameraView::savePdf(const QString& path) const {
+    const QSizeF size(viewport()->size());
+    return savePagePdf({m_titleBar->title().name,
+                        size,
+                        kBackdrop,
+                        {{QRectF(QPointF(0, 0), size), [this](QPainter& p, double scale) { paintAll(p, scale); }}}},
+                       path);
+}
+
 void CameraView::addPictureActions(QMenu& menu) {
     widgets::addPictureActions(menu, this,
                                {[this](double s) { return grabPicture(s); },
                                 [this](const QString& p) { return saveSvg(p); }, m_titleBar->title().name,
-                                [this](const QString& text) { setMessage(text); }});
+                                [this](const QString& text) { setMessage(text); },
+                                [this](const QString& p) { return savePdf(p); }});
 }
 
 void CameraView::setTitle(const ViewTitle& title) {

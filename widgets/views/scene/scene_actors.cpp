@@ -77,6 +77,16 @@ ActorPtr makeBall(const Eigen::Matrix3d& shape, const Eigen::Vector3d& centre) {
     return actor;
 }
 
+vtkSmartPointer<vtkUnsignedCharArray> vertexColours(const ViewSurface& surface) {
+    auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    colours->SetNumberOfComponents(3);
+    constexpr float kFull = 255;
+    for (const Eigen::Vector3f& rgb : surface.coloursRgb)
+        colours->InsertNextTuple3(static_cast<double>(kFull * rgb.x()), static_cast<double>(kFull * rgb.y()),
+                                  static_cast<double>(kFull * rgb.z()));
+    return colours;
+}
+
 } // namespace
 
 ActorPtr makeMeshActor(const ViewSurface& surface, const MeshLayer& layer) {
@@ -100,6 +110,8 @@ ActorPtr makeMeshActor(const ViewSurface& surface, const MeshLayer& layer) {
     data->SetPoints(points);
     data->SetPolys(cells);
     data->GetPointData()->SetNormals(normals);
+    if (surface.coloursRgb.size() == surface.verticesInWorld.size())
+        data->GetPointData()->SetScalars(vertexColours(surface));
     ActorPtr actor = actorOf(data);
     setColour(*actor, layer.colour);
     vtkProperty& look = *actor->GetProperty();

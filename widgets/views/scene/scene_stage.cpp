@@ -156,6 +156,10 @@ void SceneStage::setBones(const std::vector<SceneBone>& bones) {
     replace(*m_front, m_bonesActor, bones.empty() ? ActorPtr() : makeBonesActor(bones));
 }
 
+void SceneStage::setLayerLines(const std::vector<SceneBone>& lines) {
+    replace(*m_front, m_linesActor, lines.empty() ? ActorPtr() : makeBonesActor(lines));
+}
+
 void SceneStage::setCurrentCamera(int index) {
     m_currentCamera = index >= 0 && index < static_cast<int>(m_cameras.size()) ? index : -1;
     rebuildCameras();

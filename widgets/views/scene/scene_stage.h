@@ -33,6 +33,7 @@ public:
     void setMeshLayers(const std::vector<MeshLayer>& layers);
     void setJoints(const std::vector<SceneJoint>& joints);
     void setBones(const std::vector<SceneBone>& bones);
+    void setLayerLines(const std::vector<SceneBone>& lines);
     void setCurrentCamera(int index);
     void setCameraImage(const QImage& image);
     void setCamerasShown(bool shown);
@@ -79,6 +80,7 @@ private:
     std::vector<vtkSmartPointer<vtkProp>> m_cameraNames;
     std::vector<ActorPtr> m_jointActors;
     ActorPtr m_bonesActor;
+    ActorPtr m_linesActor;
     ActorPtr m_imageActor;
     ActorPtr m_gridActor;
 

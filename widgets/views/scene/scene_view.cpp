@@ -131,6 +131,11 @@ void SceneView::setBones(const std::vector<SceneBone>& bones) {
     contentChanged();
 }
 
+void SceneView::setLayerLines(const std::vector<SceneBone>& lines) {
+    m_impl->stage.setLayerLines(lines);
+    contentChanged();
+}
+
 void SceneView::setCurrentCamera(int index) {
     m_impl->stage.setCurrentCamera(index);
     contentChanged();

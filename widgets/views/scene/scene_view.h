@@ -34,6 +34,8 @@ public:
     void setMeshLayers(const std::vector<MeshLayer>& layers);
     void setJoints(const std::vector<SceneJoint>& joints);
     void setBones(const std::vector<SceneBone>& bones);
+    /// Lines of inspected layers, drawn over everything.
+    void setLayerLines(const std::vector<SceneBone>& lines);
     /// The camera whose frustum stands out, or -1.
     void setCurrentCamera(int index);
     /// The image of the current camera: shown on the end of its frustum, and behind the scene when it is looked

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include "core/benchmark/benchmark_run.h"
+#include "core/benchmark/comparison/benchmark_digest.h"
 #include "core/benchmark/rank_agreement.h"
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/dataset/dataset.h"
@@ -24,6 +25,9 @@ struct BenchmarkRequest {
     std::vector<std::string> methods;
     std::vector<core::BenchmarkSetup> setups{core::BenchmarkSetup::Synthetic}; ///< one or both, in this order
     core::PairOptions pairs;
+    /// These pairs of the results that are shown, instead of sequences, setups and drawn pairs: what the methods make
+    /// of them is added to the results.
+    std::vector<core::FramePair> framePairs;
 };
 
 /// Runs the benchmark in the background, hands its results out as they come, writes them as the command line does, and
@@ -49,6 +53,12 @@ public:
     /// The last results of this dataset, finished or not, or those of a folder that was opened; of a run in both setups
     /// those that show() has chosen, else the first ones. Null if there are none.
     const std::shared_ptr<const core::BenchmarkResults>& results() const { return m_results; }
+    /// What is shown of them; null if there are none.
+    const std::shared_ptr<const core::BenchmarkDigest>& digest() const { return m_digest; }
+    /// The same with a row per pair; null if there are none.
+    std::shared_ptr<const core::PairTable> pairTable() const {
+        return m_digest ? std::shared_ptr<const core::PairTable>(m_digest, &m_digest->table) : nullptr;
+    }
     /// Their setup.
     core::BenchmarkSetup setup() const;
     /// All setups that there are results of.
@@ -73,10 +83,17 @@ signals:
 
 private:
     struct Live;
+    struct SetupRun;
     struct Held {
         std::vector<core::BenchmarkFolder> folders; ///< one per setup, at least one
         std::optional<core::RankAgreement> agreement;
+        std::vector<std::shared_ptr<const core::BenchmarkDigest>>
+            digests; ///< parallel to folders; none while a run goes on
     };
+    static std::vector<SetupRun> setupRuns(const core::Dataset& dataset, const BenchmarkRequest& request,
+                                           const core::BenchmarkFolder* there);
+    static std::shared_ptr<const Held> makeHeld(std::vector<core::BenchmarkFolder> folders);
+    Job::Delivery work(const std::vector<SetupRun>& runs, Live& live, const JobContext& context);
     void take(std::shared_ptr<const Held> held);
     void takeLive();
     const core::BenchmarkFolder* shown() const;
@@ -86,9 +103,11 @@ private:
     std::shared_ptr<const core::Dataset> m_dataset;
     std::shared_ptr<Live> m_live; ///< of the run that goes on
     QElapsedTimer m_sinceUpdate;
+    qint64 m_updateMs = 0; ///< at least so long between two updates of a run
     std::shared_ptr<const Held> m_held;
     core::BenchmarkSetup m_shown = core::BenchmarkSetup::Synthetic;
     std::shared_ptr<const core::BenchmarkResults> m_results; ///< of the shown one of m_held
+    std::shared_ptr<const core::BenchmarkDigest> m_digest;
 };
 
 } // namespace widgets

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/panels/compare/what_if.h"
+
+#include <thread>
+
+#include "core/simulation/simulated_world.h"
+
+namespace widgets {
+
+namespace {
+
+std::vector<cv::Mat> masksOf(const FitOutcome& outcome, const WhatIfCase& what) {
+    std::vector<cv::Mat> masks = outcome.masks;
+    for (std::size_t camera = 0; camera < masks.size(); ++camera) {
+        if (camera < what.cameras.size() && !what.cameras[camera])
+            masks[camera] = cv::Mat();
+        else if (what.outlineNoisePx > 0 && !masks[camera].empty())
+            masks[camera] =
+                core::withContourNoise(masks[camera], what.outlineNoisePx, core::drawSeed(camera, outcome.sequence));
+    }
+    return masks;
+}
+
+} // namespace
+
+WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& pool, QObject* parent)
+    : QObject(parent)
+    , m_fits(fits)
+    , m_datasets(datasets)
+    , m_job(pool) {
+    connect(&m_job, &Job::finished, this, &WhatIf::startNext);
+    connect(&m_job, &Job::failed, this, [this](const QString& message) {
+        m_waiting.clear();
+        emit failed(message);
+    });
+    connect(&fits, &FitRunner::cleared, this, &WhatIf::stop);
+}
+
+void WhatIf::run(std::vector<WhatIfTrial> trials) {
+    m_waiting.assign(std::make_move_iterator(trials.begin()), std::make_move_iterator(trials.end()));
+    if (!m_job.isRunning())
+        startNext();
+}
+
+void WhatIf::stop() {
+    m_waiting.clear();
+    m_job.stop();
+}
+
+void WhatIf::startNext() {
+    const auto outcome = m_fits.outcome();
+    const auto dataset = m_datasets.dataset();
+    if (m_waiting.empty() || !outcome || !dataset) {
+        m_waiting.clear();
+        emit finished();
+        return;
+    }
+    const WhatIfTrial trial = m_waiting.front();
+    m_waiting.pop_front();
+    m_job.start([this, trial, outcome, dataset, estimator = m_fits.estimator()](const JobContext& context) {
+        const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+        FitOutcome pair;
+        static_cast<FitPair&>(pair) = *outcome;
+        pair.masks = masksOf(*outcome, trial.what);
+        auto found = std::make_shared<MethodOutcome>(
+            runMethod(estimator->get(*dataset), *dataset, pair, trial.method, context.stop, threads));
+        return Job::Delivery([this, trial, found] { emit this->found(trial, *found); });
+    });
+}
+
+} // namespace widgets

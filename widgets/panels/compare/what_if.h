@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <QObject>
+
+#include "widgets/jobs/fit_runner.h"
+#include "widgets/session/dataset_session.h"
+
+namespace widgets {
+
+/// The pair of the columns under other circumstances.
+struct WhatIfCase {
+    std::vector<bool> cameras; ///< which take part; empty: all
+    double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves
+};
+
+/// One method on one case.
+struct WhatIfTrial {
+    std::string method; ///< as core::parseMethod reads it
+    WhatIfCase what;
+    std::string column; ///< whose place it takes; empty for none
+    std::string key;    ///< the parameter that is explored
+    double x = 0;       ///< its value
+};
+
+/// Fits the open pair again and again while a parameter is dragged. One fit at a time, in the background: the one that
+/// runs ends, and of what was asked meanwhile the latest counts.
+class WhatIf : public QObject {
+    Q_OBJECT
+
+public:
+    WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& pool, QObject* parent = nullptr);
+
+    /// In this order; what waits from a call before is forgotten.
+    void run(std::vector<WhatIfTrial> trials);
+    void stop();
+    bool isRunning() const { return m_job.isRunning(); }
+
+signals:
+    void found(const widgets::WhatIfTrial& trial, const widgets::MethodOutcome& outcome);
+    void failed(const QString& message);
+    void finished();
+
+private:
+    void startNext();
+
+    const FitRunner& m_fits;
+    const DatasetSession& m_datasets;
+    Job m_job;
+    std::deque<WhatIfTrial> m_waiting;
+};
+
+} // namespace widgets

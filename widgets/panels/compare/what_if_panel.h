@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QWidget>
+
+#include "widgets/panels/compare/method_form.h"
+#include "widgets/panels/compare/what_if.h"
+#include "widgets/presenters/inspect_columns.h"
+#include "widgets/views/curve_plot.h"
+
+namespace widgets {
+
+/// The settings of a method's column, to be changed and dragged: the methods run again meanwhile, the column shows what
+/// comes of it, and a curve of the error over what is dragged grows. So do cameras that are left out, and noisier
+/// silhouettes.
+class WhatIfPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const DatasetSession& datasets, JobPool& pool,
+                QWidget* parent = nullptr);
+
+    /// The settings of that column; nothing for columns without a method.
+    void showColumn(std::size_t column);
+    MethodForm* form() const { return m_form; }
+    CurvePlot* plot() const { return m_plot; }
+    QLineEdit* line() const { return m_line; }
+    /// Why the written method cannot be; empty if it can.
+    QString problem() const { return m_problem->text(); }
+    const std::vector<QCheckBox*>& cameras() const { return m_cameras; }
+    void setOutlineNoisePx(double px) { m_noise->setValue(px); }
+    /// Error (mm) by value of what is dragged, of a method as the curve's legend calls it.
+    const std::map<std::string, std::map<double, double>>& points() const { return m_points; }
+    bool isRunning() const { return m_runner.isRunning(); }
+
+    void apply();
+    void addColumn();
+    /// All as it was fitted.
+    void goBack();
+    /// Fits without each camera in turn and says beside it how much the error grows.
+    void measureCameras();
+
+private:
+    void build();
+    QLayout* makeSilhouettes();
+    QLayout* makeButtons();
+    void takeColumns();
+    void makeCameraBoxes();
+    void takeLine();
+    void edit(const std::string& key);
+    void explore(const std::string& key);
+    std::vector<WhatIfTrial> trialsOf(const std::string& key) const;
+    bool isOnlyChange(const std::string& key) const;
+    std::string withOption(const std::string& method, const std::string& key) const;
+    void take(const WhatIfTrial& trial, const MethodOutcome& outcome);
+    void startCurve(const std::string& key);
+    void showCurves();
+    void showCameraTexts();
+    WhatIfCase currentCase() const;
+    double place(const std::string& key) const;
+    const MethodOutcome* fitted(const std::string& method) const;
+
+    const FitRunner& m_fits;
+    InspectColumns& m_columns;
+    const DatasetSession& m_datasets;
+    WhatIf m_runner;
+    QLabel* m_hint;
+    QWidget* m_content;
+    QComboBox* m_column;
+    QLineEdit* m_line;
+    QLabel* m_problem;
+    MethodForm* m_form;
+    QSlider* m_noiseSlider;
+    QDoubleSpinBox* m_noise;
+    QGridLayout* m_cameraGrid;
+    std::vector<QCheckBox*> m_cameras;
+    QPushButton* m_measure;
+    QPushButton* m_apply;
+    QPushButton* m_add;
+    QPushButton* m_back;
+    QLabel* m_answer;
+    CurvePlot* m_plot;
+    std::string m_base; ///< method of the column that is changed
+    std::string m_next; ///< that is to be the base once its column is there
+    std::string m_key;  ///< what was dragged last
+    std::map<std::string, std::map<double, double>> m_points;
+    std::map<std::string, MethodOutcome> m_previews; ///< by column id
+    std::map<int, double> m_without;                 ///< error without a camera, mm
+};
+
+} // namespace widgets

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/inspect_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QLocale>
+#include <QVBoxLayout>
+
+namespace widgets {
+
+InspectGrid::InspectGrid(InspectColumns& columns, const DatasetSession& datasets, const Selection& selection,
+                         const ShownCameras& cameras, JobPool& pool, QWidget* parent)
+    : QWidget(parent)
+    , m_columns(columns)
+    , m_datasets(datasets)
+    , m_selection(selection)
+    , m_cameras(cameras)
+    , m_frames(pool)
+    , m_grid(new CameraGrid(this))
+    , m_overlays(new InspectOverlays(*m_grid, pool, this))
+    , m_wipe(new ColumnWipe(*m_grid, columns, this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_grid);
+    m_frames.setFetchingAhead(false);
+    m_frames.setBudget(std::int64_t(128) << 20);
+    connect(&m_frames, &FrameLoader::pictureLoaded, this, &InspectGrid::showPicture);
+    connect(&m_frames, &FrameLoader::pictureFailed, this, &InspectGrid::showFailure);
+    connect(&selection, &Selection::cameraChanged, this, &InspectGrid::layOut);
+    connect(m_grid, &CameraGrid::viewAdded, this, &InspectGrid::connectView);
+    connect(m_grid, &CameraGrid::currentChanged, this, [this](int view) {
+        if (view >= 0 && m_columns.count() > 0)
+            m_columns.setCurrent(columnOf(view));
+    });
+    connect(m_overlays, &InspectOverlays::shownChanged, this, &InspectGrid::showLayers);
+    connect(m_overlays, &InspectOverlays::drawn, this, [this] {
+        clearHidden();
+        showTitles();
+    });
+    connect(
+        &columns, &InspectColumns::changed, this,
+        [this] {
+            m_posed.reset(); // of the columns before
+            layOut();
+        });
+    connect(
+        &columns, &InspectColumns::currentChanged, this, [this] { m_grid->setCurrent(currentView()); });
+    connect(&columns, &InspectColumns::shownChanged, this, [this] { showPoses(m_posed, m_iteration); });
+    layOut();
+}
+
+void InspectGrid::connectView(int index, CameraView* view) {
+    view->setPlacingEnabled(false);
+    connect(
+        view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
+    connect(
+        view, &CameraView::pointerMoved, this, [this, index](QPointF px) { emit pointerMoved(index, px); });
+    connect(view, &CameraView::contextMenuRequested, this,
+            [this, index](QPointF, const core::JointId&, QPoint position) { emit menuRequested(index, position); });
+    connect(view, &CameraView::pointerLeft, this, &InspectGrid::pointerLeft);
+}
+
+std::size_t InspectGrid::columnOf(int view) const {
+    return m_columns.count() ? static_cast<std::size_t>(view) % m_columns.count() : 0;
+}
+
+int InspectGrid::currentView() const {
+    if (m_grid->count() == 0 || m_columns.count() == 0)
+        return -1;
+    const auto columns = static_cast<int>(m_columns.count());
+    const int row = std::max(0, m_grid->current()) / columns;
+    return std::min(row * columns + static_cast<int>(m_columns.current()), m_grid->count() - 1);
+}
+
+int InspectGrid::cameraOf(int view) const {
+    const std::size_t row = m_columns.count() ? static_cast<std::size_t>(view) / m_columns.count() : 0;
+    return view >= 0 && row < m_rowCameras.size() ? m_rowCameras[row] : -1;
+}
+
+void InspectGrid::setRows(int rows) {
+    if (rows == m_rows)
+        return;
+    m_rows = rows;
+    layOut();
+    emit camerasChanged();
+}
+
+void InspectGrid::chooseCameras(std::vector<std::string> cameras) {
+    if (cameras == m_chosenCameras)
+        return;
+    m_chosenCameras = std::move(cameras);
+    layOut();
+    emit camerasChanged();
+}
+
+std::vector<int> InspectGrid::wantedCameras() const {
+    std::vector<int> rows;
+    const auto& dataset = m_datasets.dataset();
+    if (!dataset)
+        return rows;
+    for (const std::string& name : m_chosenCameras)
+        if (const int camera = dataset->cameraIndex(name); camera >= 0)
+            rows.push_back(camera);
+    const auto& shown = m_cameras.names();
+    if (!rows.empty() || shown.empty())
+        return rows;
+    const auto current = std::find(shown.begin(), shown.end(), m_selection.camera());
+    const std::size_t first = current == shown.end() ? 0 : static_cast<std::size_t>(current - shown.begin());
+    const std::size_t count = std::min(shown.size(), static_cast<std::size_t>(m_rows));
+    for (std::size_t i = 0; i < count; ++i)
+        rows.push_back(dataset->cameraIndex(shown[(first + i) % shown.size()]));
+    return rows;
+}
+
+void InspectGrid::layOut() {
+    const auto& outcome = m_columns.outcome();
+    requestPictures();
+    m_rowCameras = outcome ? wantedCameras() : std::vector<int>{};
+    std::vector<core::Camera> cameras;
+    for (const int camera : m_rowCameras)
+        cameras.insert(cameras.end(), m_columns.count(),
+                       m_datasets.dataset()->cameras[static_cast<std::size_t>(camera)]);
+    m_grid->setFixedColumns(static_cast<int>(m_columns.count()));
+    m_grid->setCameras(cameras);
+    for (int index = 0; index < m_grid->count(); ++index) {
+        const auto camera = static_cast<std::size_t>(cameraOf(index));
+        CameraView* view = m_grid->view(index);
+        view->setHome(outcome->handsPx[camera]);
+        std::vector<SkeletonLine> outline;
+        for (const QLineF& line : outcome->outlinesPx[camera])
+            outline.push_back({line.p1(), line.p2(), Qt::white});
+        view->setSkeleton(outline);
+    }
+    for (const int camera : m_rowCameras)
+        showPicture(camera, picture(camera));
+    m_grid->setCurrent(currentView());
+    m_wipe->refresh();
+    showTitles();
+    if (m_posed)
+        showPoses(m_posed, m_iteration);
+}
+
+/// Those of the test frame, whatever frame the person has gone to since.
+void InspectGrid::requestPictures() {
+    const auto& outcome = m_columns.outcome();
+    if (!outcome || !m_datasets.sequence())
+        return;
+    if (m_sequence != m_datasets.sequence()) {
+        m_sequence = m_datasets.sequence();
+        m_dataset = m_datasets.dataset(); // keeps the sequence alive, so that another one cannot have its address
+        m_frames.setSequence(m_datasets.dataset(), m_datasets.sequence(), m_datasets.motion());
+    }
+    m_frames.request(outcome->request.test);
+}
+
+ImagePyramid InspectGrid::picture(int camera) const {
+    return m_columns.outcome() && camera >= 0 ? m_frames.picture(camera) : ImagePyramid();
+}
+
+/// Without a picture the views are empty: they may have shown another camera's before.
+void InspectGrid::showPicture(int camera, const ImagePyramid& picture) {
+    for (int index = 0; index < m_grid->count(); ++index) {
+        if (cameraOf(index) != camera)
+            continue;
+        CameraView* view = m_grid->view(index);
+        view->setMessage(m_frames.lacksPicture(camera) ? tr("No picture at this instant.") : QString());
+        view->setImage(picture);
+    }
+    emit pictureShown(camera);
+}
+
+void InspectGrid::showFailure(int camera, const QString& message) {
+    for (int index = 0; index < m_grid->count(); ++index)
+        if (cameraOf(index) == camera)
+            m_grid->view(index)->setMessage(message);
+}
+
+void InspectGrid::showTitles() {
+    const auto& outcome = m_columns.outcome();
+    for (int index = 0; outcome && index < m_grid->count(); ++index) {
+        const std::size_t column = columnOf(index);
+        if (column >= outcome->methods.size())
+            return;
+        const MethodOutcome& method = outcome->methods[column];
+        const double errorMm = inspectedErrorMm(*outcome, method, m_iteration);
+        QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
+        if (const double iou = m_overlays->iou(index); !std::isnan(iou))
+            error = tr("%1, IoU %2").arg(error, QLocale().toString(iou, 'f', 3));
+        CameraView* view = m_grid->view(index);
+        ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
+                        method.failure.isEmpty() ? error : tr("failed"), false};
+        title.colour = m_columns.colour(column);
+        view->setTitle(title);
+        if (!method.failure.isEmpty())
+            view->setMessage(method.failure);
+    }
+}
+
+void InspectGrid::setIteration(int iteration) {
+    m_iteration = iteration;
+    showTitles();
+}
+
+void InspectGrid::showPoses(std::shared_ptr<const InspectedPoses> posed, int iteration) {
+    m_posed = std::move(posed);
+    m_iteration = iteration;
+    if (m_posed)
+        m_overlays->show({m_datasets.dataset(), m_columns.outcome(), m_posed, m_rowCameras, iteration});
+    else
+        m_overlays->show({});
+    showLayers();
+}
+
+/// Where a column is switched off, nothing lies over the picture.
+void InspectGrid::clearHidden() {
+    for (int index = 0; index < m_grid->count(); ++index) {
+        if (m_columns.isShown(columnOf(index), cameraOf(index)))
+            continue;
+        m_grid->view(index)->setShapes({});
+        m_grid->view(index)->setFieldImage({});
+    }
+}
+
+void InspectGrid::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
+    m_look = look;
+    m_startShown = startShown;
+    m_recordedShown = recordedShown;
+    showLayers();
+}
+
+void InspectGrid::showLayers() {
+    if (!m_posed || m_posed->methods.size() != m_columns.count())
+        return;
+    InspectedPoses poses = *m_posed;
+    if (m_overlays->isShown(InspectLayer::Error))
+        poses.methods = poses.methodsByError;
+    for (int index = 0; index < m_grid->count(); ++index) {
+        const std::size_t column = columnOf(index);
+        LayerLook look = m_look;
+        if (!m_columns.isShown(column, cameraOf(index)))
+            look.style = MeshStyle::Off;
+        m_grid->view(index)->setMeshLayers(inspectedColumn(poses, column, look, m_startShown, m_recordedShown));
+    }
+}
+
+void InspectGrid::syncRow(int index) {
+    if (m_syncing || m_columns.count() == 0)
+        return;
+    m_syncing = true;
+    const CameraView* source = m_grid->view(index);
+    const QPointF centre = source->viewportToImage(QRectF(source->viewport()->rect()).center());
+    const int columns = static_cast<int>(m_columns.count());
+    for (int other = index / columns * columns; other < (index / columns + 1) * columns && other < m_grid->count();
+         ++other) {
+        if (other == index)
+            continue;
+        if (source->isFitted())
+            m_grid->view(other)->fitImage();
+        else
+            m_grid->view(other)->lookAt(centre, source->scale());
+    }
+    m_syncing = false;
+}
+
+} // namespace widgets

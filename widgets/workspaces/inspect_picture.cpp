@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/inspect_picture.h"
+
+#include <algorithm>
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include "widgets/panels/state_colours.h"
+
+namespace widgets {
+
+namespace {
+
+constexpr double kGap = 8; ///< between parts, logical pixels
+constexpr double kPlotHeight = 230;
+const QColor kInk(0x20, 0x22, 0x25);
+const QColor kQuietInk(0x60, 0x64, 0x6A);
+
+/// Puts the parts of a figure below each other.
+class FigureMaker {
+public:
+    explicit FigureMaker(const InspectPage& page)
+        : m_page(page)
+        , m_font(page.font())
+        , m_line(QFontMetricsF(m_font).height()) {
+        m_picture.title = page.heading();
+        m_picture.size.setWidth(page.grid()->width() + 2 * kGap);
+    }
+
+    PagePicture make() {
+        addText({kGap, m_y, m_picture.size.width() - 2 * kGap, m_line}, m_page.heading(), {}, m_page.iterationText());
+        m_y += m_line + kGap;
+        addViews();
+        addPlots();
+        m_picture.size.setHeight(m_y);
+        return m_picture;
+    }
+
+private:
+    void addText(const QRectF& place, const QString& left, const QColor& chip, const QString& right) {
+        m_picture.parts.push_back({place,
+                                   [=, font = m_font, size = place.size()](QPainter& painter, double) {
+                                       QRectF area(QPointF(0, 0), size);
+                                       painter.setFont(font);
+                                       painter.setPen(kInk);
+                                       if (chip.isValid()) {
+                                           const double side = size.height() - 6;
+                                           painter.fillRect(QRectF(0, 3, side, side), chip);
+                                           area.setLeft(side + kSpacing);
+                                       }
+                                       painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter, left);
+                                       painter.setPen(kQuietInk);
+                                       painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, right);
+                                   }});
+    }
+
+    /// Each view where it stands in the grid, its title in the room above it.
+    void addViews() {
+        const CameraGrid* grid = m_page.grid();
+        double bottom = m_y;
+        for (const CameraView* view : grid->views()) {
+            if (!view->isVisible())
+                continue;
+            const QPointF corner = view->viewport()->mapTo(grid, QPoint(0, 0)) + QPointF(kGap, m_y);
+            const QSizeF size = view->viewport()->size();
+            const ViewTitle& title = view->title();
+            addText({corner - QPointF(0, m_line), QSizeF(size.width(), m_line)}, title.name, title.colour,
+                    QStringLiteral("%1  %2").arg(title.detail, title.error));
+            m_picture.parts.push_back({QRectF(corner, size), [view](QPainter& painter, double scale) {
+                                           view->paintPicture(painter, scale);
+                                       }});
+            bottom = std::max(bottom, corner.y() + size.height());
+        }
+        m_y = bottom + kGap;
+    }
+
+    void addPlots() {
+        const double width = (m_picture.size.width() - 3 * kGap) / 2;
+        double x = kGap;
+        for (const CurvePlot* plot : {m_page.errorPlot(), m_page.costPlot()}) {
+            const QSizeF size(width, kPlotHeight);
+            m_picture.parts.push_back({QRectF(QPointF(x, m_y), size), [plot, size](QPainter& painter, double) {
+                                           plot->paintOnPaper(painter, QRectF(QPointF(0, 0), size));
+                                       }});
+            x += width + kGap;
+        }
+        m_y += kPlotHeight + kGap;
+    }
+
+    const InspectPage& m_page;
+    QFont m_font;
+    double m_line;
+    PagePicture m_picture;
+    double m_y = kGap;
+};
+
+} // namespace
+
+PagePicture comparisonPicture(const InspectPage& page) {
+    return FigureMaker(page).make();
+}
+
+PictureSource comparisonSource(const InspectPage& page) {
+    PictureSource source;
+    source.fileName = page.heading();
+    source.image = [&page](double scale) { return pageImage(comparisonPicture(page), scale); };
+    source.saveSvg = [&page](const QString& path) { return savePageSvg(comparisonPicture(page), path); };
+    source.savePdf = [&page](const QString& path) { return savePagePdf(comparisonPicture(page), path); };
+    return source;
+}
+
+} // namespace widgets
