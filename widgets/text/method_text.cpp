@@ -15,7 +15,7 @@ namespace widgets {
 
 namespace {
 
-constexpr LocalText text{"widgets::MethodText"};
+constexpr LocalText methodWords{"widgets::MethodText"};
 
 using Meaning = std::pair<std::string_view, const char*>;
 
@@ -61,19 +61,20 @@ QString domainProblem(const core::MethodOption& option, const QString& value) {
     const core::OptionDomain& domain = option.domain;
     const QString key = toQString(option.key);
     if (!domain.isNumber())
-        return text(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be %2 or %3, not \"%4\"."))
+        return methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be %2 or %3, not \"%4\"."))
             .arg(key, toQString(domain.words[0]), toQString(domain.words[1]), value);
     const QString sentence =
         domain.isWhole
-            ? text(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a whole number from %2 to %3, not \"%4\"."))
-            : text(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a number from %2 to %3, not \"%4\"."));
+            ? methodWords(
+                  QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a whole number from %2 to %3, not \"%4\"."))
+            : methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a number from %2 to %3, not \"%4\"."));
     return sentence.arg(key, number(domain.low), number(domain.high), value);
 }
 
 QString optionProblem(core::Method& method, const QString& name, const QString& part) {
     const QString key = part.section(QLatin1Char('='), 0, 0), value = part.section(QLatin1Char('='), 1);
     if (!part.contains(QLatin1Char('=')))
-        return text(QT_TRANSLATE_NOOP("widgets::MethodText", "Write \"%1\" as name=value.")).arg(part);
+        return methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "Write \"%1\" as name=value.")).arg(part);
     QStringList known;
     for (const core::MethodOption& option : core::methodOptions()) {
         if (!option.appliesTo(method))
@@ -82,7 +83,7 @@ QString optionProblem(core::Method& method, const QString& name, const QString& 
             return option.parse(method, value.toStdString()).empty() ? QString() : domainProblem(option, value);
         known << toQString(option.key);
     }
-    return text(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 has no option \"%2\"; it has %3."))
+    return methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 has no option \"%2\"; it has %3."))
         .arg(name, key, known.join(QStringLiteral(", ")));
 }
 
@@ -91,7 +92,7 @@ QString optionProblem(core::Method& method, const QString& name, const QString& 
 QString optionMeaning(std::string_view key) {
     const auto found =
         std::find_if(kMeanings.begin(), kMeanings.end(), [&](const Meaning& meaning) { return meaning.first == key; });
-    return found == kMeanings.end() ? QString() : text(found->second);
+    return found == kMeanings.end() ? QString() : methodWords(found->second);
 }
 
 QString methodProblem(const QString& method) {
@@ -101,7 +102,7 @@ QString methodProblem(const QString& method) {
         QStringList known;
         for (const std::string& name : names)
             known << QString::fromStdString(name);
-        return text(QT_TRANSLATE_NOOP("widgets::MethodText", "\"%1\" is not a method; the methods are %2."))
+        return methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "\"%1\" is not a method; the methods are %2."))
             .arg(parts.front(), known.join(QStringLiteral(", ")));
     }
     core::Method parsed = core::parseMethod(parts.front().toStdString());
