@@ -52,7 +52,7 @@ constexpr std::array kMeanings{
 };
 // clang-format on
 
-QString number(double value) {
+QString limitText(double value) {
     return QLocale().toString(value, 'g', 6);
 }
 
@@ -68,7 +68,7 @@ QString domainProblem(const core::MethodOption& option, const QString& value) {
             ? methodWords(
                   QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a whole number from %2 to %3, not \"%4\"."))
             : methodWords(QT_TRANSLATE_NOOP("widgets::MethodText", "%1 must be a number from %2 to %3, not \"%4\"."));
-    return sentence.arg(key, number(domain.low), number(domain.high), value);
+    return sentence.arg(key, limitText(domain.low), limitText(domain.high), value);
 }
 
 QString optionProblem(core::Method& method, const QString& name, const QString& part) {
