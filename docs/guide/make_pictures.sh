@@ -8,6 +8,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$programs/handlens-batch" demo --out "$work/demo"
 "$programs/handlens-batch" demo --realistic --level casual --seed 1 --out "$work/realistic" # annotated, by a rig that moved
+"$programs/handlens-batch" benchmark "$work/demo" --setup synthetic --fraction 0.03 --differences 1,5,10,15 --seed 7 \
+  --methods ch,dch-thres,dch-dt3 --out "$work/pictures/results"
 if [[ -n ${HANDLENS_DETECTOR_PACKAGE:-} ]]; then
   export XDG_DATA_HOME=$work/data
   "$programs/handlens-batch" detector install "$HANDLENS_DETECTOR_PACKAGE"
@@ -19,6 +21,7 @@ for script in "$here"/*.jsonl; do
     *) source=$work/demo ;; # without annotations
   esac
   cp -r "$source" "$work/dataset" # every script starts anew
-  "$programs/handlens" "$work/dataset" --language en --rater ann --offscreen --script "$script" --out "$here"
+  "$programs/handlens" "$work/dataset" --language en --rater ann --offscreen --script "$script" --out "$work/pictures"
   rm -rf "$work/dataset"
 done
+cp "$work/pictures"/*.png "$here"

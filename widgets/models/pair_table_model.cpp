@@ -22,7 +22,9 @@ bool isOfMethod(PairField field) {
 } // namespace
 
 PairTableModel::PairTableModel(QObject* parent)
-    : QAbstractTableModel(parent) {}
+    : QAbstractTableModel(parent) {
+    makeColumns();
+}
 
 void PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
     beginResetModel();
@@ -75,14 +77,13 @@ void PairTableModel::refresh() {
 }
 
 void PairTableModel::makeColumns() {
-    m_columns.clear();
-    if (!m_table)
-        return;
     m_columns = {{PairField::Sequence, 0, 0},
                  {PairField::Start, 0, 0},
                  {PairField::Test, 0, 0},
                  {PairField::Difference, 0, 0},
                  {PairField::StartErrorMm, 0, 0}};
+    if (!m_table)
+        return;
     if (m_table->methods.size() > 1)
         m_columns.push_back({PairField::ErrorDifferenceMm, m_compared.a, m_compared.b});
     for (const PairField field : {PairField::ErrorMm, PairField::Iterations, PairField::Seconds})

@@ -74,6 +74,7 @@ void BenchmarkPairsView::makeTable() {
     m_table->setObjectName(QStringLiteral("benchmarkPairs"));
     m_table->setModel(m_model);
     styleTable(*m_table);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setFocusPolicy(Qt::NoFocus);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -20,6 +20,8 @@ constexpr const char* kMaximise = QT_TRANSLATE_NOOP("app::ActionTable", "One &vi
 constexpr const char* kMarks = QT_TRANSLATE_NOOP("app::ActionTable", "Mar&ks");
 constexpr const char* kMesh = QT_TRANSLATE_NOOP("app::ActionTable", "&Mesh");
 constexpr const char* kLayers = QT_TRANSLATE_NOOP("app::ActionTable", "&Layers of the methods");
+constexpr const char* kComparison = QT_TRANSLATE_NOOP("app::ActionTable", "C&omparison");
+constexpr const char* kBenchmark = QT_TRANSLATE_NOOP("app::ActionTable", "&Benchmark");
 constexpr const char* kColumns = QT_TRANSLATE_NOOP("app::ActionTable", "C&olumns of the comparison");
 constexpr const char* kScene = QT_TRANSLATE_NOOP("app::ActionTable", "3D s&cene");
 constexpr const char* kStep = QT_TRANSLATE_NOOP("app::ActionTable", "&Joint and view");
@@ -197,16 +199,16 @@ const std::vector<ActionRow> kRows = {
     {"compare.addSettings", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "&Add these settings as a column"), "Ctrl+Alt+A", "list-add", QT_TRANSLATE_NOOP("app::ActionTable", "What was tried under What if, beside the column")},
     {"compare.resetSettings", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "Bac&k to what was fitted"), "Ctrl+Alt+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Ends what was tried under What if")},
     {"compare.measureCameras", kColumns, QT_TRANSLATE_NOOP("app::ActionTable", "What does each &camera add?"), "Ctrl+Alt+C", "", QT_TRANSLATE_NOOP("app::ActionTable", "Fits without each camera in turn")},
-    {"benchmark.run", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run or stop the &benchmark"), "Ctrl+Shift+F", "", "", kPlain, true},
-    {"benchmark.filter", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Fil&ter the benchmark's pairs"), "Ctrl+Alt+P", "view-filter", QT_TRANSLATE_NOOP("app::ActionTable", "By errors, differences of methods, sequences and frames, such as A-B>1")},
-    {"benchmark.runSelected", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Run the selected pairs"), "Ctrl+Alt+N", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "Adds what the ticked methods make of them to the results that are shown")},
-    {"file.saveWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again"), kPlain, true},
-    {"file.openWorkspace", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
-    {"compare.savePicture", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save the comparison as a picture..."), "Ctrl+Alt+G", "document-save-as", QT_TRANSLATE_NOOP("app::ActionTable", "Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors")},
-    {"compare.saveFilm", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Save the iterations as a film..."), "Ctrl+Alt+M", "video-x-generic", QT_TRANSLATE_NOOP("app::ActionTable", "The comparison from the start pose to the last iteration")},
-    {"compare.saveReport", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "Report of this comparison..."), "Ctrl+Alt+H", "text-html", QT_TRANSLATE_NOOP("app::ActionTable", "One page with pictures, tables, settings and the command that makes it again")},
-    {"file.saveResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
-    {"file.openResults", kFit, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
+    {"file.saveWorkspace", kComparison, QT_TRANSLATE_NOOP("app::ActionTable", "Save this &comparison..."), "Ctrl+Alt+S", "", QT_TRANSLATE_NOOP("app::ActionTable", "Pair, methods, cameras, layers and iteration, as a small file that opens again")},
+    {"file.openWorkspace", kComparison, QT_TRANSLATE_NOOP("app::ActionTable", "Open a com&parison..."), "Ctrl+Alt+O", "", ""},
+    {"file.comparisonPicture", kComparison, QT_TRANSLATE_NOOP("app::ActionTable", "Save as a &picture..."), "Ctrl+Alt+G", "document-save-as", QT_TRANSLATE_NOOP("app::ActionTable", "Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors")},
+    {"file.comparisonFilm", kComparison, QT_TRANSLATE_NOOP("app::ActionTable", "Save the iterations as a &film..."), "Ctrl+Alt+M", "video-x-generic", QT_TRANSLATE_NOOP("app::ActionTable", "The comparison from the start pose to the last iteration")},
+    {"file.comparisonReport", kComparison, QT_TRANSLATE_NOOP("app::ActionTable", "&Report of this comparison..."), "Ctrl+Alt+H", "text-html", QT_TRANSLATE_NOOP("app::ActionTable", "One page with pictures, tables, settings and the command that makes it again")},
+    {"benchmark.run", kBenchmark, QT_TRANSLATE_NOOP("app::ActionTable", "&Run or stop the benchmark"), "Ctrl+Shift+F", "", ""},
+    {"benchmark.filter", kBenchmark, QT_TRANSLATE_NOOP("app::ActionTable", "Fil&ter the benchmark's pairs"), "Ctrl+Alt+P", "view-filter", QT_TRANSLATE_NOOP("app::ActionTable", "By errors, differences of methods, sequences and frames, such as A-B>1")},
+    {"benchmark.runSelected", kBenchmark, QT_TRANSLATE_NOOP("app::ActionTable", "Run the selected &pairs"), "Ctrl+Alt+N", "run-build", QT_TRANSLATE_NOOP("app::ActionTable", "Adds what the ticked methods make of them to the results that are shown")},
+    {"file.saveResults", kBenchmark, QT_TRANSLATE_NOOP("app::ActionTable", "&Save the benchmark's results..."), "Ctrl+Shift+K", "", QT_TRANSLATE_NOOP("app::ActionTable", "Tables, pairs and a report, in a folder")},
+    {"file.openResults", kBenchmark, QT_TRANSLATE_NOOP("app::ActionTable", "&Open a benchmark's results..."), "Ctrl+Shift+J", "", QT_TRANSLATE_NOOP("app::ActionTable", "A folder that was saved here or written by handlens-batch benchmark")},
 
     {"edit.rater", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Your n&ame..."), "Ctrl+U", "user-identity", QT_TRANSLATE_NOOP("app::ActionTable", "The name that your marks are kept under")},
     {"annotation.raters", kRaters, QT_TRANSLATE_NOOP("app::ActionTable", "Compare ra&ters"), "Ctrl+Shift+B", "", "", kPlain, true},
@@ -220,10 +222,10 @@ const std::vector<ActionRow> kRows = {
 // clang-format on
 
 const std::vector<MenuRow> kMenus = {
-    {kFile, nullptr},   {kEdit, nullptr},     {kView, nullptr},    {kMaximise, kView},   {kMarks, kView},
-    {kLayers, kFit},    {kColumns, kFit},     {kMesh, kView},      {kScene, kView},      {kAnnotate, nullptr},
-    {kStep, kAnnotate}, {kReview, kAnnotate}, {kNudge, kAnnotate}, {kJoints, kAnnotate}, {kGo, nullptr},
-    {kFit, nullptr},    {kRaters, nullptr},   {kHelp, nullptr}};
+    {kFile, nullptr},     {kEdit, nullptr},     {kView, nullptr},   {kMaximise, kView},   {kMarks, kView},
+    {kLayers, kFit},      {kComparison, kFit},  {kBenchmark, kFit}, {kColumns, kFit},     {kMesh, kView},
+    {kScene, kView},      {kAnnotate, nullptr}, {kStep, kAnnotate}, {kReview, kAnnotate}, {kNudge, kAnnotate},
+    {kJoints, kAnnotate}, {kGo, nullptr},       {kFit, nullptr},    {kRaters, nullptr},   {kHelp, nullptr}};
 
 } // namespace
 

@@ -84,7 +84,7 @@ void bindFilm(MainWindow& window) {
     QObject::connect(status, &widgets::StatusLine::stopRequested, film, &widgets::InspectFilm::stop);
     const std::vector<FileKind> kinds{{MainWindow::tr("Films (*.mp4)"), QStringLiteral("mp4")},
                                       {MainWindow::tr("Films (*.avi)"), QStringLiteral("avi")}};
-    window.actions().bind(id("compare.saveFilm"), [&window, film, kinds] {
+    window.actions().bind(id("file.comparisonFilm"), [&window, film, kinds] {
         if (!showComparison(window))
             return;
         askForFile(window, MainWindow::tr("Save the iterations as a film"), kinds, comparisonName(window),
@@ -96,12 +96,12 @@ void bindFilm(MainWindow& window) {
 
 void bindFigureActions(MainWindow& window) {
     window.actions().bind(
-        id("compare.savePicture"),
+        id("file.comparisonPicture"),
         [&window] {
             if (showComparison(window))
                 savePicture(window);
         });
-    window.actions().bind(id("compare.saveReport"), [&window] {
+    window.actions().bind(id("file.comparisonReport"), [&window] {
         if (showComparison(window))
             saveReport(window);
     });

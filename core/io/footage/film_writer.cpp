@@ -48,15 +48,15 @@ void FilmWriter::open(cv::Size size) {
     stream->size = {size.width / 2 * 2, size.height / 2 * 2};
     const std::array<std::array<char, 4>, 2> inMp4{{{'a', 'v', 'c', '1'}, {'m', 'p', '4', 'v'}}};
     const std::array<std::array<char, 4>, 2> inAvi{{{'M', 'J', 'P', 'G'}, {'M', 'J', 'P', 'G'}}};
+    if (!std::filesystem::is_directory(std::filesystem::absolute(m_path).parent_path()))
+        throw Error(ErrorCode::Io, m_path.string(), "", "cannot be written");
     for (const auto& [a, b, c, d] : isAvi(m_path) ? inAvi : inMp4)
-        if (stream->writer.open(beside().string(), cv::VideoWriter::fourcc(a, b, c, d), m_framesPerSecond,
-                                stream->size))
+        if (stream->writer.open(beside().string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc(a, b, c, d),
+                                m_framesPerSecond, stream->size))
             break;
     if (!stream->writer.isOpened()) {
         std::error_code ignored;
         std::filesystem::remove(beside(), ignored);
-        if (!std::filesystem::is_directory(std::filesystem::absolute(m_path).parent_path()))
-            throw Error(ErrorCode::Io, m_path.string(), "", "cannot be written");
         throw Error(ErrorCode::Unsupported, m_path.string(), "",
                     "no encoder can write it here; another suffix may work");
     }
