@@ -10,21 +10,13 @@
 
 namespace {
 
-/// As the first pass asks for them.
-core::SilhouetteOptions wideBand() {
-    core::SilhouetteOptions options;
-    options.bandMm = 12;
-    return options;
-}
-
 TEST(SilhouettesByModel, FindTheHandsOutlineFromAPoseThatIsOff) {
     test::SimulatedPass scene("silhouettes", 4);
     const core::HandPoses& truth = scene.motion[40];
     core::HandPoses off = truth;
     for (core::Pose& pose : off)
         pose.head<3>() += Eigen::Vector3d(3, -3, 3);
-    const auto masks =
-        core::silhouettesByModel(scene.cameras, scene.evidence(40).pictures, scene.hands, off, wideBand());
+    const auto masks = core::silhouettesByModel(scene.cameras, scene.evidence(40).pictures, scene.hands, off);
     ASSERT_EQ(masks.size(), scene.cameras.size());
     for (std::size_t c = 0; c < masks.size(); ++c) {
         const cv::Mat seen = core::renderHandsMask(scene.cameras[c], scene.hands, truth);
@@ -46,7 +38,7 @@ TEST(SilhouettesByModel, FindItBeforeAClutteredNoisyBackground) {
         pictures[c].copyTo(picture, core::renderHandsMask(scene.cameras[c], scene.hands, truth));
         pictures[c] = core::withSensorNoise(picture, {}, c);
     }
-    const auto masks = core::silhouettesByModel(scene.cameras, pictures, scene.hands, off, wideBand());
+    const auto masks = core::silhouettesByModel(scene.cameras, pictures, scene.hands, off);
     for (std::size_t c = 0; c < masks.size(); ++c)
         EXPECT_GT(core::maskOverlap(masks[c], core::renderHandsMask(scene.cameras[c], scene.hands, truth)), 0.93) << c;
 }
