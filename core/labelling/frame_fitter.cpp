@@ -16,8 +16,6 @@ namespace {
 /// on rendered hands with known joints.
 constexpr double kModelSigmaMm = 0.25;
 
-constexpr double kPoseBandMm = 12; ///< by which poses that landmarks or neighbouring frames ask for may be wrong
-
 double worstSigmaMm(const std::vector<Eigen::Matrix3d>& covariances) {
     double most = 0;
     for (const Eigen::Matrix3d& covariance : covariances)
@@ -100,9 +98,7 @@ FrameFit FrameFitter::fromLandmarks(const FrameEvidence& evidence, const HandPos
 std::vector<cv::Mat> FrameFitter::silhouettes(const FrameEvidence& evidence, const HandPoses& poses) const {
     if (!evidence.masks.empty())
         return evidence.masks;
-    SilhouetteOptions options;
-    options.bandMm = kPoseBandMm;
-    return silhouettesByModel(m_cameras, evidence.pictures, m_hands, poses, options);
+    return silhouettesByModel(m_cameras, evidence.pictures, m_hands, poses);
 }
 
 FrameFit FrameFitter::bySilhouettes(const FrameEvidence& evidence, const HandPoses& start, int rounds, FitSource source,

@@ -86,12 +86,12 @@ cv::Mat farSide(const ForearmLine& line, const cv::Rect& window) {
 }
 
 /// An arm goes on beyond the model's end, without an edge there: the model says where the hand ends.
-void addEnd(ModelSeeds& result, const Camera& camera, const HandModel& hand, const Pose& pose) {
+void addEnd(ModelInView& result, const Camera& camera, const HandModel& hand, const Pose& pose) {
     const std::optional<ForearmLine> line = modelEnd(camera, hand, pose);
     const ConvexRegion region = forearmRegion(camera, forearmCut(hand), worldFromRest(hand, pose));
     if (!line || region.empty())
         return;
-    const cv::Mat beyond = regionMask(region, result.seeds.window) & farSide(*line, result.seeds.window);
+    const cv::Mat beyond = regionMask(region, result.window) & farSide(*line, result.window);
     result.arms |= beyond & ~result.model;
     result.cuts.push_back(*line);
 }
@@ -113,33 +113,40 @@ std::optional<ForearmLine> modelEnd(const Camera& camera, const HandModel& hand,
     return ForearmLine{*centre - half, *centre + half, away};
 }
 
-ModelSeeds modelSeeds(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses,
-                      const ModelSeedOptions& options) {
-    ModelSeeds result;
+ModelInView modelInView(const Camera& camera, const std::vector<HandModel>& hands, const HandPoses& poses,
+                        const ModelViewOptions& options) {
+    ModelInView result;
     const double scale = pixelsPerMm(camera, hands, poses);
     if (scale <= 0)
         return result;
     const cv::Mat whole = silhouetteOf(camera, hands, poses);
     result.bandPx = std::max(kLeastBandPx, options.bandMm * scale);
     const int margin = static_cast<int>(std::ceil(result.bandPx + options.marginMm * scale));
-    result.seeds.window = grownWindow(cv::boundingRect(whole), margin, whole.size());
-    if (result.seeds.window.empty())
+    result.window = grownWindow(cv::boundingRect(whole), margin, whole.size());
+    if (result.window.empty())
         return result;
-    result.model = whole(result.seeds.window).clone();
+    result.model = whole(result.window).clone();
     result.arms = cv::Mat::zeros(result.model.size(), CV_8U);
     for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h)
         if (isPosed(hands[h], poses[h]))
             addEnd(result, camera, hands[h], poses[h]);
-    cv::Mat inside, outside;
-    cv::distanceTransform(result.model, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    cv::distanceTransform(255 - result.model, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    cv::Mat& labels = result.seeds.labels;
-    labels = cv::Mat(result.model.size(), CV_8U, cv::Scalar(seedValue(Seed::SureBackground)));
-    labels.setTo(seedValue(Seed::ProbableBackground), outside <= result.bandPx);
-    labels.setTo(seedValue(Seed::ProbableForeground), result.model);
-    labels.setTo(seedValue(Seed::SureForeground), inside > result.bandPx);
-    labels.setTo(seedValue(Seed::SureForeground), deepestLines(inside, result.bandPx));
     return result;
+}
+
+Seeds modelSeeds(const ModelInView& view) {
+    Seeds seeds{view.window, {}};
+    if (view.window.empty())
+        return seeds;
+    cv::Mat inside, outside;
+    cv::distanceTransform(view.model, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    cv::distanceTransform(255 - view.model, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    cv::Mat& labels = seeds.labels;
+    labels = cv::Mat(view.model.size(), CV_8U, cv::Scalar(seedValue(Seed::SureBackground)));
+    labels.setTo(seedValue(Seed::ProbableBackground), outside <= view.bandPx);
+    labels.setTo(seedValue(Seed::ProbableForeground), view.model);
+    labels.setTo(seedValue(Seed::SureForeground), inside > view.bandPx);
+    labels.setTo(seedValue(Seed::SureForeground), deepestLines(inside, view.bandPx));
+    return seeds;
 }
 
 } // namespace core

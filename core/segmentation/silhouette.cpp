@@ -11,6 +11,7 @@
 #include "core/segmentation/colour_mask.h"
 #include "core/segmentation/landmark_seeds.h"
 #include "core/segmentation/model_seeds.h"
+#include "core/segmentation/odds_cut.h"
 #include "core/segmentation/seeded_cut.h"
 
 namespace core {
@@ -95,16 +96,16 @@ std::optional<Silhouette> byModel(const cv::Mat& picture, const Camera& camera, 
         std::any_of(evidence.poses.begin(), evidence.poses.end(), [](const Pose& pose) { return pose.size() > 0; });
     if (!isPosed)
         return std::nullopt;
-    ModelSeedOptions seedOptions;
-    seedOptions.bandMm = options.bandMm;
-    const ModelSeeds model = modelSeeds(camera, hands, evidence.poses, seedOptions);
-    if (model.seeds.window.empty())
+    ModelViewOptions viewOptions;
+    viewOptions.bandMm = options.bandMm;
+    const ModelInView view = modelInView(camera, hands, evidence.poses, viewOptions);
+    if (view.window.empty())
         return Silhouette{cv::Mat::zeros(picture.size(), CV_8U), {}};
-    cv::Mat mask = seededCut(picture, model.seeds);
-    mask.setTo(0, model.arms);
-    return Silhouette{
-        pasted(cleaned(mask, options.cleaning, sureForeground(model.seeds)), model.seeds.window, picture.size()),
-        model.cuts};
+    const Seeds seeds = modelSeeds(view);
+    cv::Mat mask = seededCut(picture, seeds);
+    mask.setTo(0, view.arms);
+    return Silhouette{pasted(cleaned(mask, options.cleaning, sureForeground(seeds)), view.window, picture.size()),
+                      view.cuts};
 }
 
 /// Leaves out the parts of a mask that share no pixel with `reached`.
@@ -173,22 +174,19 @@ std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& c
 }
 
 std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
-                                        const std::vector<HandModel>& hands, const HandPoses& poses,
-                                        const SilhouetteOptions& options) {
+                                        const std::vector<HandModel>& hands, const HandPoses& poses, double bandMm) {
     std::vector<cv::Mat> masks(cameras.size());
-    HandEvidence evidence;
-    evidence.poses = poses;
     const int count = static_cast<int>(cameras.size());
     cv::parallel_for_(
         cv::Range(0, count),
         [&](const cv::Range& range) {
             for (int c = range.start; c < range.end; ++c) {
-                const auto view = static_cast<std::size_t>(c);
-                if (pictures[view].empty())
+                const auto at = static_cast<std::size_t>(c);
+                if (pictures[at].empty())
                     continue;
-                const auto found = byModel(pictures[view], cameras[view], hands, evidence, options);
-                if (found && cv::countNonZero(found->mask) > 0)
-                    masks[view] = found->mask;
+                const ModelInView view = modelInView(cameras[at], hands, poses, {bandMm, 2 * bandMm});
+                if (!view.window.empty())
+                    masks[at] = pasted(oddsCut(pictures[at], view), view.window, pictures[at].size());
             }
         },
         count);

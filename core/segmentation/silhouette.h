@@ -39,11 +39,12 @@ std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& c
                                          const std::vector<HandModel>& hands, const HandEvidence& evidence,
                                          const cv::Mat& background, const SilhouetteOptions& options);
 
-/// The same by Model in pictures of one instant, per camera (empty where there is none): views side by side, which
-/// changes nothing. Empty poses: hands that are not there. Where no hand is seen the mask is empty (no pixels).
+/// Silhouettes in the pictures of one instant, per camera (empty where there is none), by posed models that may be
+/// wrong by `bandMm`: by oddsCut, a third of the time that Model takes. Views side by side, which changes nothing.
+/// Empty poses: hands that are not there. A mask without pixels where no hand is seen.
 std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
                                         const std::vector<HandModel>& hands, const HandPoses& poses,
-                                        const SilhouetteOptions& options = {});
+                                        double bandMm = 18);
 
 /// Intersection over union of two masks of the same size; 1 if both are empty.
 double maskOverlap(const cv::Mat& a, const cv::Mat& b);

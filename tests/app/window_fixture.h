@@ -12,7 +12,7 @@
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
 #include "app/desktop/window_assembly.h"
-#include "tests/support/annotation_names.h"
+#include "tests/support/clicks.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/tiny_dataset.h"
 

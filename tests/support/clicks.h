@@ -11,6 +11,11 @@
 
 namespace test {
 
+/// Who and what most tests of annotations click.
+inline const std::string kRater = "ann";
+inline const core::JointId kIndex{core::Side::Left, "index_mcp"};
+inline const core::JointId kWrist{core::Side::Right, "wrist"};
+
 /// Writes a manual mark of `point` into every camera that sees it, with normal noise from `random` per axis.
 inline void clickEverywhere(core::AnnotationSet& set, const std::vector<core::Camera>& cameras, int frame,
                             const std::string& rater, const core::JointId& joint, const Eigen::Vector3d& point,

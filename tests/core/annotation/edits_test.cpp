@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/error.h"
-#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/annotation_names.h"
+#include "tests/support/clicks.h"
 
 namespace {
 

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 #include "tests/support/five_finger_skeleton.h"

@@ -4,7 +4,6 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "tests/support/annotation_names.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/clicks.h"
 

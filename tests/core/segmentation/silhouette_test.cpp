@@ -179,14 +179,14 @@ TEST(SilhouetteByLandmarks, NeedsLandmarks) {
 
 TEST(ModelSeeds, AreSureOutsideTheBandAlone) {
     const TinyScene scene;
-    const ModelSeeds seeds = modelSeeds(scene.camera, scene.hands, scene.poses);
-    const cv::Mat truth = scene.truth(seeds.seeds.window);
-    EXPECT_EQ(cv::countNonZero((seeds.seeds.labels == seedValue(Seed::SureForeground)) & ~truth), 0);
-    EXPECT_EQ(cv::countNonZero((seeds.seeds.labels == seedValue(Seed::SureBackground)) & truth), 0);
+    const ModelInView view = modelInView(scene.camera, scene.hands, scene.poses);
+    const Seeds seeds = modelSeeds(view);
+    const cv::Mat truth = scene.truth(view.window);
+    EXPECT_EQ(cv::countNonZero((seeds.labels == seedValue(Seed::SureForeground)) & ~truth), 0);
+    EXPECT_EQ(cv::countNonZero((seeds.labels == seedValue(Seed::SureBackground)) & truth), 0);
     cv::Mat distance;
     cv::distanceTransform(255 - truth, distance, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    EXPECT_EQ(cv::countNonZero((distance <= seeds.bandPx) & (seeds.seeds.labels == seedValue(Seed::SureBackground))),
-              0);
+    EXPECT_EQ(cv::countNonZero((distance <= view.bandPx) & (seeds.labels == seedValue(Seed::SureBackground))), 0);
 }
 
 TEST(SegmentationMethods, HaveNamesThatReadBack) {

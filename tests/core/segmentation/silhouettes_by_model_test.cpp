@@ -10,11 +10,7 @@
 
 namespace {
 
-double overlapOf(const cv::Mat& a, const cv::Mat& b) {
-    return cv::countNonZero(a & b) / static_cast<double>(std::max(1, cv::countNonZero(a | b)));
-}
-
-TEST(ModelSilhouettes, FindTheHandsOutlineFromAPoseThatIsOff) {
+TEST(SilhouettesByModel, FindTheHandsOutlineFromAPoseThatIsOff) {
     test::SimulatedPass scene("silhouettes", 4);
     const core::HandPoses& truth = scene.motion[40];
     core::HandPoses off = truth;
@@ -25,12 +21,12 @@ TEST(ModelSilhouettes, FindTheHandsOutlineFromAPoseThatIsOff) {
     for (std::size_t c = 0; c < masks.size(); ++c) {
         const cv::Mat seen = core::renderHandsMask(scene.cameras[c], scene.hands, truth);
         const cv::Mat model = core::renderHandsMask(scene.cameras[c], scene.hands, off);
-        EXPECT_GT(overlapOf(masks[c], seen), 0.97) << c;
-        EXPECT_LT(overlapOf(model, seen), 0.95) << c; // what it starts from
+        EXPECT_GT(core::maskOverlap(masks[c], seen), 0.97) << c;
+        EXPECT_LT(core::maskOverlap(model, seen), 0.95) << c; // what it starts from
     }
 }
 
-TEST(ModelSilhouettes, FindItBeforeAClutteredNoisyBackground) {
+TEST(SilhouettesByModel, FindItBeforeAClutteredNoisyBackground) {
     test::SimulatedPass scene("clutter", 4);
     const core::HandPoses& truth = scene.motion[40];
     core::HandPoses off = truth;
@@ -44,10 +40,10 @@ TEST(ModelSilhouettes, FindItBeforeAClutteredNoisyBackground) {
     }
     const auto masks = core::silhouettesByModel(scene.cameras, pictures, scene.hands, off);
     for (std::size_t c = 0; c < masks.size(); ++c)
-        EXPECT_GT(overlapOf(masks[c], core::renderHandsMask(scene.cameras[c], scene.hands, truth)), 0.93) << c;
+        EXPECT_GT(core::maskOverlap(masks[c], core::renderHandsMask(scene.cameras[c], scene.hands, truth)), 0.93) << c;
 }
 
-TEST(ModelSilhouettes, LeaveOutCamerasWithoutAPictureAndHandsThatAreNotThere) {
+TEST(SilhouettesByModel, LeaveOutCamerasWithoutAPictureAndHandsThatAreNotThere) {
     test::SimulatedPass scene("one hand", 4);
     auto pictures = scene.evidence(40).pictures;
     pictures[1] = cv::Mat();
