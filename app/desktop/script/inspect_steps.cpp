@@ -4,11 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <QElapsedTimer>
 #include <QJsonArray>
 
 #include "app/desktop/main_window.h"
-#include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
 #include "core/fitting/method_name.h"
@@ -79,12 +77,8 @@ QJsonObject showLayer(MainWindow& window, const QJsonObject& step) {
     const QJsonValue on = step.value(QLatin1String("on"));
     if (!on.isBool())
         throw impossible("on", QStringLiteral("expected true or false"));
-    QElapsedTimer clock;
-    clock.start();
     fittedPage(window).overlays()->setShown(*layer, on.toBool());
-    waitUntilIdle(window);
-    fittedPage(window).grid()->repaint();
-    return {{QStringLiteral("ms"), static_cast<double>(clock.nsecsElapsed()) * 1e-6}};
+    return {};
 }
 
 QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
