@@ -119,12 +119,42 @@
     </message>
 </context>
 <context>
+    <name>widgets::BenchmarkPairPlots</name>
+    <message numerus="yes">
+        <source>%n frame(s) apart</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPairsView</name>
+    <message numerus="yes">
+        <source>Run %n pair(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>widgets::BenchmarkRunner</name>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
         <translation>
             <numerusform>This benchmark is not finished: %n fit is in.</numerusform>
             <numerusform>This benchmark is not finished: %n fits are in.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CameraChoice</name>
+    <message numerus="yes">
+        <source>%n chosen</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>
@@ -253,6 +283,103 @@
         <translation>
             <numerusform>%1: %n mask of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</numerusform>
             <numerusform>%1: %n masks of no frame of the sequence: its frames need the numbers %2 to %3, the masks have %4 to %5.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::HistogramPlot</name>
+    <message numerus="yes">
+        <source>%1 to %2: %n pair(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ImportText</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s) of the view of camera %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s) of other videos: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) with a likelihood below %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n label(s) marked as not visible.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
         </translation>
     </message>
 </context>

@@ -696,10 +696,6 @@
         <translation>三维场景中的下一方法(&amp;M)</translation>
     </message>
     <message>
-        <source>Run or stop the &amp;benchmark</source>
-        <translation>运行或停止基准测试(&amp;B)</translation>
-    </message>
-    <message>
         <source>&amp;Save the benchmark&apos;s results...</source>
         <translation>保存基准测试结果(&amp;S)...</translation>
     </message>
@@ -794,14 +790,6 @@
     <message>
         <source>From rim points to their contour points, by distance; refused ones dashed</source>
         <translation>从边缘点到其轮廓点，按距离着色；被拒绝的为虚线</translation>
-    </message>
-    <message>
-        <source>&amp;Difference of silhouettes</source>
-        <translation>轮廓差异(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Red is seen but not covered, blue is covered but not seen</source>
-        <translation>红色：可见但未覆盖；蓝色：覆盖但不可见</translation>
     </message>
     <message>
         <source>&amp;Field</source>
@@ -915,6 +903,194 @@
         <source>Smaller brush</source>
         <translation>减小画笔</translation>
     </message>
+    <message>
+        <source>C&amp;omparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;olumns of the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Difference</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
+        <translation type="unfinished">轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
+    </message>
+    <message>
+        <source>&amp;Uncertainty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the joints of a result lie with 95 % probability, as the fit judged it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the &amp;start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pose that every method began with, as a column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the &amp;truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recorded pose, as a column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a tracker&apos;s &amp;estimates...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A file of joints per frame pair, as handlens-batch benchmark takes it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remove the column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Previous column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the settings and the wipe are about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the column to the &amp;left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the column to the ri&amp;ght</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Hide or show the hands in this view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The column in the current view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Wipe to the next column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The next column lies over this one, behind a line that can be dragged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line of the wipe to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line of the wipe to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Blink with the next column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows this column and the next one by turns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What &amp;if...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings of the column&apos;s method, cameras and noise: drag one, and the methods run again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use these settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives the column what was tried under What if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add these settings as a column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was tried under What if, beside the column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bac&amp;k to what was fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends what was tried under What if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What does each &amp;camera add?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits without each camera in turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save as a &amp;picture...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the iterations as a &amp;film...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The comparison from the start pose to the last iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report of this comparison...</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One page with pictures, tables, settings and the command that makes it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run or stop the benchmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fil&amp;ter the benchmark&apos;s pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By errors, differences of methods, sequences and frames, such as A-B&gt;1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run the selected &amp;pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Adds what the ticked methods make of them to the results that are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::CalibrationPage</name>
@@ -979,6 +1155,81 @@
     <message>
         <source>The calibration is being read...</source>
         <translation>正在读取标定文件...</translation>
+    </message>
+</context>
+<context>
+    <name>app::ComparisonReport</name>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished">方法</translation>
+    </message>
+    <message>
+        <source>Start, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shown, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Result, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation type="unfinished">迭代次数</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation type="unfinished">结束</translation>
+    </message>
+    <message>
+        <source>Error by iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cost by iteration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint, error in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Option</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>To make this page again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file %1 holds:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation type="unfinished">视图</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error joint by joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1807,6 +2058,50 @@
         <source>Making silhouettes</source>
         <translation>正在生成轮廓</translation>
     </message>
+    <message>
+        <source>A tracker&apos;s estimates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Estimates (*.csv *.json)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This sequence has no recorded motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawings (*.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pages (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the comparison as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Report of this comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saving the film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Films (*.mp4)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Films (*.avi)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the iterations as a film</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>
@@ -2373,13 +2668,139 @@
         <source>Show the report</source>
         <translation>显示报告</translation>
     </message>
+    <message>
+        <source>Stop the benchmark first.</source>
+        <translation type="unfinished">请先停止基准测试。</translation>
+    </message>
+    <message>
+        <source>Choose at least one method.</source>
+        <translation type="unfinished">请至少选择一种方法。</translation>
+    </message>
+    <message>
+        <source>Select pairs in the table first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPairPlots</name>
+    <message>
+        <source>No pair that is shown has results of both methods.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every pair: click one to inspect it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A: %1, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B: %1, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frame(s) apart</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2 to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where A and B differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A − B, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation type="unfinished">配对</translation>
+    </message>
+    <message>
+        <source>A is better: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>B is better: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No pair is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By frames apart: quartiles, and 5 to 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames apart</source>
+        <translation type="unfinished">相隔帧数</translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BenchmarkPairsView</name>
+    <message>
+        <source>Double-click a pair to inspect it with every method; select several to run them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The column A − B and the plots compare these two methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter, such as A-B&gt;1 difference&gt;=10</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter of the pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs the methods that are ticked on the left on the selected pairs, and adds what they find</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 pairs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Run %n pair(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Run selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspect this pair</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Select all that are shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the selected rows</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkResultsView</name>
-    <message>
-        <source>Double-click a pair to inspect it with every method</source>
-        <translation>双击配对可用所有方法查看</translation>
-    </message>
     <message>
         <source>Share of pairs below each error</source>
         <translation>低于各误差的配对比例</translation>
@@ -2403,6 +2824,14 @@
     <message>
         <source>start</source>
         <translation>起始</translation>
+    </message>
+    <message>
+        <source>All methods</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A against B</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2441,12 +2870,44 @@
             <numerusform>此基准测试尚未完成：已有 %n 次拟合。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>These results are not of the open dataset, or it has changed since: pairs cannot be added to them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::BoxPlot</name>
+    <message>
+        <source>%1: median %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::CalibrationChoice</name>
     <message>
         <source>Wait until the sequence is open.</source>
         <translation>请等待序列打开。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CameraChoice</name>
+    <message>
+        <source>Which cameras are the rows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the current one on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n chosen</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2497,11 +2958,37 @@
     </message>
 </context>
 <context>
-    <name>widgets::CurvePlot</name>
+    <name>widgets::ColumnBar</name>
     <message>
-        <source>curves</source>
-        <translation>曲线</translation>
+        <source>Add a column: a method, the start, the truth, a tracker</source>
+        <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Add a column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A tracker&apos;s estimates...</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ColumnHead</name>
+    <message>
+        <source>Settings of this method, and what if</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove this column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag it to another place</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::CurvePlot</name>
     <message>
         <source>Logarithmic axis</source>
         <translation>对数坐标轴</translation>
@@ -3185,55 +3672,160 @@
     </message>
 </context>
 <context>
+    <name>widgets::HistogramPlot</name>
+    <message numerus="yes">
+        <source>%1 to %2: %n pair(s)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::ImportText</name>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: its footage is shifted against the sequence; the numbers of its pictures are taken as frames of the sequence, not of the video.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file names none of the dataset&apos;s cameras; they are taken in the dataset&apos;s order: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds reprojections of 3D points, not clicks (data_2d); they come as proposals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds 3D points without clicks; they come as proposals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file is of sequence %1, not of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Some marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s) of the view of camera %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s) of other videos: %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) with a likelihood below %1.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n label(s) marked as not visible.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectColumns</name>
+    <message>
+        <source>Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectGrid</name>
+    <message>
+        <source>No picture at this instant.</source>
+        <translation type="unfinished">此时刻没有图像。</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, IoU %2</source>
+        <translation type="unfinished">%1，IoU %2</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished">失败</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectJointErrors</name>
+    <message>
+        <source>The column whose error is drawn, joint by joint, at the iteration that is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectLayerBar</name>
-    <message>
-        <source>Contour</source>
-        <translation>轮廓线</translation>
-    </message>
-    <message>
-        <source>The observed outline; its colour is its direction</source>
-        <translation>观测到的轮廓线；颜色表示其方向</translation>
-    </message>
-    <message>
-        <source>Rim</source>
-        <translation>边缘</translation>
-    </message>
-    <message>
-        <source>Rim points of the posed hands with their normals</source>
-        <translation>手部姿态的边缘点及其法线</translation>
-    </message>
-    <message>
-        <source>Matches</source>
-        <translation>匹配</translation>
-    </message>
-    <message>
-        <source>From rim points to their contour points, by distance; refused ones dashed</source>
-        <translation>从边缘点到其轮廓点，按距离着色；被拒绝的为虚线</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>差异</translation>
-    </message>
-    <message>
-        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation>轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
-    </message>
-    <message>
-        <source>Field</source>
-        <translation>场</translation>
-    </message>
-    <message>
-        <source>What a rim point of one direction costs at every pixel</source>
-        <translation>某一方向的边缘点在每个像素处的代价</translation>
-    </message>
-    <message>
-        <source>Error</source>
-        <translation>误差</translation>
-    </message>
-    <message>
-        <source>The mesh by its distance to the recorded pose</source>
-        <translation>网格，按与记录姿态的距离着色</translation>
-    </message>
     <message>
         <source>Direction of the rim point whose field is shown</source>
         <translation>所显示的场对应的边缘点方向</translation>
@@ -3274,6 +3866,10 @@
         <source>%1, refused</source>
         <translation>%1，被拒绝</translation>
     </message>
+    <message>
+        <source>ellipses: 95 % of the result&apos;s joints</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -3302,14 +3898,6 @@
         <translation>第 %1 帧，起始于第 %2 帧</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>failed</source>
-        <translation>失败</translation>
-    </message>
-    <message>
         <source>Iteration %1 of %2</source>
         <translation>第 %1 次迭代，共 %2 次</translation>
     </message>
@@ -3330,16 +3918,8 @@
         <translation>拟合当前帧即可并排查看各方法。</translation>
     </message>
     <message>
-        <source>No picture at this instant.</source>
-        <translation>此时刻没有图像。</translation>
-    </message>
-    <message>
         <source>There is no reference to measure the error against.</source>
         <translation>没有可用于衡量误差的参照。</translation>
-    </message>
-    <message>
-        <source>%1, IoU %2</source>
-        <translation>%1，IoU %2</translation>
     </message>
 </context>
 <context>
@@ -3502,6 +4082,160 @@
     </message>
 </context>
 <context>
+    <name>widgets::MethodForm</name>
+    <message>
+        <source>More options</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The options that are seldom changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MethodText</name>
+    <message>
+        <source>A match is kept if the directions differ by less, degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Directions over 360 degrees; off: lines over 180 degrees</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weight of the direction, pixels per radian</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bins of direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the bins are centred: 0 on the x axis, or that share of a bin beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two matches weigh by how near their bins are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How matches are searched: both find the same ones</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The real-time variant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The palm is placed before the fingers move</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Coarse levels of the mesh first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tau narrows from 45 degrees to 22.5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The distance along the outline counts a tenth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A weak pull of the angles to those of the start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pull knows how fingers move together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other starts where silhouettes are left unexplained</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last iterations on the full mesh</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What counts as a difference follows the noise of the outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contour points pull the model, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only contour points within tau are searched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cauchy weights with that scale, mm; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest distance of a match, pixels; 0 for the usual one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>K of the truncated penalty, square pixels; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How far the outline&apos;s polygon may be off, pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The outline&apos;s direction from its polygon or from a chord</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Contour beyond the end of a hand model: left out, or as any other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Most iterations of a fit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Damping relative to the diagonal of the normal matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rigid: a first phase moves each hand as a whole; paper: all at once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be %2 or %3, not &quot;%4&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 must be a number from %2 to %3, not &quot;%4&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write &quot;%1&quot; as name=value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no option &quot;%2&quot;; it has %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a method; the methods are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::NameBar</name>
     <message>
         <source>Use this name</source>
@@ -3539,11 +4273,26 @@
     </message>
 </context>
 <context>
-    <name>widgets::PairTableModel</name>
+    <name>widgets::PairFilterText</name>
     <message>
-        <source>Method</source>
-        <translation>方法</translation>
+        <source>“%1” is neither a method of these results nor sequence, start, test, difference or initial.</source>
+        <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>“%1” is neither a comparison such as A-B&gt;1 nor a sequence.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Conditions with blanks between them, all of which must hold: A-B&gt;1 difference&gt;=10 sequence=01. A and B are the methods chosen on the left; a method&apos;s name is its error in mm, .seconds or .iterations behind it what it took; start, test and difference are frames, initial is the error of the start pose.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PairTableModel</name>
     <message>
         <source>Sequence</source>
         <translation>序列</translation>
@@ -3561,16 +4310,40 @@
         <translation>起始 mm</translation>
     </message>
     <message>
-        <source>Error mm</source>
-        <translation>误差 mm</translation>
+        <source>Apart</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Iterations</source>
-        <translation>迭代次数</translation>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
     </message>
     <message>
-        <source>s</source>
-        <translation>秒</translation>
+        <source>A − B mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 iterations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames between start and test</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean joint error of the start pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean joint error of %1; the smallest of a row is bold</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error of %1 minus error of %2: above 0 where %1 is worse</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3606,6 +4379,17 @@
     <message>
         <source>The picture is in the clipboard.</source>
         <translation>图像已复制到剪贴板。</translation>
+    </message>
+    <message>
+        <source>PDF page (*.pdf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>widgets::PlotCanvas</name>
+    <message>
+        <source>curves</source>
+        <translation type="unfinished">曲线</translation>
     </message>
 </context>
 <context>
@@ -4253,6 +5037,13 @@
     </message>
 </context>
 <context>
+    <name>widgets::ScatterPlot</name>
+    <message>
+        <source>Logarithmic axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ScenePanel</name>
     <message>
         <source>Whose pose stands in the scene</source>
@@ -4798,6 +5589,13 @@
     </message>
 </context>
 <context>
+    <name>widgets::TrackerColumn</name>
+    <message>
+        <source>%1 has no estimate of frame %2 from frame %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>widgets::ViewPanel</name>
     <message>
         <source>Mesh</source>
@@ -4854,6 +5652,121 @@
     <message>
         <source>Untick to hide a view; drag to change the order</source>
         <translation>取消勾选可隐藏视图，拖动可更改顺序</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::WhatIfPanel</name>
+    <message>
+        <source>Fit a pair: the settings of its methods can be changed here then.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What does each camera add?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fits without each camera in turn: how much the error grows stands beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gives the column these settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add as another column</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keeps the column, and shows these settings beside it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished">上一步</translation>
+    </message>
+    <message>
+        <source>All as it was fitted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The error grows most without %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The column whose settings are changed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The method as on the command line; Enter takes it over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method with its settings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Noise of the outlines</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What if the silhouettes were noisier? By how much their outlines move, pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation type="unfinished"> px</translation>
+    </message>
+    <message>
+        <source>Cameras that take part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation type="unfinished">%1 mm</translation>
+    </message>
+    <message>
+        <source>Whether this camera&apos;s silhouette takes part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leave at least one camera on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting...</source>
+        <translation type="unfinished">正在拟合...</translation>
+    </message>
+    <message>
+        <source>Cameras</source>
+        <translation type="unfinished">相机</translation>
+    </message>
+    <message>
+        <source>Noise of the outlines, px</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error, mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a setting: the error over it appears here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fitting without each camera...</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4916,6 +5829,10 @@
     <message>
         <source>Review</source>
         <translation>审核</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -130,6 +130,7 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
                                         [&](const auto& column) { return widgets::columnId(column) == method; });
         if (found == columns.end())
             throw notPossible("method", QStringLiteral("there is no such column"));
+        page.columns()->setCurrent(static_cast<std::size_t>(found - columns.begin()));
         panel->showColumn(static_cast<std::size_t>(found - columns.begin()));
     }
     if (step.contains(QLatin1String("camera"))) {

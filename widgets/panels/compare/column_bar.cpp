@@ -35,6 +35,8 @@ ColumnHead::ColumnHead(QWidget* parent)
     , m_text(new QLabel(this))
     , m_settings(headButton(QStringLiteral("configure"), tr("Settings of this method, and what if"), this))
     , m_close(headButton(QStringLiteral("window-close"), tr("Remove this column"), this)) {
+    m_close->setIcon({});
+    m_close->setText(QStringLiteral("\u00d7"));
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setCursor(Qt::OpenHandCursor);

@@ -2,6 +2,7 @@
 // How the panel is built; what it does stands in what_if_panel.cpp.
 #include "widgets/panels/compare/what_if_panel.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFormLayout>
@@ -14,6 +15,7 @@ namespace widgets {
 
 namespace {
 
+constexpr int kPlotHeight = 130;
 constexpr double kMostNoisePx = 4;
 constexpr double kNoiseStepPx = 0.25;
 
@@ -68,6 +70,13 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     });
     connect(&m_runner, &WhatIf::found, this, &WhatIfPanel::take);
     connect(&m_runner, &WhatIf::failed, m_answer, &QLabel::setText);
+    connect(&m_runner, &WhatIf::finished, this, [this] {
+        const auto most = std::max_element(m_without.begin(), m_without.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        if (m_key.empty() && most != m_without.end())
+            m_answer->setText(tr("The error grows most without %1.")
+                                  .arg(m_cameras[static_cast<std::size_t>(most->first)]->objectName()));
+    });
     connect(m_measure, &QPushButton::clicked, this, &WhatIfPanel::measureCameras);
     connect(m_apply, &QPushButton::clicked, this, &WhatIfPanel::apply);
     connect(m_add, &QPushButton::clicked, this, &WhatIfPanel::addColumn);
@@ -97,14 +106,14 @@ void WhatIfPanel::build() {
     m_problem->setPalette(colours);
     m_problem->hide();
     m_answer->setWordWrap(true);
-    m_plot->setMinimumHeight(150);
+    m_plot->setFixedHeight(kPlotHeight);
     column->addWidget(m_column);
     column->addWidget(m_line);
     column->addWidget(m_problem);
+    column->addWidget(m_plot); // in sight while a setting below it is dragged
+    column->addWidget(m_answer);
     column->addWidget(m_form);
     column->addLayout(makeButtons());
-    column->addWidget(m_answer);
-    column->addWidget(m_plot);
     column->addLayout(makeSilhouettes());
     column->addStretch(1);
 }
