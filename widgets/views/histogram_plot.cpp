@@ -72,8 +72,9 @@ void HistogramPlot::paintPointed(QPainter& painter, const PlotFrame& frame) cons
     painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
     painter.drawRect(area);
     paintTip(painter, frame, area.center(),
-             tr("%1 to %2: %n pair(s)", nullptr, m_histogram.counts[*m_pointed])
-                 .arg(plotNumber(edge(*m_pointed)), plotNumber(edge(*m_pointed + 1))));
+             tr("%1 to %2, pairs: %3")
+                 .arg(plotNumber(edge(*m_pointed)), plotNumber(edge(*m_pointed + 1)))
+                 .arg(m_histogram.counts[*m_pointed]));
 }
 
 std::optional<std::size_t> HistogramPlot::binAt(QPointF place) const {

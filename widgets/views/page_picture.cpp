@@ -13,7 +13,8 @@ namespace widgets {
 namespace {
 
 constexpr double kEmbeddedScale = 2; ///< of pictures within drawings
-constexpr double kPointsPerPixel = 0.75;
+constexpr int kPixelsPerInch = 96;
+constexpr double kPointsPerPixel = 72.0 / kPixelsPerInch;
 
 void paintParts(const PagePicture& page, QPainter& painter, double pictureScale) {
     painter.fillRect(QRectF(QPointF(0, 0), page.size), page.ground);
@@ -31,6 +32,7 @@ QByteArray partSvg(const PagePicture::Part& part) {
     QBuffer buffer;
     QSvgGenerator svg;
     svg.setOutputDevice(&buffer);
+    svg.setResolution(kPixelsPerInch);
     svg.setSize(part.place.size().toSize());
     svg.setViewBox(QRectF(QPointF(0, 0), part.place.size()));
     QPainter painter(&svg);
@@ -83,14 +85,10 @@ bool savePagePdf(const PagePicture& page, const QString& path) {
     pdf.setCreator(QStringLiteral("Handlens"));
     pdf.setPageSize(QPageSize(page.size * kPointsPerPixel, QPageSize::Point));
     pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
-    constexpr int kResolution = 288; // dots per inch
-    pdf.setResolution(kResolution);
+    pdf.setResolution(kPixelsPerInch); // a unit is a pixel of the screen, and texts have the size that they have there
     QPainter painter;
     if (!painter.begin(&pdf))
         return false;
-    constexpr double kPointsPerInch = 72;
-    const double scale = kPointsPerPixel * kResolution / kPointsPerInch;
-    painter.scale(scale, scale);
     painter.setRenderHint(QPainter::Antialiasing);
     paintParts(page, painter, kEmbeddedScale);
     return painter.end();

@@ -84,7 +84,7 @@ PlotFrame PlotCanvas::frame(const QRectF& area) const {
     const double bottom = line + 1.5 * kPlotSpacing + (texts.xLabel.isEmpty() ? 0 : line);
     result.plot = area.adjusted(left, top, -2.5 * kPlotSpacing, -bottom);
     if (result.xTicks.empty())
-        result.xTicks = ticks(result.x, std::max(2, static_cast<int>(result.plot.width() / (5 * line))));
+        result.xTicks = ticks(result.x, std::max(2, static_cast<int>(result.plot.width() / (3.5 * line))));
     return result;
 }
 
@@ -231,6 +231,7 @@ QByteArray PlotCanvas::svg() const {
     QBuffer buffer;
     QSvgGenerator svg;
     svg.setOutputDevice(&buffer);
+    svg.setResolution(logicalDpiX());
     svg.setSize(size());
     svg.setViewBox(rect());
     svg.setTitle(labels().title);

@@ -19,7 +19,7 @@ using core::PairField;
 
 /// From one to fifteen frames apart, pale to full.
 QColor differenceColour(std::size_t place, std::size_t count) {
-    constexpr double kPalest = 0.25;
+    constexpr double kPalest = 0.4;
     return errorColour(
         count < 2 ? 1 : kPalest + (1 - kPalest) * static_cast<double>(place) / static_cast<double>(count - 1));
 }
@@ -93,8 +93,7 @@ void BenchmarkPairPlots::showScatter(const PairTableModel& model) {
                               pair,
                               placeIn(m_differences, table->pairs[pair].difference())});
         for (std::size_t i = 0; i < m_differences.size(); ++i)
-            groups.push_back(
-                {tr("%n frame(s) apart", nullptr, m_differences[i]), differenceColour(i, m_differences.size())});
+            groups.push_back({tr("apart: %1").arg(m_differences[i]), differenceColour(i, m_differences.size())});
         m_scatter->setNames([table](std::size_t pair) {
             const core::FramePair& named = table->pairs[pair];
             return tr("%1, %2 to %3").arg(toQString(named.sequence)).arg(named.start).arg(named.test);

@@ -235,7 +235,7 @@ void BenchmarkPairsView::showCounts() {
     m_wrong->setVisible(!m_problem.isEmpty());
     const int chosen = m_table->selectionModel()->selectedRows().size();
     m_run->setEnabled(chosen > 0);
-    m_run->setText(chosen > 0 ? tr("Run %n pair(s)", nullptr, chosen) : tr("Run selected"));
+    m_run->setText(chosen > 0 ? tr("Run selected (%1)").arg(locale.toString(chosen)) : tr("Run selected"));
 }
 
 std::vector<std::size_t> BenchmarkPairsView::selected() const {

@@ -118,7 +118,7 @@ void InspectLayerBar::showLegend() {
         parts << tr("error 0\u2013%1 mm").arg(kErrorScaleMm);
     const bool hasScale = !parts.isEmpty();
     if (m_overlays.isShown(InspectLayer::Uncertainty))
-        parts << tr("ellipses: 95 % of the result's joints");
+        parts << tr("95 % regions");
     m_scale->setVisible(hasScale);
     m_legend->setVisible(!parts.isEmpty());
     m_legend->setText(parts.join(QStringLiteral(", ")));

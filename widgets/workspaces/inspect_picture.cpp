@@ -65,7 +65,7 @@ private:
             const QPointF corner = view->viewport()->mapTo(grid, QPoint(0, 0)) + QPointF(kGap, m_y);
             const QSizeF size = view->viewport()->size();
             const ViewTitle& title = view->title();
-            addText({corner - QPointF(0, m_line), QSizeF(size.width(), m_line)}, title.name, title.colour,
+            addText({corner - QPointF(0, m_line), QSizeF(size.width() - kSpacing, m_line)}, title.name, title.colour,
                     QStringLiteral("%1  %2").arg(title.detail, title.error));
             m_picture.parts.push_back({QRectF(corner, size), [view](QPainter& painter, double scale) {
                                            view->paintPicture(painter, scale);

@@ -130,6 +130,11 @@ std::string curves(const Compared& compared) {
            escaped(cost) + "</figcaption></figure>\n";
 }
 
+/// Of a joint, without the signs of its id.
+std::string readableName(const core::JointId& joint) {
+    return widgets::jointText(joint).replace(QLatin1Char('_'), QLatin1Char(' ')).toStdString();
+}
+
 std::string jointTable(const Compared& compared) {
     const core::Dataset& dataset = *compared.window.session().opened.dataset();
     std::vector<core::JointPositions> joints;
@@ -143,7 +148,7 @@ std::string jointTable(const Compared& compared) {
         const auto truth = compared.outcome.reference.find(id);
         if (truth == compared.outcome.reference.end())
             continue;
-        text += "<tr>" + core::htmlTextCell(widgets::jointText(id).toStdString());
+        text += "<tr>" + core::htmlTextCell(readableName(id));
         for (const core::JointPositions& found : joints) {
             const auto place = found.find(id);
             text +=
