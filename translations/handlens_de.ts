@@ -905,191 +905,191 @@
     </message>
     <message>
         <source>C&amp;omparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Ver&amp;gleich</translation>
     </message>
     <message>
-        <source>C&amp;olumns of the comparison</source>
-        <translation type="unfinished"></translation>
+        <source>Col&amp;umns of the comparison</source>
+        <translation>Spa&amp;lten des Vergleichs</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Differenz</translation>
     </message>
     <message>
         <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation type="unfinished">Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen</translation>
+        <translation>Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Unsicherheit</translation>
     </message>
     <message>
         <source>Where the joints of a result lie with 95 % probability, as the fit judged it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Gelenke eines Ergebnisses mit 95 % Wahrscheinlichkeit liegen, laut der Anpassung</translation>
     </message>
     <message>
         <source>Add the &amp;start</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Start hinzufügen</translation>
     </message>
     <message>
         <source>The pose that every method began with, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Pose, mit der jedes Verfahren begann, als Spalte</translation>
     </message>
     <message>
         <source>Add the &amp;truth</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wahrheit hinzufügen</translation>
     </message>
     <message>
         <source>The recorded pose, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Die aufgezeichnete Pose, als Spalte</translation>
     </message>
     <message>
         <source>Add a tracker&apos;s &amp;estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzungen eines &amp;Trackers hinzufügen...</translation>
     </message>
     <message>
         <source>A file of joints per frame pair, as handlens-batch benchmark takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Datei mit Gelenken je Bildpaar, wie handlens-batch benchmark sie nimmt</translation>
     </message>
     <message>
         <source>&amp;Remove the column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte &amp;entfernen</translation>
     </message>
     <message>
         <source>&amp;Previous column</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vorige Spalte</translation>
     </message>
     <message>
         <source>What the settings and the wipe are about</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf die sich Einstellungen und Wischblende beziehen</translation>
     </message>
     <message>
         <source>&amp;Next column</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nächste Spalte</translation>
     </message>
     <message>
         <source>Move the column to the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte nach &amp;links</translation>
     </message>
     <message>
         <source>Move the column to the ri&amp;ght</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte nach &amp;rechts</translation>
     </message>
     <message>
         <source>&amp;Hide or show the hands in this view</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hände in dieser Ansicht aus- oder einblenden</translation>
     </message>
     <message>
         <source>The column in the current view</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spalte in der aktuellen Ansicht</translation>
     </message>
     <message>
         <source>&amp;Wipe to the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>Wis&amp;chblende zur nächsten Spalte</translation>
     </message>
     <message>
         <source>The next column lies over this one, behind a line that can be dragged</source>
-        <translation type="unfinished"></translation>
+        <translation>Die nächste Spalte liegt über dieser, hinter einer Linie, die sich ziehen lässt</translation>
     </message>
     <message>
         <source>Line of the wipe to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie der Wischblende nach links</translation>
     </message>
     <message>
         <source>Line of the wipe to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Linie der Wischblende nach rechts</translation>
     </message>
     <message>
         <source>&amp;Blink with the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der nächsten Spalte &amp;blinken</translation>
     </message>
     <message>
         <source>Shows this column and the next one by turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt diese und die nächste Spalte im Wechsel</translation>
     </message>
     <message>
         <source>What &amp;if...</source>
-        <translation type="unfinished"></translation>
+        <translation>W&amp;as wäre, wenn...</translation>
     </message>
     <message>
         <source>Settings of the column&apos;s method, cameras and noise: drag one, and the methods run again</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen für Verfahren, Kameras und Rauschen der Spalte: Ziehen lässt die Verfahren neu rechnen</translation>
     </message>
     <message>
         <source>&amp;Use these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einstell&amp;ungen verwenden</translation>
     </message>
     <message>
         <source>Gives the column what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt der Spalte, was unter „Was wäre, wenn“ probiert wurde</translation>
     </message>
     <message>
         <source>&amp;Add these settings as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einstellungen als S&amp;palte hinzufügen</translation>
     </message>
     <message>
         <source>What was tried under What if, beside the column</source>
-        <translation type="unfinished"></translation>
+        <translation>Was unter „Was wäre, wenn“ probiert wurde, neben der Spalte</translation>
     </message>
     <message>
         <source>Bac&amp;k to what was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zum Angepassten</translation>
     </message>
     <message>
         <source>Ends what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet, was unter „Was wäre, wenn“ probiert wurde</translation>
     </message>
     <message>
         <source>What does each &amp;camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bringt jede &amp;Kamera?</translation>
     </message>
     <message>
         <source>Fits without each camera in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt reihum ohne je eine Kamera an</translation>
     </message>
     <message>
         <source>Save as a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>Als Gra&amp;fik speichern...</translation>
     </message>
     <message>
         <source>Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansichten, Titel und Kurven auf weißem Papier: PNG, oder SVG oder PDF mit Linien und Marken als Vektoren</translation>
     </message>
     <message>
         <source>Save the iterations as a &amp;film...</source>
-        <translation type="unfinished"></translation>
+        <translation>Iterationen als Fil&amp;m speichern...</translation>
     </message>
     <message>
         <source>The comparison from the start pose to the last iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Vergleich von der Startpose bis zur letzten Iteration</translation>
     </message>
     <message>
         <source>&amp;Report of this comparison...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bericht zu diesem Vergleich...</translation>
     </message>
     <message>
         <source>One page with pictures, tables, settings and the command that makes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Seite mit Grafiken, Tabellen, Einstellungen und dem Befehl, der sie wieder erzeugt</translation>
     </message>
     <message>
         <source>&amp;Run or stop the benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Benchmark sta&amp;rten oder anhalten</translation>
     </message>
     <message>
         <source>Fil&amp;ter the benchmark&apos;s pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare des Benchmarks fil&amp;tern</translation>
     </message>
     <message>
         <source>By errors, differences of methods, sequences and frames, such as A-B&gt;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Fehlern, Differenzen von Verfahren, Sequenzen und Bildern, etwa A-B&gt;1</translation>
     </message>
     <message>
         <source>Run the selected &amp;pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte &amp;Paare berechnen</translation>
     </message>
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Fügt den gezeigten Ergebnissen hinzu, was die angekreuzten Verfahren daraus machen</translation>
     </message>
 </context>
 <context>
@@ -1162,75 +1162,75 @@
     <name>app::ComparisonReport</name>
     <message>
         <source>Method</source>
-        <translation type="unfinished">Methode</translation>
+        <translation>Methode</translation>
     </message>
     <message>
         <source>Start, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, mm</translation>
     </message>
     <message>
         <source>Shown, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt, mm</translation>
     </message>
     <message>
         <source>Result, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnis, mm</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished">Iterationen</translation>
+        <translation>Iterationen</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished">Beenden</translation>
+        <translation>Ende</translation>
     </message>
     <message>
         <source>Error by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler je Iteration</translation>
     </message>
     <message>
         <source>Cost by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosten je Iteration</translation>
     </message>
     <message>
         <source>Joint, error in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk, Fehler in mm</translation>
     </message>
     <message>
         <source>Option</source>
-        <translation type="unfinished"></translation>
+        <translation>Option</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Wert</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>To make this page again</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Seite erneut erzeugen</translation>
     </message>
     <message>
         <source>The file %1 holds:</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei %1 enthält:</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished">Ans.</translation>
+        <translation>Ansichten</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurven</translation>
     </message>
     <message>
         <source>Error joint by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler Gelenk für Gelenk</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -2071,47 +2071,47 @@
     </message>
     <message>
         <source>A tracker&apos;s estimates</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzungen eines Trackers</translation>
     </message>
     <message>
         <source>Estimates (*.csv *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzungen (*.csv *.json)</translation>
     </message>
     <message>
         <source>This sequence has no recorded motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Sequenz hat keine aufgezeichnete Bewegung.</translation>
     </message>
     <message>
         <source>Drawings (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeichnungen (*.svg)</translation>
     </message>
     <message>
         <source>Pages (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten (*.pdf)</translation>
     </message>
     <message>
         <source>Save the comparison as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleich als Grafik speichern</translation>
     </message>
     <message>
         <source>Report of this comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Bericht zu diesem Vergleich</translation>
     </message>
     <message>
         <source>Saving the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film wird gespeichert</translation>
     </message>
     <message>
         <source>Films (*.mp4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filme (*.mp4)</translation>
     </message>
     <message>
         <source>Films (*.avi)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filme (*.avi)</translation>
     </message>
     <message>
         <source>Save the iterations as a film</source>
-        <translation type="unfinished"></translation>
+        <translation>Iterationen als Film speichern</translation>
     </message>
 </context>
 <context>
@@ -2685,134 +2685,128 @@
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished">Halten Sie zuerst den Benchmark an.</translation>
+        <translation>Halten Sie zuerst den Benchmark an.</translation>
     </message>
     <message>
         <source>Choose at least one method.</source>
-        <translation type="unfinished">Mindestens eine Methode wählen.</translation>
+        <translation>Mindestens eine Methode wählen.</translation>
     </message>
     <message>
         <source>Select pairs in the table first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst Paare in der Tabelle wählen.</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
     <message>
         <source>No pair that is shown has results of both methods.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein gezeigtes Paar hat Ergebnisse beider Verfahren.</translation>
     </message>
     <message>
         <source>Every pair: click one to inspect it</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Paare: zum Untersuchen eines anklicken</translation>
     </message>
     <message>
         <source>A: %1, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A: %1, mm</translation>
     </message>
     <message>
         <source>B: %1, mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) apart</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>B: %1, mm</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 bis %3</translation>
     </message>
     <message>
         <source>Where A and B differ</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo A und B sich unterscheiden</translation>
     </message>
     <message>
         <source>A − B, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B, mm</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished">Paare</translation>
+        <translation>Paare</translation>
     </message>
     <message>
         <source>A is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A ist besser: %1</translation>
     </message>
     <message>
         <source>B is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>B ist besser: %1</translation>
     </message>
     <message>
         <source>No pair is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird kein Paar gezeigt.</translation>
     </message>
     <message>
         <source>By frames apart: quartiles, and 5 to 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach Bildabstand: Quartile und 5 bis 95 %</translation>
     </message>
     <message>
         <source>Frames apart</source>
-        <translation type="unfinished">Bildabstände</translation>
+        <translation>Bildabstände</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Fehler, mm</translation>
+        <translation>Fehler, mm</translation>
+    </message>
+    <message>
+        <source>apart: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method; select several to run them</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelklick untersucht ein Paar mit jedem Verfahren; mehrere wählen, um sie zu berechnen</translation>
     </message>
     <message>
         <source>The column A − B and the plots compare these two methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spalte A − B und die Diagramme vergleichen diese beiden Verfahren</translation>
     </message>
     <message>
         <source>Method %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Methode %1</translation>
     </message>
     <message>
         <source>Filter, such as A-B&gt;1 difference&gt;=10</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter, etwa A-B&gt;1 difference&gt;=10</translation>
     </message>
     <message>
         <source>Filter of the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Filter der Paare</translation>
     </message>
     <message>
         <source>Runs the methods that are ticked on the left on the selected pairs, and adds what they find</source>
-        <translation type="unfinished"></translation>
+        <translation>Wendet die links angekreuzten Verfahren auf die gewählten Paare an und fügt hinzu, was sie finden</translation>
     </message>
     <message>
         <source>%1 of %2 pairs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Run %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>%1 von %2 Paaren</translation>
     </message>
     <message>
         <source>Run selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählte berechnen</translation>
     </message>
     <message>
         <source>Inspect this pair</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Paar untersuchen</translation>
     </message>
     <message>
         <source>Select all that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle gezeigten wählen</translation>
     </message>
     <message>
         <source>Copy the selected rows</source>
+        <translation>Gewählte Zeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Run selected (%1)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2844,11 +2838,11 @@
     </message>
     <message>
         <source>All methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Methoden</translation>
     </message>
     <message>
         <source>A against B</source>
-        <translation type="unfinished"></translation>
+        <translation>A gegen B</translation>
     </message>
 </context>
 <context>
@@ -2890,14 +2884,14 @@
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: pairs cannot be added to them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Ergebnisse gehören nicht zum offenen Datensatz, oder er hat sich seither geändert: Ihnen lassen sich keine Paare hinzufügen.</translation>
     </message>
 </context>
 <context>
     <name>widgets::BoxPlot</name>
     <message>
         <source>%1: median %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Median %2</translation>
     </message>
 </context>
 <context>
@@ -2911,21 +2905,21 @@
     <name>widgets::CameraChoice</name>
     <message>
         <source>Which cameras are the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Kameras die Zeilen bilden</translation>
     </message>
     <message>
         <source>From the current one on</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab der aktuellen</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen</translation>
     </message>
     <message numerus="yes">
         <source>%n chosen</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n gewählt</numerusform>
+            <numerusform>%n gewählt</numerusform>
         </translation>
     </message>
 </context>
@@ -2980,30 +2974,30 @@
     <name>widgets::ColumnBar</name>
     <message>
         <source>Add a column: a method, the start, the truth, a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte hinzufügen: ein Verfahren, den Start, die Wahrheit, einen Tracker</translation>
     </message>
     <message>
         <source>Add a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte hinzufügen</translation>
     </message>
     <message>
         <source>A tracker&apos;s estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>Schätzungen eines Trackers...</translation>
     </message>
 </context>
 <context>
     <name>widgets::ColumnHead</name>
     <message>
         <source>Settings of this method, and what if</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen dieses Verfahrens und „Was wäre, wenn“</translation>
     </message>
     <message>
         <source>Remove this column</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Spalte entfernen</translation>
     </message>
     <message>
         <source>Drag it to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>An eine andere Stelle ziehen</translation>
     </message>
 </context>
 <context>
@@ -3709,126 +3703,123 @@
 </context>
 <context>
     <name>widgets::HistogramPlot</name>
-    <message numerus="yes">
-        <source>%1 to %2: %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+    <message>
+        <source>%1 to %2, pairs: %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>widgets::ImportText</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 und %n weitere</numerusform>
+            <numerusform>%1 und %n weitere</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: its footage is shifted against the sequence; the numbers of its pictures are taken as frames of the sequence, not of the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Die Aufnahme ist gegen die Sequenz verschoben; die Nummern ihrer Bilder gelten als Bilder der Sequenz, nicht des Videos.</translation>
     </message>
     <message>
         <source>The file names none of the dataset&apos;s cameras; they are taken in the dataset&apos;s order: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei nennt keine Kamera des Datensatzes; sie werden in der Reihenfolge des Datensatzes genommen: %1.</translation>
     </message>
     <message>
         <source>The file holds reprojections of 3D points, not clicks (data_2d); they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält Rückprojektionen von 3D-Punkten, keine Klicks (data_2d); sie kommen als Vorschläge.</translation>
     </message>
     <message>
         <source>The file holds 3D points without clicks; they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält 3D-Punkte ohne Klicks; sie kommen als Vorschläge.</translation>
     </message>
     <message>
         <source>The file is of sequence %1, not of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei gehört zu Sequenz %1, nicht zu %2.</translation>
     </message>
     <message>
         <source>Some marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Marken sind Vorhersagen eines Programms; sie kommen als Vorschläge, zur Prüfung.</translation>
     </message>
     <message>
         <source>The marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Marken sind Vorhersagen eines Programms; sie kommen als Vorschläge, zur Prüfung.</translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Eintrag zu Bildern, die Sequenz %1 nicht hat (sie hat 0 bis %2).</numerusform>
+            <numerusform>Ausgelassen: %n Einträge zu Bildern, die Sequenz %1 nicht hat (sie hat 0 bis %2).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Marke in Kamera %1, die der Datensatz nicht hat.</numerusform>
+            <numerusform>Ausgelassen: %n Marken in Kamera %1, die der Datensatz nicht hat.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of the view of camera %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Zeile der Ansicht von Kamera %1.</numerusform>
+            <numerusform>Ausgelassen: %n Zeilen der Ansicht von Kamera %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of other videos: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Zeile anderer Videos: %1.</numerusform>
+            <numerusform>Ausgelassen: %n Zeilen anderer Videos: %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Marke außerhalb des Bildes von %1: behalten, aber nicht für 3D-Punkte verwendet.</numerusform>
+            <numerusform>%n Marken außerhalb des Bildes von %1: behalten, aber nicht für 3D-Punkte verwendet.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) with a likelihood below %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Marke mit einer Wahrscheinlichkeit unter %1.</numerusform>
+            <numerusform>Ausgelassen: %n Marken mit einer Wahrscheinlichkeit unter %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Vorhersage eines Gelenks, das im selben Bild schon markiert oder vorhergesagt ist.</numerusform>
+            <numerusform>Ausgelassen: %n Vorhersagen von Gelenken, die im selben Bild schon markiert oder vorhergesagt sind.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n label(s) marked as not visible.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n als nicht sichtbar gekennzeichnete Markierung.</numerusform>
+            <numerusform>Ausgelassen: %n als nicht sichtbar gekennzeichnete Markierungen.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Marke von %1, das nicht in der Gelenkzuordnung steht.</numerusform>
+            <numerusform>Ausgelassen: %n Marken von %1, das nicht in der Gelenkzuordnung steht.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Annotation der Kategorie %1, die weder links noch rechts nennt.</numerusform>
+            <numerusform>Ausgelassen: %n Annotationen der Kategorie %1, die weder links noch rechts nennt.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Ausgelassen: %n Marke von Körperteilen, die keine Gelenke sind: %1. Ein passender Name ist %2; die Befehlszeile nimmt eine Zuordnung der Namen (annotations --map).</numerusform>
+            <numerusform>Ausgelassen: %n Marken von Körperteilen, die keine Gelenke sind: %1. Ein passender Name ist %2; die Befehlszeile nimmt eine Zuordnung der Namen (annotations --map).</numerusform>
         </translation>
     </message>
 </context>
@@ -3836,41 +3827,41 @@
     <name>widgets::InspectColumns</name>
     <message>
         <source>Start</source>
-        <translation type="unfinished">Start</translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Wahrheit</translation>
     </message>
     <message>
         <source>What if: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wäre, wenn: %1</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">Kein Bild zu diesem Zeitpunkt.</translation>
+        <translation>Kein Bild zu diesem Zeitpunkt.</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1, IoU %2</source>
-        <translation type="unfinished">%1, IoU %2</translation>
+        <translation>%1, IoU %2</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">gescheitert</translation>
+        <translation>gescheitert</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
     <message>
         <source>The column whose error is drawn, joint by joint, at the iteration that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spalte, deren Fehler Gelenk für Gelenk gezeichnet ist, bei der gezeigten Iteration</translation>
     </message>
 </context>
 <context>
@@ -3916,7 +3907,7 @@
         <translation>%1, verworfen</translation>
     </message>
     <message>
-        <source>ellipses: 95 % of the result&apos;s joints</source>
+        <source>95 % regions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4134,154 +4125,154 @@
     <name>widgets::MethodForm</name>
     <message>
         <source>More options</source>
-        <translation type="unfinished"></translation>
+        <translation>Weitere Optionen</translation>
     </message>
     <message>
         <source>The options that are seldom changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die selten geänderten Optionen</translation>
     </message>
     <message>
         <source>usual</source>
-        <translation type="unfinished"></translation>
+        <translation>üblich</translation>
     </message>
 </context>
 <context>
     <name>widgets::MethodText</name>
     <message>
         <source>A match is kept if the directions differ by less, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zuordnung bleibt, wenn die Richtungen um weniger abweichen, Grad</translation>
     </message>
     <message>
         <source>Directions over 360 degrees; off: lines over 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungen über 360 Grad; aus: Linien über 180 Grad</translation>
     </message>
     <message>
         <source>Weight of the direction, pixels per radian</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewicht der Richtung, Pixel je Radiant</translation>
     </message>
     <message>
         <source>Bins of direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtungsklassen</translation>
     </message>
     <message>
         <source>Where the bins are centred: 0 on the x axis, or that share of a bin beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Klassen zentriert sind: 0 auf der x-Achse oder um diesen Teil einer Klasse daneben</translation>
     </message>
     <message>
         <source>The two matches weigh by how near their bins are</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beiden Zuordnungen wiegen je nach Nähe ihrer Klassen</translation>
     </message>
     <message>
         <source>How matches are searched: both find the same ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Zuordnungen gesucht werden: Beide finden dieselben</translation>
     </message>
     <message>
         <source>The real-time variant</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Echtzeitvariante</translation>
     </message>
     <message>
         <source>The palm is placed before the fingers move</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Handfläche wird platziert, bevor sich die Finger bewegen</translation>
     </message>
     <message>
         <source>Coarse levels of the mesh first</source>
-        <translation type="unfinished"></translation>
+        <translation>Grobe Stufen des Netzes zuerst</translation>
     </message>
     <message>
         <source>Tau narrows from 45 degrees to 22.5</source>
-        <translation type="unfinished"></translation>
+        <translation>Tau verengt sich von 45 Grad auf 22,5</translation>
     </message>
     <message>
         <source>The distance along the outline counts a tenth</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Abstand entlang des Umrisses zählt ein Zehntel</translation>
     </message>
     <message>
         <source>A weak pull of the angles to those of the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein schwacher Zug der Winkel zu denen des Starts</translation>
     </message>
     <message>
         <source>The pull knows how fingers move together</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zug weiß, wie Finger sich gemeinsam bewegen</translation>
     </message>
     <message>
         <source>Other starts where silhouettes are left unexplained</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Starts, wo Silhouetten unerklärt bleiben</translation>
     </message>
     <message>
         <source>The last iterations on the full mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten Iterationen auf dem vollen Netz</translation>
     </message>
     <message>
         <source>What counts as a difference follows the noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Was als Differenz zählt, richtet sich nach dem Rauschen der Umrisse</translation>
     </message>
     <message>
         <source>Contour points pull the model, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Auch Konturpunkte ziehen am Modell</translation>
     </message>
     <message>
         <source>Only contour points within tau are searched</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Konturpunkte innerhalb von Tau werden durchsucht</translation>
     </message>
     <message>
         <source>Cauchy weights with that scale, mm; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Cauchy-Gewichte mit dieser Skala, mm; 0 für keine</translation>
     </message>
     <message>
         <source>Longest distance of a match, pixels; 0 for the usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>Größter Abstand einer Zuordnung, Pixel; 0 für den üblichen</translation>
     </message>
     <message>
         <source>K of the truncated penalty, square pixels; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>K der gekappten Strafe, Quadratpixel; 0 für keine</translation>
     </message>
     <message>
         <source>How far the outline&apos;s polygon may be off, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit das Polygon des Umrisses danebenliegen darf, Pixel</translation>
     </message>
     <message>
         <source>The outline&apos;s direction from its polygon or from a chord</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Richtung des Umrisses aus seinem Polygon oder aus einer Sehne</translation>
     </message>
     <message>
         <source>Contour beyond the end of a hand model: left out, or as any other</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontur jenseits des Endes eines Handmodells: ausgelassen oder wie jede andere</translation>
     </message>
     <message>
         <source>Most iterations of a fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchstzahl der Iterationen einer Anpassung</translation>
     </message>
     <message>
         <source>Damping relative to the diagonal of the normal matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung relativ zur Diagonale der Normalmatrix</translation>
     </message>
     <message>
         <source>rigid: a first phase moves each hand as a whole; paper: all at once</source>
-        <translation type="unfinished"></translation>
+        <translation>rigid: Eine erste Phase bewegt jede Hand als Ganzes; paper: alles zugleich</translation>
     </message>
     <message>
         <source>%1 must be %2 or %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss %2 oder %3 sein, nicht „%4“.</translation>
     </message>
     <message>
         <source>%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss eine ganze Zahl von %2 bis %3 sein, nicht „%4“.</translation>
     </message>
     <message>
         <source>%1 must be a number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 muss eine Zahl von %2 bis %3 sein, nicht „%4“.</translation>
     </message>
     <message>
         <source>Write &quot;%1&quot; as name=value.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ als Name=Wert schreiben.</translation>
     </message>
     <message>
         <source>%1 has no option &quot;%2&quot;; it has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine Option „%2“, sondern %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist kein Verfahren; die Verfahren sind %2.</translation>
     </message>
 </context>
 <context>
@@ -4327,19 +4318,19 @@
     <name>widgets::PairFilterText</name>
     <message>
         <source>“%1” is neither a method of these results nor sequence, start, test, difference or initial.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist weder ein Verfahren dieser Ergebnisse noch sequence, start, test, difference oder initial.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Zahl.</translation>
     </message>
     <message>
         <source>“%1” is neither a comparison such as A-B&gt;1 nor a sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist weder ein Vergleich wie A-B&gt;1 noch eine Sequenz.</translation>
     </message>
     <message>
         <source>Conditions with blanks between them, all of which must hold: A-B&gt;1 difference&gt;=10 sequence=01. A and B are the methods chosen on the left; a method&apos;s name is its error in mm, .seconds or .iterations behind it what it took; start, test and difference are frames, initial is the error of the start pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingungen mit Leerzeichen dazwischen, die alle gelten müssen: A-B&gt;1 difference&gt;=10 sequence=01. A und B sind die links gewählten Verfahren; der Name eines Verfahrens ist sein Fehler in mm, mit .seconds oder .iterations dahinter sein Aufwand; start, test und difference sind Bilder, initial ist der Fehler der Startpose.</translation>
     </message>
 </context>
 <context>
@@ -4362,39 +4353,39 @@
     </message>
     <message>
         <source>Apart</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>A − B mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B mm</translation>
     </message>
     <message>
         <source>%1 iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Iterationen</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Frames between start and test</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder zwischen Start und Test</translation>
     </message>
     <message>
         <source>Mean joint error of the start pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlerer Gelenkfehler der Startpose</translation>
     </message>
     <message>
         <source>Mean joint error of %1; the smallest of a row is bold</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlerer Gelenkfehler von %1; der kleinste einer Zeile ist fett</translation>
     </message>
     <message>
         <source>Error of %1 minus error of %2: above 0 where %1 is worse</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler von %1 minus Fehler von %2: über 0, wo %1 schlechter ist</translation>
     </message>
 </context>
 <context>
@@ -4433,14 +4424,14 @@
     </message>
     <message>
         <source>PDF page (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF-Seite (*.pdf)</translation>
     </message>
 </context>
 <context>
     <name>widgets::PlotCanvas</name>
     <message>
         <source>curves</source>
-        <translation type="unfinished">Kurven</translation>
+        <translation>Kurven</translation>
     </message>
 </context>
 <context>
@@ -5103,7 +5094,7 @@
     <name>widgets::ScatterPlot</name>
     <message>
         <source>Logarithmic axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Logarithmische Achsen</translation>
     </message>
 </context>
 <context>
@@ -5666,7 +5657,7 @@
     <name>widgets::TrackerColumn</name>
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine Schätzung von Bild %2 aus Bild %3</translation>
     </message>
 </context>
 <context>
@@ -5732,115 +5723,115 @@
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuerst ein Paar anpassen: Dann lassen sich hier die Einstellungen der Verfahren ändern.</translation>
     </message>
     <message>
         <source>What does each camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bringt jede Kamera?</translation>
     </message>
     <message>
         <source>Fits without each camera in turn: how much the error grows stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Passt reihum ohne je eine Kamera an: Daneben steht, wie sehr der Fehler wächst</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwenden</translation>
     </message>
     <message>
         <source>Gives the column these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt der Spalte diese Einstellungen</translation>
     </message>
     <message>
         <source>Add as another column</source>
-        <translation type="unfinished"></translation>
+        <translation>Als weitere Spalte</translation>
     </message>
     <message>
         <source>Keeps the column, and shows these settings beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Behält die Spalte und zeigt diese Einstellungen daneben</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation type="unfinished">Zurück</translation>
+        <source>Restore</source>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>All as it was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles wie bei der Anpassung</translation>
     </message>
     <message>
         <source>The error grows most without %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fehler wächst am meisten ohne %1.</translation>
     </message>
     <message>
         <source>The column whose settings are changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Spalte, deren Einstellungen geändert werden</translation>
     </message>
     <message>
         <source>The method as on the command line; Enter takes it over</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Verfahren wie auf der Befehlszeile; die Eingabetaste übernimmt es</translation>
     </message>
     <message>
         <source>Method with its settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Verfahren mit Einstellungen</translation>
     </message>
     <message>
         <source>Noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen der Umrisse</translation>
     </message>
     <message>
         <source>What if the silhouettes were noisier? By how much their outlines move, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wäre, wenn die Silhouetten stärker rauschten? Um wie viel ihre Umrisse sich verschieben, Pixel</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Cameras that take part</source>
-        <translation type="unfinished"></translation>
+        <translation>Beteiligte Kameras</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Whether this camera&apos;s silhouette takes part</source>
-        <translation type="unfinished"></translation>
+        <translation>Ob die Silhouette dieser Kamera beteiligt ist</translation>
     </message>
     <message>
         <source>Leave at least one camera on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mindestens eine Kamera eingeschaltet lassen.</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished">Anpassung läuft...</translation>
+        <translation>Anpassung läuft...</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished">Kameras</translation>
+        <translation>Kameras</translation>
     </message>
     <message>
         <source>Noise of the outlines, px</source>
-        <translation type="unfinished"></translation>
+        <translation>Rauschen der Umrisse, px</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Fehler, mm</translation>
+        <translation>Fehler, mm</translation>
     </message>
     <message>
         <source>Drag a setting: the error over it appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Einstellung ziehen: Hier erscheint der Fehler in Abhängigkeit davon.</translation>
     </message>
     <message>
         <source>%1 instead of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 statt %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Fitting without each camera...</source>
-        <translation type="unfinished"></translation>
+        <translation>Anpassung ohne je eine Kamera...</translation>
     </message>
 </context>
 <context>
@@ -5906,7 +5897,7 @@
     </message>
     <message>
         <source>What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wäre, wenn</translation>
     </message>
 </context>
 </TS>

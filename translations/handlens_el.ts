@@ -905,191 +905,191 @@
     </message>
     <message>
         <source>C&amp;omparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύ&amp;γκριση</translation>
     </message>
     <message>
-        <source>C&amp;olumns of the comparison</source>
-        <translation type="unfinished"></translation>
+        <source>Col&amp;umns of the comparison</source>
+        <translation>Στή&amp;λες της σύγκρισης</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Διαφορά</translation>
     </message>
     <message>
         <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation type="unfinished">Σιλουέτες: το κόκκινο φαίνεται αλλά δεν καλύπτεται, το μπλε καλύπτεται αλλά δεν φαίνεται</translation>
+        <translation>Σιλουέτες: το κόκκινο φαίνεται αλλά δεν καλύπτεται, το μπλε καλύπτεται αλλά δεν φαίνεται</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>Α&amp;βεβαιότητα</translation>
     </message>
     <message>
         <source>Where the joints of a result lie with 95 % probability, as the fit judged it</source>
-        <translation type="unfinished"></translation>
+        <translation>Πού βρίσκονται οι αρθρώσεις ενός αποτελέσματος με πιθανότητα 95 %, όπως το έκρινε η προσαρμογή</translation>
     </message>
     <message>
         <source>Add the &amp;start</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη &amp;αρχικής πόζας</translation>
     </message>
     <message>
         <source>The pose that every method began with, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Η πόζα από την οποία ξεκίνησε κάθε μέθοδος, ως στήλη</translation>
     </message>
     <message>
         <source>Add the &amp;truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη &amp;πραγματικής πόζας</translation>
     </message>
     <message>
         <source>The recorded pose, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Η καταγεγραμμένη πόζα, ως στήλη</translation>
     </message>
     <message>
         <source>Add a tracker&apos;s &amp;estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη &amp;εκτιμήσεων ιχνηλάτη...</translation>
     </message>
     <message>
         <source>A file of joints per frame pair, as handlens-batch benchmark takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρχείο αρθρώσεων ανά ζεύγος καρέ, όπως το δέχεται το handlens-batch benchmark</translation>
     </message>
     <message>
         <source>&amp;Remove the column</source>
-        <translation type="unfinished"></translation>
+        <translation>Αφαί&amp;ρεση στήλης</translation>
     </message>
     <message>
         <source>&amp;Previous column</source>
-        <translation type="unfinished"></translation>
+        <translation>Προηγούμενη στή&amp;λη</translation>
     </message>
     <message>
         <source>What the settings and the wipe are about</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτή που αφορούν οι ρυθμίσεις και η σάρωση</translation>
     </message>
     <message>
         <source>&amp;Next column</source>
-        <translation type="unfinished"></translation>
+        <translation>Επόμενη &amp;στήλη</translation>
     </message>
     <message>
         <source>Move the column to the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Μετακίνηση στήλης αριστερά</translation>
     </message>
     <message>
         <source>Move the column to the ri&amp;ght</source>
-        <translation type="unfinished"></translation>
+        <translation>Μετακίνηση στήλης &amp;δεξιά</translation>
     </message>
     <message>
         <source>&amp;Hide or show the hands in this view</source>
-        <translation type="unfinished"></translation>
+        <translation>Απόκρυ&amp;ψη ή εμφάνιση χεριών στην προβολή</translation>
     </message>
     <message>
         <source>The column in the current view</source>
-        <translation type="unfinished"></translation>
+        <translation>Η στήλη στην τρέχουσα προβολή</translation>
     </message>
     <message>
         <source>&amp;Wipe to the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>Σάρ&amp;ωση προς την επόμενη στήλη</translation>
     </message>
     <message>
         <source>The next column lies over this one, behind a line that can be dragged</source>
-        <translation type="unfinished"></translation>
+        <translation>Η επόμενη στήλη βρίσκεται πάνω από αυτήν, πίσω από μια γραμμή που σύρεται</translation>
     </message>
     <message>
         <source>Line of the wipe to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>Γραμμή σάρωσης αριστερά</translation>
     </message>
     <message>
         <source>Line of the wipe to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Γραμμή σάρωσης δεξιά</translation>
     </message>
     <message>
         <source>&amp;Blink with the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>Εναλλα&amp;γή με την επόμενη στήλη</translation>
     </message>
     <message>
         <source>Shows this column and the next one by turns</source>
-        <translation type="unfinished"></translation>
+        <translation>Δείχνει εναλλάξ αυτή τη στήλη και την επόμενη</translation>
     </message>
     <message>
         <source>What &amp;if...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Τι αν...</translation>
     </message>
     <message>
         <source>Settings of the column&apos;s method, cameras and noise: drag one, and the methods run again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ρυθμίσεις της μεθόδου της στήλης, κάμερες και θόρυβος: σύρετε μία και οι μέθοδοι εκτελούνται ξανά</translation>
     </message>
     <message>
         <source>&amp;Use these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Χρήση αυτών των ρυθμίσεων</translation>
     </message>
     <message>
         <source>Gives the column what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Δίνει στη στήλη ό,τι δοκιμάστηκε στο «Τι αν»</translation>
     </message>
     <message>
         <source>&amp;Add these settings as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθή&amp;κη των ρυθμίσεων ως στήλη</translation>
     </message>
     <message>
         <source>What was tried under What if, beside the column</source>
-        <translation type="unfinished"></translation>
+        <translation>Ό,τι δοκιμάστηκε στο «Τι αν», δίπλα στη στήλη</translation>
     </message>
     <message>
         <source>Bac&amp;k to what was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιστρο&amp;φή σε ό,τι προσαρμόστηκε</translation>
     </message>
     <message>
         <source>Ends what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Τερματίζει ό,τι δοκιμάστηκε στο «Τι αν»</translation>
     </message>
     <message>
         <source>What does each &amp;camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι προσφέρει κά&amp;θε κάμερα;</translation>
     </message>
     <message>
         <source>Fits without each camera in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή χωρίς κάθε κάμερα με τη σειρά</translation>
     </message>
     <message>
         <source>Save as a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση ως &amp;εικόνα...</translation>
     </message>
     <message>
         <source>Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>Προβολές, τίτλοι και καμπύλες σε λευκό χαρτί: PNG, ή SVG ή PDF με γραμμές και σημάδια ως διανύσματα</translation>
     </message>
     <message>
         <source>Save the iterations as a &amp;film...</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση επαναλήψεων ως &amp;βίντεο...</translation>
     </message>
     <message>
         <source>The comparison from the start pose to the last iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Η σύγκριση από την αρχική πόζα ως την τελευταία επανάληψη</translation>
     </message>
     <message>
         <source>&amp;Report of this comparison...</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Αναφορά αυτής της σύγκρισης...</translation>
     </message>
     <message>
         <source>One page with pictures, tables, settings and the command that makes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Μία σελίδα με εικόνες, πίνακες, ρυθμίσεις και την εντολή που την ξαναφτιάχνει</translation>
     </message>
     <message>
         <source>&amp;Run or stop the benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Εκτέλεση ή διακοπή της δοκιμής</translation>
     </message>
     <message>
         <source>Fil&amp;ter the benchmark&apos;s pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Φίλτρο ζευγών της δοκιμής</translation>
     </message>
     <message>
         <source>By errors, differences of methods, sequences and frames, such as A-B&gt;1</source>
-        <translation type="unfinished"></translation>
+        <translation>Κατά σφάλματα, διαφορές μεθόδων, ακολουθίες και καρέ, όπως A-B&gt;1</translation>
     </message>
     <message>
         <source>Run the selected &amp;pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτέλεση επιλεγμένων &amp;ζευγών</translation>
     </message>
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθέτει στα εμφανιζόμενα αποτελέσματα ό,τι βρίσκουν για αυτά οι επιλεγμένες μέθοδοι</translation>
     </message>
 </context>
 <context>
@@ -1162,75 +1162,75 @@
     <name>app::ComparisonReport</name>
     <message>
         <source>Method</source>
-        <translation type="unfinished">Μέθοδος</translation>
+        <translation>Μέθοδος</translation>
     </message>
     <message>
         <source>Start, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρχή, mm</translation>
     </message>
     <message>
         <source>Shown, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Εμφαν., mm</translation>
     </message>
     <message>
         <source>Result, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποτέλεσμα, mm</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished">Επαναλ.</translation>
+        <translation>Επαναλ.</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished">Τέλος</translation>
+        <translation>Τέλος</translation>
     </message>
     <message>
         <source>Error by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Σφάλμα ανά επανάληψη</translation>
     </message>
     <message>
         <source>Cost by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>Κόστος ανά επανάληψη</translation>
     </message>
     <message>
         <source>Joint, error in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>Άρθρωση, σφάλμα σε mm</translation>
     </message>
     <message>
         <source>Option</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Τιμή</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>Προεπιλογή</translation>
     </message>
     <message>
         <source>To make this page again</source>
-        <translation type="unfinished"></translation>
+        <translation>Για να ξαναφτιαχτεί αυτή η σελίδα</translation>
     </message>
     <message>
         <source>The file %1 holds:</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αρχείο %1 περιέχει:</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished">Πρβ.</translation>
+        <translation>Πρβ.</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>Καμπύλες</translation>
     </message>
     <message>
         <source>Error joint by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Σφάλμα ανά άρθρωση</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Ρυθμίσεις</translation>
     </message>
 </context>
 <context>
@@ -2071,47 +2071,47 @@
     </message>
     <message>
         <source>A tracker&apos;s estimates</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτιμήσεις ιχνηλάτη</translation>
     </message>
     <message>
         <source>Estimates (*.csv *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτιμήσεις (*.csv *.json)</translation>
     </message>
     <message>
         <source>This sequence has no recorded motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αυτή η ακολουθία δεν έχει καταγεγραμμένη κίνηση.</translation>
     </message>
     <message>
         <source>Drawings (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>Σχέδια (*.svg)</translation>
     </message>
     <message>
         <source>Pages (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Σελίδες (*.pdf)</translation>
     </message>
     <message>
         <source>Save the comparison as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση σύγκρισης ως εικόνα</translation>
     </message>
     <message>
         <source>Report of this comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναφορά αυτής της σύγκρισης</translation>
     </message>
     <message>
         <source>Saving the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση του βίντεο</translation>
     </message>
     <message>
         <source>Films (*.mp4)</source>
-        <translation type="unfinished"></translation>
+        <translation>Βίντεο (*.mp4)</translation>
     </message>
     <message>
         <source>Films (*.avi)</source>
-        <translation type="unfinished"></translation>
+        <translation>Βίντεο (*.avi)</translation>
     </message>
     <message>
         <source>Save the iterations as a film</source>
-        <translation type="unfinished"></translation>
+        <translation>Αποθήκευση επαναλήψεων ως βίντεο</translation>
     </message>
 </context>
 <context>
@@ -2685,134 +2685,128 @@
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished">Σταματήστε πρώτα τη δοκιμή.</translation>
+        <translation>Σταματήστε πρώτα τη δοκιμή.</translation>
     </message>
     <message>
         <source>Choose at least one method.</source>
-        <translation type="unfinished">Επιλέξτε τουλάχιστον μία μέθοδο.</translation>
+        <translation>Επιλέξτε τουλάχιστον μία μέθοδο.</translation>
     </message>
     <message>
         <source>Select pairs in the table first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλέξτε πρώτα ζεύγη στον πίνακα.</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
     <message>
         <source>No pair that is shown has results of both methods.</source>
-        <translation type="unfinished"></translation>
+        <translation>Κανένα εμφανιζόμενο ζεύγος δεν έχει αποτελέσματα και των δύο μεθόδων.</translation>
     </message>
     <message>
         <source>Every pair: click one to inspect it</source>
-        <translation type="unfinished"></translation>
+        <translation>Όλα τα ζεύγη: κάντε κλικ σε ένα για εξέταση</translation>
     </message>
     <message>
         <source>A: %1, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A: %1, mm</translation>
     </message>
     <message>
         <source>B: %1, mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) apart</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>B: %1, mm</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 έως %3</translation>
     </message>
     <message>
         <source>Where A and B differ</source>
-        <translation type="unfinished"></translation>
+        <translation>Πού διαφέρουν A και B</translation>
     </message>
     <message>
         <source>A − B, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B, mm</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished">Ζεύγη</translation>
+        <translation>Ζεύγη</translation>
     </message>
     <message>
         <source>A is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Καλύτερη η A: %1</translation>
     </message>
     <message>
         <source>B is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Καλύτερη η B: %1</translation>
     </message>
     <message>
         <source>No pair is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Δεν εμφανίζεται κανένα ζεύγος.</translation>
     </message>
     <message>
         <source>By frames apart: quartiles, and 5 to 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Ανά απόσταση καρέ: τεταρτημόρια, και 5 έως 95 %</translation>
     </message>
     <message>
         <source>Frames apart</source>
-        <translation type="unfinished">Απόσταση καρέ</translation>
+        <translation>Απόσταση καρέ</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Σφάλμα, mm</translation>
+        <translation>Σφάλμα, mm</translation>
+    </message>
+    <message>
+        <source>apart: %1</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method; select several to run them</source>
-        <translation type="unfinished"></translation>
+        <translation>Διπλό κλικ σε ένα ζεύγος για εξέταση με κάθε μέθοδο· επιλέξτε πολλά για να τα εκτελέσετε</translation>
     </message>
     <message>
         <source>The column A − B and the plots compare these two methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Η στήλη A − B και τα διαγράμματα συγκρίνουν αυτές τις δύο μεθόδους</translation>
     </message>
     <message>
         <source>Method %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέθοδος %1</translation>
     </message>
     <message>
         <source>Filter, such as A-B&gt;1 difference&gt;=10</source>
-        <translation type="unfinished"></translation>
+        <translation>Φίλτρο, όπως A-B&gt;1 difference&gt;=10</translation>
     </message>
     <message>
         <source>Filter of the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>Φίλτρο των ζευγών</translation>
     </message>
     <message>
         <source>Runs the methods that are ticked on the left on the selected pairs, and adds what they find</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτελεί τις μεθόδους που είναι επιλεγμένες αριστερά στα επιλεγμένα ζεύγη και προσθέτει ό,τι βρίσκουν</translation>
     </message>
     <message>
         <source>%1 of %2 pairs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Run %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+        <translation>%1 από %2 ζεύγη</translation>
     </message>
     <message>
         <source>Run selected</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτέλεση επιλεγμένων</translation>
     </message>
     <message>
         <source>Inspect this pair</source>
-        <translation type="unfinished"></translation>
+        <translation>Εξέταση αυτού του ζεύγους</translation>
     </message>
     <message>
         <source>Select all that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή όλων των εμφανιζόμενων</translation>
     </message>
     <message>
         <source>Copy the selected rows</source>
+        <translation>Αντιγραφή επιλεγμένων γραμμών</translation>
+    </message>
+    <message>
+        <source>Run selected (%1)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2844,11 +2838,11 @@
     </message>
     <message>
         <source>All methods</source>
-        <translation type="unfinished"></translation>
+        <translation>Όλες οι μέθοδοι</translation>
     </message>
     <message>
         <source>A against B</source>
-        <translation type="unfinished"></translation>
+        <translation>A έναντι B</translation>
     </message>
 </context>
 <context>
@@ -2890,14 +2884,14 @@
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: pairs cannot be added to them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα αποτελέσματα δεν είναι του ανοιχτού συνόλου, ή αυτό άλλαξε από τότε: δεν μπορούν να προστεθούν ζεύγη.</translation>
     </message>
 </context>
 <context>
     <name>widgets::BoxPlot</name>
     <message>
         <source>%1: median %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: διάμεσος %2</translation>
     </message>
 </context>
 <context>
@@ -2911,21 +2905,21 @@
     <name>widgets::CameraChoice</name>
     <message>
         <source>Which cameras are the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>Ποιες κάμερες είναι οι σειρές</translation>
     </message>
     <message>
         <source>From the current one on</source>
-        <translation type="unfinished"></translation>
+        <translation>Από την τρέχουσα και μετά</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>Επιλογή</translation>
     </message>
     <message numerus="yes">
         <source>%n chosen</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n επιλεγμένη</numerusform>
+            <numerusform>%n επιλεγμένες</numerusform>
         </translation>
     </message>
 </context>
@@ -2980,30 +2974,30 @@
     <name>widgets::ColumnBar</name>
     <message>
         <source>Add a column: a method, the start, the truth, a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη στήλης: μέθοδος, αρχική πόζα, πραγματική πόζα, ιχνηλάτης</translation>
     </message>
     <message>
         <source>Add a column</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη στήλης</translation>
     </message>
     <message>
         <source>A tracker&apos;s estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτιμήσεις ιχνηλάτη...</translation>
     </message>
 </context>
 <context>
     <name>widgets::ColumnHead</name>
     <message>
         <source>Settings of this method, and what if</source>
-        <translation type="unfinished"></translation>
+        <translation>Ρυθμίσεις αυτής της μεθόδου και «Τι αν»</translation>
     </message>
     <message>
         <source>Remove this column</source>
-        <translation type="unfinished"></translation>
+        <translation>Αφαίρεση αυτής της στήλης</translation>
     </message>
     <message>
         <source>Drag it to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύρετέ τη σε άλλη θέση</translation>
     </message>
 </context>
 <context>
@@ -3709,126 +3703,123 @@
 </context>
 <context>
     <name>widgets::HistogramPlot</name>
-    <message numerus="yes">
-        <source>%1 to %2: %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
+    <message>
+        <source>%1 to %2, pairs: %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>widgets::ImportText</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 και %n ακόμη</numerusform>
+            <numerusform>%1 και %n ακόμη</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: its footage is shifted against the sequence; the numbers of its pictures are taken as frames of the sequence, not of the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: το υλικό της είναι μετατοπισμένο ως προς την ακολουθία· οι αριθμοί των εικόνων της θεωρούνται καρέ της ακολουθίας, όχι του βίντεο.</translation>
     </message>
     <message>
         <source>The file names none of the dataset&apos;s cameras; they are taken in the dataset&apos;s order: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αρχείο δεν ονομάζει καμία κάμερα του συνόλου· λαμβάνονται με τη σειρά του συνόλου: %1.</translation>
     </message>
     <message>
         <source>The file holds reprojections of 3D points, not clicks (data_2d); they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αρχείο περιέχει επαναπροβολές σημείων 3D, όχι κλικ (data_2d)· έρχονται ως προτάσεις.</translation>
     </message>
     <message>
         <source>The file holds 3D points without clicks; they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αρχείο περιέχει σημεία 3D χωρίς κλικ· έρχονται ως προτάσεις.</translation>
     </message>
     <message>
         <source>The file is of sequence %1, not of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το αρχείο είναι της ακολουθίας %1, όχι της %2.</translation>
     </message>
     <message>
         <source>Some marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Μερικά σημάδια είναι προβλέψεις προγράμματος· έρχονται ως προτάσεις, για έλεγχο.</translation>
     </message>
     <message>
         <source>The marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Τα σημάδια είναι προβλέψεις προγράμματος· έρχονται ως προτάσεις, για έλεγχο.</translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n στοιχείο καρέ που η ακολουθία %1 δεν έχει (έχει 0 έως %2).</numerusform>
+            <numerusform>Παραλείφθηκαν %n στοιχεία καρέ που η ακολουθία %1 δεν έχει (έχει 0 έως %2).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n σημάδι στην κάμερα %1, που το σύνολο δεν έχει.</numerusform>
+            <numerusform>Παραλείφθηκαν %n σημάδια στην κάμερα %1, που το σύνολο δεν έχει.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of the view of camera %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n γραμμή της προβολής της κάμερας %1.</numerusform>
+            <numerusform>Παραλείφθηκαν %n γραμμές της προβολής της κάμερας %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of other videos: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n γραμμή άλλων βίντεο: %1.</numerusform>
+            <numerusform>Παραλείφθηκαν %n γραμμές άλλων βίντεο: %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n σημάδι έξω από την εικόνα της %1: διατηρείται, αλλά δεν χρησιμοποιείται για σημεία 3D.</numerusform>
+            <numerusform>%n σημάδια έξω από την εικόνα της %1: διατηρούνται, αλλά δεν χρησιμοποιούνται για σημεία 3D.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) with a likelihood below %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n σημάδι με πιθανότητα κάτω από %1.</numerusform>
+            <numerusform>Παραλείφθηκαν %n σημάδια με πιθανότητα κάτω από %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n πρόβλεψη άρθρωσης που έχει ήδη σήμανση ή πρόβλεψη στην ίδια εικόνα.</numerusform>
+            <numerusform>Παραλείφθηκαν %n προβλέψεις αρθρώσεων που έχουν ήδη σήμανση ή πρόβλεψη στην ίδια εικόνα.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n label(s) marked as not visible.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n σήμανση που δηλώθηκε ως μη ορατή.</numerusform>
+            <numerusform>Παραλείφθηκαν %n σημάνσεις που δηλώθηκαν ως μη ορατές.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n σημάδι του %1, που δεν υπάρχει στην αντιστοίχιση αρθρώσεων.</numerusform>
+            <numerusform>Παραλείφθηκαν %n σημάδια του %1, που δεν υπάρχει στην αντιστοίχιση αρθρώσεων.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n επισημείωση της κατηγορίας %1, που δεν λέει ούτε αριστερό ούτε δεξί.</numerusform>
+            <numerusform>Παραλείφθηκαν %n επισημειώσεις της κατηγορίας %1, που δεν λέει ούτε αριστερό ούτε δεξί.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Παραλείφθηκε %n σημάδι μερών του σώματος που δεν είναι αρθρώσεις: %1. Ένα όνομα που ταιριάζει είναι %2· η γραμμή εντολών δέχεται αντιστοίχιση ονομάτων (annotations --map).</numerusform>
+            <numerusform>Παραλείφθηκαν %n σημάδια μερών του σώματος που δεν είναι αρθρώσεις: %1. Ένα όνομα που ταιριάζει είναι %2· η γραμμή εντολών δέχεται αντιστοίχιση ονομάτων (annotations --map).</numerusform>
         </translation>
     </message>
 </context>
@@ -3836,41 +3827,41 @@
     <name>widgets::InspectColumns</name>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Αρχή</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>Πραγματική</translation>
     </message>
     <message>
         <source>What if: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι αν: %1</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">Καμία εικόνα αυτή τη στιγμή.</translation>
+        <translation>Καμία εικόνα αυτή τη στιγμή.</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1, IoU %2</source>
-        <translation type="unfinished">%1, IoU %2</translation>
+        <translation>%1, IoU %2</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">απέτυχε</translation>
+        <translation>απέτυχε</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
     <message>
         <source>The column whose error is drawn, joint by joint, at the iteration that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Η στήλη της οποίας το σφάλμα σχεδιάζεται, ανά άρθρωση, στην εμφανιζόμενη επανάληψη</translation>
     </message>
 </context>
 <context>
@@ -3916,7 +3907,7 @@
         <translation>%1, απορρίφθηκε</translation>
     </message>
     <message>
-        <source>ellipses: 95 % of the result&apos;s joints</source>
+        <source>95 % regions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4134,154 +4125,154 @@
     <name>widgets::MethodForm</name>
     <message>
         <source>More options</source>
-        <translation type="unfinished"></translation>
+        <translation>Άλλες επιλογές</translation>
     </message>
     <message>
         <source>The options that are seldom changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι επιλογές που αλλάζουν σπάνια</translation>
     </message>
     <message>
         <source>usual</source>
-        <translation type="unfinished"></translation>
+        <translation>συνήθης</translation>
     </message>
 </context>
 <context>
     <name>widgets::MethodText</name>
     <message>
         <source>A match is kept if the directions differ by less, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Μια αντιστοιχία διατηρείται αν οι κατευθύνσεις διαφέρουν λιγότερο, μοίρες</translation>
     </message>
     <message>
         <source>Directions over 360 degrees; off: lines over 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Κατευθύνσεις σε 360 μοίρες· ανενεργό: ευθείες σε 180 μοίρες</translation>
     </message>
     <message>
         <source>Weight of the direction, pixels per radian</source>
-        <translation type="unfinished"></translation>
+        <translation>Βάρος της κατεύθυνσης, πίξελ ανά ακτίνιο</translation>
     </message>
     <message>
         <source>Bins of direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Κλάσεις κατεύθυνσης</translation>
     </message>
     <message>
         <source>Where the bins are centred: 0 on the x axis, or that share of a bin beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Πού έχουν κέντρο οι κλάσεις: 0 στον άξονα x, ή τόσο μέρος μιας κλάσης δίπλα του</translation>
     </message>
     <message>
         <source>The two matches weigh by how near their bins are</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι δύο αντιστοιχίες ζυγίζουν ανάλογα με το πόσο κοντά είναι οι κλάσεις τους</translation>
     </message>
     <message>
         <source>How matches are searched: both find the same ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Πώς αναζητούνται οι αντιστοιχίες: και οι δύο τρόποι βρίσκουν τις ίδιες</translation>
     </message>
     <message>
         <source>The real-time variant</source>
-        <translation type="unfinished"></translation>
+        <translation>Η παραλλαγή πραγματικού χρόνου</translation>
     </message>
     <message>
         <source>The palm is placed before the fingers move</source>
-        <translation type="unfinished"></translation>
+        <translation>Η παλάμη τοποθετείται πριν κινηθούν τα δάχτυλα</translation>
     </message>
     <message>
         <source>Coarse levels of the mesh first</source>
-        <translation type="unfinished"></translation>
+        <translation>Πρώτα τα αδρά επίπεδα του πλέγματος</translation>
     </message>
     <message>
         <source>Tau narrows from 45 degrees to 22.5</source>
-        <translation type="unfinished"></translation>
+        <translation>Το ταυ στενεύει από 45 σε 22,5 μοίρες</translation>
     </message>
     <message>
         <source>The distance along the outline counts a tenth</source>
-        <translation type="unfinished"></translation>
+        <translation>Η απόσταση κατά μήκος του περιγράμματος μετρά κατά ένα δέκατο</translation>
     </message>
     <message>
         <source>A weak pull of the angles to those of the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Ασθενής έλξη των γωνιών προς εκείνες της αρχής</translation>
     </message>
     <message>
         <source>The pull knows how fingers move together</source>
-        <translation type="unfinished"></translation>
+        <translation>Η έλξη γνωρίζει πώς κινούνται μαζί τα δάχτυλα</translation>
     </message>
     <message>
         <source>Other starts where silhouettes are left unexplained</source>
-        <translation type="unfinished"></translation>
+        <translation>Άλλες αρχές όπου οι σιλουέτες μένουν ανεξήγητες</translation>
     </message>
     <message>
         <source>The last iterations on the full mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Οι τελευταίες επαναλήψεις στο πλήρες πλέγμα</translation>
     </message>
     <message>
         <source>What counts as a difference follows the noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Το τι θεωρείται διαφορά ακολουθεί τον θόρυβο των περιγραμμάτων</translation>
     </message>
     <message>
         <source>Contour points pull the model, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Και τα σημεία περιγράμματος έλκουν το μοντέλο</translation>
     </message>
     <message>
         <source>Only contour points within tau are searched</source>
-        <translation type="unfinished"></translation>
+        <translation>Αναζητούνται μόνο σημεία περιγράμματος εντός του ταυ</translation>
     </message>
     <message>
         <source>Cauchy weights with that scale, mm; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>Βάρη Cauchy με αυτή την κλίμακα, mm· 0 για κανένα</translation>
     </message>
     <message>
         <source>Longest distance of a match, pixels; 0 for the usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέγιστη απόσταση αντιστοιχίας, πίξελ· 0 για τη συνήθη</translation>
     </message>
     <message>
         <source>K of the truncated penalty, square pixels; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>K της περικομμένης ποινής, τετραγωνικά πίξελ· 0 για καμία</translation>
     </message>
     <message>
         <source>How far the outline&apos;s polygon may be off, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Πόσο μπορεί να αποκλίνει το πολύγωνο του περιγράμματος, πίξελ</translation>
     </message>
     <message>
         <source>The outline&apos;s direction from its polygon or from a chord</source>
-        <translation type="unfinished"></translation>
+        <translation>Η κατεύθυνση του περιγράμματος από το πολύγωνό του ή από μια χορδή</translation>
     </message>
     <message>
         <source>Contour beyond the end of a hand model: left out, or as any other</source>
-        <translation type="unfinished"></translation>
+        <translation>Περίγραμμα πέρα από το τέλος ενός μοντέλου χεριού: παραλείπεται ή όπως κάθε άλλο</translation>
     </message>
     <message>
         <source>Most iterations of a fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέγιστες επαναλήψεις μιας προσαρμογής</translation>
     </message>
     <message>
         <source>Damping relative to the diagonal of the normal matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Απόσβεση σε σχέση με τη διαγώνιο του κανονικού πίνακα</translation>
     </message>
     <message>
         <source>rigid: a first phase moves each hand as a whole; paper: all at once</source>
-        <translation type="unfinished"></translation>
+        <translation>rigid: μια πρώτη φάση κινεί κάθε χέρι ως σύνολο· paper: όλα μαζί</translation>
     </message>
     <message>
         <source>%1 must be %2 or %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 πρέπει να είναι %2 ή %3, όχι «%4».</translation>
     </message>
     <message>
         <source>%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 πρέπει να είναι ακέραιος από %2 έως %3, όχι «%4».</translation>
     </message>
     <message>
         <source>%1 must be a number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 πρέπει να είναι αριθμός από %2 έως %3, όχι «%4».</translation>
     </message>
     <message>
         <source>Write &quot;%1&quot; as name=value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Γράψτε το «%1» ως όνομα=τιμή.</translation>
     </message>
     <message>
         <source>%1 has no option &quot;%2&quot;; it has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Η %1 δεν έχει επιλογή «%2»· έχει %3.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το «%1» δεν είναι μέθοδος· οι μέθοδοι είναι %2.</translation>
     </message>
 </context>
 <context>
@@ -4327,19 +4318,19 @@
     <name>widgets::PairFilterText</name>
     <message>
         <source>“%1” is neither a method of these results nor sequence, start, test, difference or initial.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το «%1» δεν είναι ούτε μέθοδος αυτών των αποτελεσμάτων ούτε sequence, start, test, difference ή initial.</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το «%1» δεν είναι αριθμός.</translation>
     </message>
     <message>
         <source>“%1” is neither a comparison such as A-B&gt;1 nor a sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το «%1» δεν είναι ούτε σύγκριση όπως A-B&gt;1 ούτε ακολουθία.</translation>
     </message>
     <message>
         <source>Conditions with blanks between them, all of which must hold: A-B&gt;1 difference&gt;=10 sequence=01. A and B are the methods chosen on the left; a method&apos;s name is its error in mm, .seconds or .iterations behind it what it took; start, test and difference are frames, initial is the error of the start pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>Συνθήκες χωρισμένες με κενά, που πρέπει να ισχύουν όλες: A-B&gt;1 difference&gt;=10 sequence=01. A και B είναι οι μέθοδοι που επιλέχθηκαν αριστερά· το όνομα μιας μεθόδου είναι το σφάλμα της σε mm, με .seconds ή .iterations πίσω του όσα χρειάστηκε· start, test και difference είναι καρέ, initial είναι το σφάλμα της αρχικής πόζας.</translation>
     </message>
 </context>
 <context>
@@ -4362,39 +4353,39 @@
     </message>
     <message>
         <source>Apart</source>
-        <translation type="unfinished"></translation>
+        <translation>Απόσταση</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>A − B mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B mm</translation>
     </message>
     <message>
         <source>%1 iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 επαναλήψεις</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>Frames between start and test</source>
-        <translation type="unfinished"></translation>
+        <translation>Καρέ ανάμεσα στην αρχή και τη δοκιμή</translation>
     </message>
     <message>
         <source>Mean joint error of the start pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέσο σφάλμα αρθρώσεων της αρχικής πόζας</translation>
     </message>
     <message>
         <source>Mean joint error of %1; the smallest of a row is bold</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέσο σφάλμα αρθρώσεων της %1· το μικρότερο μιας γραμμής είναι έντονο</translation>
     </message>
     <message>
         <source>Error of %1 minus error of %2: above 0 where %1 is worse</source>
-        <translation type="unfinished"></translation>
+        <translation>Σφάλμα της %1 μείον σφάλμα της %2: πάνω από 0 όπου η %1 είναι χειρότερη</translation>
     </message>
 </context>
 <context>
@@ -4433,14 +4424,14 @@
     </message>
     <message>
         <source>PDF page (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>Σελίδα PDF (*.pdf)</translation>
     </message>
 </context>
 <context>
     <name>widgets::PlotCanvas</name>
     <message>
         <source>curves</source>
-        <translation type="unfinished">καμπύλες</translation>
+        <translation>καμπύλες</translation>
     </message>
 </context>
 <context>
@@ -5103,7 +5094,7 @@
     <name>widgets::ScatterPlot</name>
     <message>
         <source>Logarithmic axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Λογαριθμικοί άξονες</translation>
     </message>
 </context>
 <context>
@@ -5666,7 +5657,7 @@
     <name>widgets::TrackerColumn</name>
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Το %1 δεν έχει εκτίμηση του καρέ %2 από το καρέ %3</translation>
     </message>
 </context>
 <context>
@@ -5732,115 +5723,115 @@
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμόστε ένα ζεύγος: μετά οι ρυθμίσεις των μεθόδων του αλλάζουν εδώ.</translation>
     </message>
     <message>
         <source>What does each camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι προσφέρει κάθε κάμερα;</translation>
     </message>
     <message>
         <source>Fits without each camera in turn: how much the error grows stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή χωρίς κάθε κάμερα με τη σειρά: δίπλα της φαίνεται πόσο αυξάνεται το σφάλμα</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>Χρήση</translation>
     </message>
     <message>
         <source>Gives the column these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Δίνει στη στήλη αυτές τις ρυθμίσεις</translation>
     </message>
     <message>
         <source>Add as another column</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσθήκη ως νέα στήλη</translation>
     </message>
     <message>
         <source>Keeps the column, and shows these settings beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Διατηρεί τη στήλη και δείχνει αυτές τις ρυθμίσεις δίπλα της</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation type="unfinished">Πίσω</translation>
+        <source>Restore</source>
+        <translation>Επαναφορά</translation>
     </message>
     <message>
         <source>All as it was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>Όλα όπως προσαρμόστηκαν</translation>
     </message>
     <message>
         <source>The error grows most without %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το σφάλμα αυξάνεται περισσότερο χωρίς την %1.</translation>
     </message>
     <message>
         <source>The column whose settings are changed</source>
-        <translation type="unfinished"></translation>
+        <translation>Η στήλη της οποίας αλλάζουν οι ρυθμίσεις</translation>
     </message>
     <message>
         <source>The method as on the command line; Enter takes it over</source>
-        <translation type="unfinished"></translation>
+        <translation>Η μέθοδος όπως στη γραμμή εντολών· το Enter την εφαρμόζει</translation>
     </message>
     <message>
         <source>Method with its settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Μέθοδος με τις ρυθμίσεις της</translation>
     </message>
     <message>
         <source>Noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>Θόρυβος περιγραμμάτων</translation>
     </message>
     <message>
         <source>What if the silhouettes were noisier? By how much their outlines move, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι αν οι σιλουέτες είχαν περισσότερο θόρυβο; Πόσο μετακινούνται τα περιγράμματά τους, πίξελ</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Cameras that take part</source>
-        <translation type="unfinished"></translation>
+        <translation>Κάμερες που συμμετέχουν</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Whether this camera&apos;s silhouette takes part</source>
-        <translation type="unfinished"></translation>
+        <translation>Αν συμμετέχει η σιλουέτα αυτής της κάμερας</translation>
     </message>
     <message>
         <source>Leave at least one camera on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Αφήστε ενεργή τουλάχιστον μία κάμερα.</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished">Προσαρμογή...</translation>
+        <translation>Προσαρμογή...</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished">Κάμερες</translation>
+        <translation>Κάμερες</translation>
     </message>
     <message>
         <source>Noise of the outlines, px</source>
-        <translation type="unfinished"></translation>
+        <translation>Θόρυβος περιγραμμάτων, px</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished">Σφάλμα, mm</translation>
+        <translation>Σφάλμα, mm</translation>
     </message>
     <message>
         <source>Drag a setting: the error over it appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Σύρετε μια ρύθμιση: εδώ εμφανίζεται το αντίστοιχο σφάλμα.</translation>
     </message>
     <message>
         <source>%1 instead of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 αντί για %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>Fitting without each camera...</source>
-        <translation type="unfinished"></translation>
+        <translation>Προσαρμογή χωρίς κάθε κάμερα...</translation>
     </message>
 </context>
 <context>
@@ -5906,7 +5897,7 @@
     </message>
     <message>
         <source>What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Τι αν</translation>
     </message>
 </context>
 </TS>

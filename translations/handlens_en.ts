@@ -119,26 +119,6 @@
     </message>
 </context>
 <context>
-    <name>widgets::BenchmarkPairPlots</name>
-    <message numerus="yes">
-        <source>%n frame(s) apart</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>widgets::BenchmarkPairsView</name>
-    <message numerus="yes">
-        <source>Run %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>widgets::BenchmarkRunner</name>
     <message numerus="yes">
         <source>This benchmark is not finished: %n fit(s) are in.</source>
@@ -152,9 +132,9 @@
     <name>widgets::CameraChoice</name>
     <message numerus="yes">
         <source>%n chosen</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n chosen</numerusform>
+            <numerusform>%n chosen</numerusform>
         </translation>
     </message>
 </context>
@@ -287,99 +267,89 @@
     </message>
 </context>
 <context>
-    <name>widgets::HistogramPlot</name>
-    <message numerus="yes">
-        <source>%1 to %2: %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>widgets::ImportText</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 and %n more</numerusform>
+            <numerusform>%1 and %n more</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n item of frames that sequence %1 does not have (it has 0 to %2).</numerusform>
+            <numerusform>Left out: %n items of frames that sequence %1 does not have (it has 0 to %2).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n mark in camera %1, which the dataset does not have.</numerusform>
+            <numerusform>Left out: %n marks in camera %1, which the dataset does not have.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of the view of camera %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n row of the view of camera %1.</numerusform>
+            <numerusform>Left out: %n rows of the view of camera %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of other videos: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n row of other videos: %1.</numerusform>
+            <numerusform>Left out: %n rows of other videos: %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n mark outside the picture of %1: kept, but not used for 3D points.</numerusform>
+            <numerusform>%n marks outside the picture of %1: kept, but not used for 3D points.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) with a likelihood below %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n mark with a likelihood below %1.</numerusform>
+            <numerusform>Left out: %n marks with a likelihood below %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n guess of a joint that is labelled or guessed in the same picture already.</numerusform>
+            <numerusform>Left out: %n guesses of joints that are labelled or guessed in the same picture already.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n label(s) marked as not visible.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n label marked as not visible.</numerusform>
+            <numerusform>Left out: %n labels marked as not visible.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n mark of %1, which is not in the joint map.</numerusform>
+            <numerusform>Left out: %n marks of %1, which is not in the joint map.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n annotation of category %1, which says neither left nor right.</numerusform>
+            <numerusform>Left out: %n annotations of category %1, which says neither left nor right.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Left out: %n mark of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</numerusform>
+            <numerusform>Left out: %n marks of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</numerusform>
         </translation>
     </message>
 </context>

@@ -905,191 +905,191 @@
     </message>
     <message>
         <source>C&amp;omparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比较(&amp;O)</translation>
     </message>
     <message>
-        <source>C&amp;olumns of the comparison</source>
-        <translation type="unfinished"></translation>
+        <source>Col&amp;umns of the comparison</source>
+        <translation>比较的列(&amp;D)</translation>
     </message>
     <message>
         <source>&amp;Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>差异(&amp;D)</translation>
     </message>
     <message>
         <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation type="unfinished">轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
+        <translation>轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
-        <translation type="unfinished"></translation>
+        <translation>不确定度(&amp;U)</translation>
     </message>
     <message>
         <source>Where the joints of a result lie with 95 % probability, as the fit judged it</source>
-        <translation type="unfinished"></translation>
+        <translation>拟合所估计的结果关节 95 % 概率所在范围</translation>
     </message>
     <message>
         <source>Add the &amp;start</source>
-        <translation type="unfinished"></translation>
+        <translation>添加起始姿态(&amp;S)</translation>
     </message>
     <message>
         <source>The pose that every method began with, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>所有方法的起始姿态，作为一列</translation>
     </message>
     <message>
         <source>Add the &amp;truth</source>
-        <translation type="unfinished"></translation>
+        <translation>添加真值(&amp;T)</translation>
     </message>
     <message>
         <source>The recorded pose, as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>记录的姿态，作为一列</translation>
     </message>
     <message>
         <source>Add a tracker&apos;s &amp;estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>添加跟踪器的估计(&amp;E)...</translation>
     </message>
     <message>
         <source>A file of joints per frame pair, as handlens-batch benchmark takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>每个帧对的关节文件，与 handlens-batch benchmark 所用的相同</translation>
     </message>
     <message>
         <source>&amp;Remove the column</source>
-        <translation type="unfinished"></translation>
+        <translation>移除此列(&amp;R)</translation>
     </message>
     <message>
         <source>&amp;Previous column</source>
-        <translation type="unfinished"></translation>
+        <translation>上一列(&amp;P)</translation>
     </message>
     <message>
         <source>What the settings and the wipe are about</source>
-        <translation type="unfinished"></translation>
+        <translation>设置和滑动对比所针对的列</translation>
     </message>
     <message>
         <source>&amp;Next column</source>
-        <translation type="unfinished"></translation>
+        <translation>下一列(&amp;N)</translation>
     </message>
     <message>
         <source>Move the column to the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>将列左移(&amp;L)</translation>
     </message>
     <message>
         <source>Move the column to the ri&amp;ght</source>
-        <translation type="unfinished"></translation>
+        <translation>将列右移(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Hide or show the hands in this view</source>
-        <translation type="unfinished"></translation>
+        <translation>在此视图中隐藏或显示手(&amp;H)</translation>
     </message>
     <message>
         <source>The column in the current view</source>
-        <translation type="unfinished"></translation>
+        <translation>当前视图中的列</translation>
     </message>
     <message>
         <source>&amp;Wipe to the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>与下一列滑动对比(&amp;W)</translation>
     </message>
     <message>
         <source>The next column lies over this one, behind a line that can be dragged</source>
-        <translation type="unfinished"></translation>
+        <translation>下一列叠在此列之上，以一条可拖动的线分界</translation>
     </message>
     <message>
         <source>Line of the wipe to the left</source>
-        <translation type="unfinished"></translation>
+        <translation>滑动对比线左移</translation>
     </message>
     <message>
         <source>Line of the wipe to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>滑动对比线右移</translation>
     </message>
     <message>
         <source>&amp;Blink with the next column</source>
-        <translation type="unfinished"></translation>
+        <translation>与下一列闪烁对比(&amp;B)</translation>
     </message>
     <message>
         <source>Shows this column and the next one by turns</source>
-        <translation type="unfinished"></translation>
+        <translation>交替显示此列和下一列</translation>
     </message>
     <message>
         <source>What &amp;if...</source>
-        <translation type="unfinished"></translation>
+        <translation>假设分析(&amp;I)...</translation>
     </message>
     <message>
         <source>Settings of the column&apos;s method, cameras and noise: drag one, and the methods run again</source>
-        <translation type="unfinished"></translation>
+        <translation>此列方法的设置、相机和噪声：拖动其中一项，各方法即重新运行</translation>
     </message>
     <message>
         <source>&amp;Use these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>使用这些设置(&amp;U)</translation>
     </message>
     <message>
         <source>Gives the column what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>将“假设分析”中试用的设置用于此列</translation>
     </message>
     <message>
         <source>&amp;Add these settings as a column</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些设置添加为一列(&amp;A)</translation>
     </message>
     <message>
         <source>What was tried under What if, beside the column</source>
-        <translation type="unfinished"></translation>
+        <translation>“假设分析”中试用的设置，显示在此列旁边</translation>
     </message>
     <message>
         <source>Bac&amp;k to what was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>恢复为已拟合的结果(&amp;K)</translation>
     </message>
     <message>
         <source>Ends what was tried under What if</source>
-        <translation type="unfinished"></translation>
+        <translation>结束“假设分析”中的试用</translation>
     </message>
     <message>
         <source>What does each &amp;camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>每台相机有何贡献？(&amp;C)</translation>
     </message>
     <message>
         <source>Fits without each camera in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>依次去掉每台相机进行拟合</translation>
     </message>
     <message>
         <source>Save as a &amp;picture...</source>
-        <translation type="unfinished"></translation>
+        <translation>另存为图片(&amp;P)...</translation>
     </message>
     <message>
         <source>Views, titles and curves on white paper: PNG, or SVG or PDF with lines and marks as vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>白底的视图、标题和曲线：PNG，或线条和标记为矢量的 SVG 或 PDF</translation>
     </message>
     <message>
         <source>Save the iterations as a &amp;film...</source>
-        <translation type="unfinished"></translation>
+        <translation>将迭代过程存为影片(&amp;F)...</translation>
     </message>
     <message>
         <source>The comparison from the start pose to the last iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>从起始姿态到最后一次迭代的比较</translation>
     </message>
     <message>
         <source>&amp;Report of this comparison...</source>
-        <translation type="unfinished"></translation>
+        <translation>此比较的报告(&amp;R)...</translation>
     </message>
     <message>
         <source>One page with pictures, tables, settings and the command that makes it again</source>
-        <translation type="unfinished"></translation>
+        <translation>一个页面，含图片、表格、设置及重新生成该页面的命令</translation>
     </message>
     <message>
         <source>&amp;Run or stop the benchmark</source>
-        <translation type="unfinished"></translation>
+        <translation>运行或停止基准测试(&amp;R)</translation>
     </message>
     <message>
         <source>Fil&amp;ter the benchmark&apos;s pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>筛选基准测试的配对(&amp;T)</translation>
     </message>
     <message>
         <source>By errors, differences of methods, sequences and frames, such as A-B&gt;1</source>
-        <translation type="unfinished"></translation>
+        <translation>按误差、方法间差异、序列和帧筛选，例如 A-B&gt;1</translation>
     </message>
     <message>
         <source>Run the selected &amp;pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>运行所选配对(&amp;P)</translation>
     </message>
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>将已勾选方法对这些配对的结果添加到所显示的结果中</translation>
     </message>
 </context>
 <context>
@@ -1161,75 +1161,75 @@
     <name>app::ComparisonReport</name>
     <message>
         <source>Method</source>
-        <translation type="unfinished">方法</translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Start, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>起始，mm</translation>
     </message>
     <message>
         <source>Shown, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>所示，mm</translation>
     </message>
     <message>
         <source>Result, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>结果，mm</translation>
     </message>
     <message>
         <source>Iterations</source>
-        <translation type="unfinished">迭代次数</translation>
+        <translation>迭代次数</translation>
     </message>
     <message>
         <source>End</source>
-        <translation type="unfinished">结束</translation>
+        <translation>结束</translation>
     </message>
     <message>
         <source>Error by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>各次迭代的误差</translation>
     </message>
     <message>
         <source>Cost by iteration</source>
-        <translation type="unfinished"></translation>
+        <translation>各次迭代的代价</translation>
     </message>
     <message>
         <source>Joint, error in mm</source>
-        <translation type="unfinished"></translation>
+        <translation>关节，误差 (mm)</translation>
     </message>
     <message>
         <source>Option</source>
-        <translation type="unfinished"></translation>
+        <translation>选项</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>值</translation>
     </message>
     <message>
         <source>Default</source>
-        <translation type="unfinished"></translation>
+        <translation>默认值</translation>
     </message>
     <message>
         <source>To make this page again</source>
-        <translation type="unfinished"></translation>
+        <translation>重新生成此页面</translation>
     </message>
     <message>
         <source>The file %1 holds:</source>
-        <translation type="unfinished"></translation>
+        <translation>文件 %1 的内容：</translation>
     </message>
     <message>
         <source>Views</source>
-        <translation type="unfinished">视图</translation>
+        <translation>视图</translation>
     </message>
     <message>
         <source>Curves</source>
-        <translation type="unfinished"></translation>
+        <translation>曲线</translation>
     </message>
     <message>
         <source>Error joint by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>各关节的误差</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished"></translation>
+        <translation>设置</translation>
     </message>
 </context>
 <context>
@@ -2060,47 +2060,47 @@
     </message>
     <message>
         <source>A tracker&apos;s estimates</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪器的估计</translation>
     </message>
     <message>
         <source>Estimates (*.csv *.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>估计 (*.csv *.json)</translation>
     </message>
     <message>
         <source>This sequence has no recorded motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>此序列没有记录的运动。</translation>
     </message>
     <message>
         <source>Drawings (*.svg)</source>
-        <translation type="unfinished"></translation>
+        <translation>矢量图 (*.svg)</translation>
     </message>
     <message>
         <source>Pages (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>页面 (*.pdf)</translation>
     </message>
     <message>
         <source>Save the comparison as a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>将比较另存为图片</translation>
     </message>
     <message>
         <source>Report of this comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>此比较的报告</translation>
     </message>
     <message>
         <source>Saving the film</source>
-        <translation type="unfinished"></translation>
+        <translation>正在保存影片</translation>
     </message>
     <message>
         <source>Films (*.mp4)</source>
-        <translation type="unfinished"></translation>
+        <translation>影片 (*.mp4)</translation>
     </message>
     <message>
         <source>Films (*.avi)</source>
-        <translation type="unfinished"></translation>
+        <translation>影片 (*.avi)</translation>
     </message>
     <message>
         <source>Save the iterations as a film</source>
-        <translation type="unfinished"></translation>
+        <translation>将迭代过程存为影片</translation>
     </message>
 </context>
 <context>
@@ -2670,79 +2670,77 @@
     </message>
     <message>
         <source>Stop the benchmark first.</source>
-        <translation type="unfinished">请先停止基准测试。</translation>
+        <translation>请先停止基准测试。</translation>
     </message>
     <message>
         <source>Choose at least one method.</source>
-        <translation type="unfinished">请至少选择一种方法。</translation>
+        <translation>请至少选择一种方法。</translation>
     </message>
     <message>
         <source>Select pairs in the table first.</source>
-        <translation type="unfinished"></translation>
+        <translation>请先在表格中选择配对。</translation>
     </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
     <message>
         <source>No pair that is shown has results of both methods.</source>
-        <translation type="unfinished"></translation>
+        <translation>所显示的配对中没有同时具有两种方法结果的。</translation>
     </message>
     <message>
         <source>Every pair: click one to inspect it</source>
-        <translation type="unfinished"></translation>
+        <translation>所有配对：点击一个即可检视</translation>
     </message>
     <message>
         <source>A: %1, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A：%1，mm</translation>
     </message>
     <message>
         <source>B: %1, mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>%n frame(s) apart</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+        <translation>B：%1，mm</translation>
     </message>
     <message>
         <source>%1, %2 to %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 至 %3</translation>
     </message>
     <message>
         <source>Where A and B differ</source>
-        <translation type="unfinished"></translation>
+        <translation>A 与 B 的差异所在</translation>
     </message>
     <message>
         <source>A − B, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B，mm</translation>
     </message>
     <message>
         <source>Pairs</source>
-        <translation type="unfinished">配对</translation>
+        <translation>配对</translation>
     </message>
     <message>
         <source>A is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>A 较优：%1</translation>
     </message>
     <message>
         <source>B is better: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>B 较优：%1</translation>
     </message>
     <message>
         <source>No pair is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>未显示任何配对。</translation>
     </message>
     <message>
         <source>By frames apart: quartiles, and 5 to 95 %</source>
-        <translation type="unfinished"></translation>
+        <translation>按相隔帧数：四分位数及 5 至 95 %</translation>
     </message>
     <message>
         <source>Frames apart</source>
-        <translation type="unfinished">相隔帧数</translation>
+        <translation>相隔帧数</translation>
     </message>
     <message>
         <source>Error, mm</source>
+        <translation>误差，mm</translation>
+    </message>
+    <message>
+        <source>apart: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2750,52 +2748,50 @@
     <name>widgets::BenchmarkPairsView</name>
     <message>
         <source>Double-click a pair to inspect it with every method; select several to run them</source>
-        <translation type="unfinished"></translation>
+        <translation>双击配对可用所有方法检视；选择多个可运行它们</translation>
     </message>
     <message>
         <source>The column A − B and the plots compare these two methods</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B 列和图表比较这两种方法</translation>
     </message>
     <message>
         <source>Method %1</source>
-        <translation type="unfinished"></translation>
+        <translation>方法 %1</translation>
     </message>
     <message>
         <source>Filter, such as A-B&gt;1 difference&gt;=10</source>
-        <translation type="unfinished"></translation>
+        <translation>筛选，例如 A-B&gt;1 difference&gt;=10</translation>
     </message>
     <message>
         <source>Filter of the pairs</source>
-        <translation type="unfinished"></translation>
+        <translation>配对的筛选条件</translation>
     </message>
     <message>
         <source>Runs the methods that are ticked on the left on the selected pairs, and adds what they find</source>
-        <translation type="unfinished"></translation>
+        <translation>对所选配对运行左侧勾选的方法，并添加所得结果</translation>
     </message>
     <message>
         <source>%1 of %2 pairs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>Run %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+        <translation>%1 / %2 个配对</translation>
     </message>
     <message>
         <source>Run selected</source>
-        <translation type="unfinished"></translation>
+        <translation>运行所选</translation>
     </message>
     <message>
         <source>Inspect this pair</source>
-        <translation type="unfinished"></translation>
+        <translation>检视此配对</translation>
     </message>
     <message>
         <source>Select all that are shown</source>
-        <translation type="unfinished"></translation>
+        <translation>选择所有显示的配对</translation>
     </message>
     <message>
         <source>Copy the selected rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Run selected (%1)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2827,11 +2823,11 @@
     </message>
     <message>
         <source>All methods</source>
-        <translation type="unfinished"></translation>
+        <translation>所有方法</translation>
     </message>
     <message>
         <source>A against B</source>
-        <translation type="unfinished"></translation>
+        <translation>A 对比 B</translation>
     </message>
 </context>
 <context>
@@ -2872,14 +2868,14 @@
     </message>
     <message>
         <source>These results are not of the open dataset, or it has changed since: pairs cannot be added to them.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些结果不属于打开的数据集，或数据集已更改：无法向其中添加配对。</translation>
     </message>
 </context>
 <context>
     <name>widgets::BoxPlot</name>
     <message>
         <source>%1: median %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：中位数 %2</translation>
     </message>
 </context>
 <context>
@@ -2893,20 +2889,20 @@
     <name>widgets::CameraChoice</name>
     <message>
         <source>Which cameras are the rows</source>
-        <translation type="unfinished"></translation>
+        <translation>显示哪些相机的行</translation>
     </message>
     <message>
         <source>From the current one on</source>
-        <translation type="unfinished"></translation>
+        <translation>从当前相机开始</translation>
     </message>
     <message>
         <source>Choose</source>
-        <translation type="unfinished"></translation>
+        <translation>选择</translation>
     </message>
     <message numerus="yes">
         <source>%n chosen</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已选 %n 台</numerusform>
         </translation>
     </message>
 </context>
@@ -2961,30 +2957,30 @@
     <name>widgets::ColumnBar</name>
     <message>
         <source>Add a column: a method, the start, the truth, a tracker</source>
-        <translation type="unfinished"></translation>
+        <translation>添加一列：方法、起始姿态、真值、跟踪器</translation>
     </message>
     <message>
         <source>Add a column</source>
-        <translation type="unfinished"></translation>
+        <translation>添加列</translation>
     </message>
     <message>
         <source>A tracker&apos;s estimates...</source>
-        <translation type="unfinished"></translation>
+        <translation>跟踪器的估计...</translation>
     </message>
 </context>
 <context>
     <name>widgets::ColumnHead</name>
     <message>
         <source>Settings of this method, and what if</source>
-        <translation type="unfinished"></translation>
+        <translation>此方法的设置和假设分析</translation>
     </message>
     <message>
         <source>Remove this column</source>
-        <translation type="unfinished"></translation>
+        <translation>移除此列</translation>
     </message>
     <message>
         <source>Drag it to another place</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动到其他位置</translation>
     </message>
 </context>
 <context>
@@ -3673,113 +3669,111 @@
 </context>
 <context>
     <name>widgets::HistogramPlot</name>
-    <message numerus="yes">
-        <source>%1 to %2: %n pair(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-        </translation>
+    <message>
+        <source>%1 to %2, pairs: %3</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>widgets::ImportText</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1，另有 %n 项</numerusform>
         </translation>
     </message>
     <message>
         <source>%1: its footage is shifted against the sequence; the numbers of its pictures are taken as frames of the sequence, not of the video.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：其素材相对于序列有偏移；其图像编号视为序列的帧号，而非视频的帧号。</translation>
     </message>
     <message>
         <source>The file names none of the dataset&apos;s cameras; they are taken in the dataset&apos;s order: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件未提及数据集的任何相机；按数据集的顺序对应：%1。</translation>
     </message>
     <message>
         <source>The file holds reprojections of 3D points, not clicks (data_2d); they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件包含三维点的重投影，而非点击 (data_2d)；它们作为建议导入。</translation>
     </message>
     <message>
         <source>The file holds 3D points without clicks; they come as proposals.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件包含没有点击的三维点；它们作为建议导入。</translation>
     </message>
     <message>
         <source>The file is of sequence %1, not of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>文件属于序列 %1，而非 %2。</translation>
     </message>
     <message>
         <source>Some marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>部分标记为程序的预测；它们作为建议导入，待检查。</translation>
     </message>
     <message>
         <source>The marks are a program&apos;s guesses; they come as proposals, to be checked.</source>
-        <translation type="unfinished"></translation>
+        <translation>这些标记为程序的预测；它们作为建议导入，待检查。</translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n item(s) of frames that sequence %1 does not have (it has 0 to %2).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%n 项，其帧在序列 %1 中不存在（该序列为 0 至 %2）。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) in camera %1, which the dataset does not have.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：相机 %1 中的 %n 个标记，数据集没有该相机。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of the view of camera %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：相机 %1 的视图的 %n 行。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n row(s) of other videos: %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：其他视频的 %n 行：%1。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n mark(s) outside the picture of %1: kept, but not used for 3D points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n 个标记在 %1 的图像之外：保留，但不用于三维点。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) with a likelihood below %1.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%n 个可能性低于 %1 的标记。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n guess(es) of joints that are labelled or guessed in the same picture already.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%n 个预测，其关节在同一图像中已有标注或预测。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n label(s) marked as not visible.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%n 个标为不可见的标注。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of %1, which is not in the joint map.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%1 的 %n 个标记，其不在关节映射中。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n annotation(s) of category %1, which says neither left nor right.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：类别 %1 的 %n 个标注，该类别未说明左右手。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Left out: %n mark(s) of body parts that are not joints: %1. A name that fits is %2; the command line takes a map of names (annotations --map).</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>已略过：%n 个非关节部位的标记：%1。符合要求的名称如 %2；命令行可使用名称映射 (annotations --map)。</numerusform>
         </translation>
     </message>
 </context>
@@ -3787,41 +3781,41 @@
     <name>widgets::InspectColumns</name>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>起始</translation>
     </message>
     <message>
         <source>Truth</source>
-        <translation type="unfinished"></translation>
+        <translation>真值</translation>
     </message>
     <message>
         <source>What if: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>假设：%1</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
-        <translation type="unfinished">此时刻没有图像。</translation>
+        <translation>此时刻没有图像。</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>%1, IoU %2</source>
-        <translation type="unfinished">%1，IoU %2</translation>
+        <translation>%1，IoU %2</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished">失败</translation>
+        <translation>失败</translation>
     </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
     <message>
         <source>The column whose error is drawn, joint by joint, at the iteration that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>按所示迭代逐关节绘制误差的列</translation>
     </message>
 </context>
 <context>
@@ -3867,7 +3861,7 @@
         <translation>%1，被拒绝</translation>
     </message>
     <message>
-        <source>ellipses: 95 % of the result&apos;s joints</source>
+        <source>95 % regions</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4085,154 +4079,154 @@
     <name>widgets::MethodForm</name>
     <message>
         <source>More options</source>
-        <translation type="unfinished"></translation>
+        <translation>更多选项</translation>
     </message>
     <message>
         <source>The options that are seldom changed</source>
-        <translation type="unfinished"></translation>
+        <translation>很少更改的选项</translation>
     </message>
     <message>
         <source>usual</source>
-        <translation type="unfinished"></translation>
+        <translation>常用值</translation>
     </message>
 </context>
 <context>
     <name>widgets::MethodText</name>
     <message>
         <source>A match is kept if the directions differ by less, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>方向之差小于此值时保留匹配，度</translation>
     </message>
     <message>
         <source>Directions over 360 degrees; off: lines over 180 degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>方向按 360 度计；关闭：直线按 180 度计</translation>
     </message>
     <message>
         <source>Weight of the direction, pixels per radian</source>
-        <translation type="unfinished"></translation>
+        <translation>方向的权重，每弧度像素数</translation>
     </message>
     <message>
         <source>Bins of direction</source>
-        <translation type="unfinished"></translation>
+        <translation>方向区间数</translation>
     </message>
     <message>
         <source>Where the bins are centred: 0 on the x axis, or that share of a bin beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>区间的中心：0 为在 x 轴上，否则偏移区间宽度的此比例</translation>
     </message>
     <message>
         <source>The two matches weigh by how near their bins are</source>
-        <translation type="unfinished"></translation>
+        <translation>两个匹配按其区间的远近加权</translation>
     </message>
     <message>
         <source>How matches are searched: both find the same ones</source>
-        <translation type="unfinished"></translation>
+        <translation>匹配的搜索方式：两种方式所得匹配相同</translation>
     </message>
     <message>
         <source>The real-time variant</source>
-        <translation type="unfinished"></translation>
+        <translation>实时变体</translation>
     </message>
     <message>
         <source>The palm is placed before the fingers move</source>
-        <translation type="unfinished"></translation>
+        <translation>先放置手掌，再移动手指</translation>
     </message>
     <message>
         <source>Coarse levels of the mesh first</source>
-        <translation type="unfinished"></translation>
+        <translation>先使用网格的粗略层级</translation>
     </message>
     <message>
         <source>Tau narrows from 45 degrees to 22.5</source>
-        <translation type="unfinished"></translation>
+        <translation>tau 由 45 度收窄至 22.5 度</translation>
     </message>
     <message>
         <source>The distance along the outline counts a tenth</source>
-        <translation type="unfinished"></translation>
+        <translation>沿轮廓线的距离按十分之一计</translation>
     </message>
     <message>
         <source>A weak pull of the angles to those of the start</source>
-        <translation type="unfinished"></translation>
+        <translation>将角度轻微拉向起始角度</translation>
     </message>
     <message>
         <source>The pull knows how fingers move together</source>
-        <translation type="unfinished"></translation>
+        <translation>该拉力考虑手指的联动方式</translation>
     </message>
     <message>
         <source>Other starts where silhouettes are left unexplained</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓仍有未解释之处时，尝试其他起始姿态</translation>
     </message>
     <message>
         <source>The last iterations on the full mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>最后几次迭代使用完整网格</translation>
     </message>
     <message>
         <source>What counts as a difference follows the noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>差异的判定随轮廓线的噪声而定</translation>
     </message>
     <message>
         <source>Contour points pull the model, too</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓点也拉动模型</translation>
     </message>
     <message>
         <source>Only contour points within tau are searched</source>
-        <translation type="unfinished"></translation>
+        <translation>仅搜索 tau 范围内的轮廓点</translation>
     </message>
     <message>
         <source>Cauchy weights with that scale, mm; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>以此为尺度的 Cauchy 权重，mm；0 为不使用</translation>
     </message>
     <message>
         <source>Longest distance of a match, pixels; 0 for the usual one</source>
-        <translation type="unfinished"></translation>
+        <translation>匹配的最大距离，像素；0 为常用值</translation>
     </message>
     <message>
         <source>K of the truncated penalty, square pixels; 0 for none</source>
-        <translation type="unfinished"></translation>
+        <translation>截断罚函数的 K，平方像素；0 为不使用</translation>
     </message>
     <message>
         <source>How far the outline&apos;s polygon may be off, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线多边形允许的偏差，像素</translation>
     </message>
     <message>
         <source>The outline&apos;s direction from its polygon or from a chord</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线的方向取自其多边形或弦</translation>
     </message>
     <message>
         <source>Contour beyond the end of a hand model: left out, or as any other</source>
-        <translation type="unfinished"></translation>
+        <translation>手部模型末端以外的轮廓线：略去，或与其他部分同样处理</translation>
     </message>
     <message>
         <source>Most iterations of a fit</source>
-        <translation type="unfinished"></translation>
+        <translation>一次拟合的最多迭代次数</translation>
     </message>
     <message>
         <source>Damping relative to the diagonal of the normal matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>相对于法方程矩阵对角线的阻尼</translation>
     </message>
     <message>
         <source>rigid: a first phase moves each hand as a whole; paper: all at once</source>
-        <translation type="unfinished"></translation>
+        <translation>rigid：第一阶段整体移动每只手；paper：一次全部进行</translation>
     </message>
     <message>
         <source>%1 must be %2 or %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 %2 或 %3，而不是“%4”。</translation>
     </message>
     <message>
         <source>%1 must be a whole number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 %2 至 %3 的整数，而不是“%4”。</translation>
     </message>
     <message>
         <source>%1 must be a number from %2 to %3, not &quot;%4&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 必须是 %2 至 %3 的数字，而不是“%4”。</translation>
     </message>
     <message>
         <source>Write &quot;%1&quot; as name=value.</source>
-        <translation type="unfinished"></translation>
+        <translation>请将“%1”写成 name=value 的形式。</translation>
     </message>
     <message>
         <source>%1 has no option &quot;%2&quot;; it has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有选项“%2”；它有 %3。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是方法；可用的方法为 %2。</translation>
     </message>
 </context>
 <context>
@@ -4276,19 +4270,19 @@
     <name>widgets::PairFilterText</name>
     <message>
         <source>“%1” is neither a method of these results nor sequence, start, test, difference or initial.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”既不是这些结果中的方法，也不是 sequence、start、test、difference 或 initial。</translation>
     </message>
     <message>
         <source>“%1” is not a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”不是数字。</translation>
     </message>
     <message>
         <source>“%1” is neither a comparison such as A-B&gt;1 nor a sequence.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”既不是 A-B&gt;1 这样的比较，也不是序列。</translation>
     </message>
     <message>
         <source>Conditions with blanks between them, all of which must hold: A-B&gt;1 difference&gt;=10 sequence=01. A and B are the methods chosen on the left; a method&apos;s name is its error in mm, .seconds or .iterations behind it what it took; start, test and difference are frames, initial is the error of the start pose.</source>
-        <translation type="unfinished"></translation>
+        <translation>以空格分隔的条件，须全部满足：A-B&gt;1 difference&gt;=10 sequence=01。A 和 B 为左侧所选的方法；方法名称表示其误差 (mm)，后加 .seconds 或 .iterations 表示其耗时或迭代次数；start、test 和 difference 为帧数，initial 为起始姿态的误差。</translation>
     </message>
 </context>
 <context>
@@ -4311,39 +4305,39 @@
     </message>
     <message>
         <source>Apart</source>
-        <translation type="unfinished"></translation>
+        <translation>相隔</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>A − B mm</source>
-        <translation type="unfinished"></translation>
+        <translation>A − B mm</translation>
     </message>
     <message>
         <source>%1 iterations</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 迭代次数</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 秒</translation>
     </message>
     <message>
         <source>Frames between start and test</source>
-        <translation type="unfinished"></translation>
+        <translation>起始帧与测试帧之间的帧数</translation>
     </message>
     <message>
         <source>Mean joint error of the start pose</source>
-        <translation type="unfinished"></translation>
+        <translation>起始姿态的平均关节误差</translation>
     </message>
     <message>
         <source>Mean joint error of %1; the smallest of a row is bold</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的平均关节误差；每行最小者为粗体</translation>
     </message>
     <message>
         <source>Error of %1 minus error of %2: above 0 where %1 is worse</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的误差减去 %2 的误差：大于 0 表示 %1 较差</translation>
     </message>
 </context>
 <context>
@@ -4382,14 +4376,14 @@
     </message>
     <message>
         <source>PDF page (*.pdf)</source>
-        <translation type="unfinished"></translation>
+        <translation>PDF 页面 (*.pdf)</translation>
     </message>
 </context>
 <context>
     <name>widgets::PlotCanvas</name>
     <message>
         <source>curves</source>
-        <translation type="unfinished">曲线</translation>
+        <translation>曲线</translation>
     </message>
 </context>
 <context>
@@ -5040,7 +5034,7 @@
     <name>widgets::ScatterPlot</name>
     <message>
         <source>Logarithmic axes</source>
-        <translation type="unfinished"></translation>
+        <translation>对数坐标轴</translation>
     </message>
 </context>
 <context>
@@ -5592,7 +5586,7 @@
     <name>widgets::TrackerColumn</name>
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有由第 %3 帧得出的第 %2 帧的估计</translation>
     </message>
 </context>
 <context>
@@ -5658,115 +5652,115 @@
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
-        <translation type="unfinished"></translation>
+        <translation>请拟合一个配对：之后可在此处更改其方法的设置。</translation>
     </message>
     <message>
         <source>What does each camera add?</source>
-        <translation type="unfinished"></translation>
+        <translation>每台相机有何贡献？</translation>
     </message>
     <message>
         <source>Fits without each camera in turn: how much the error grows stands beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>依次去掉每台相机进行拟合：旁边显示误差的增加量</translation>
     </message>
     <message>
         <source>Use</source>
-        <translation type="unfinished"></translation>
+        <translation>使用</translation>
     </message>
     <message>
         <source>Gives the column these settings</source>
-        <translation type="unfinished"></translation>
+        <translation>将这些设置用于此列</translation>
     </message>
     <message>
         <source>Add as another column</source>
-        <translation type="unfinished"></translation>
+        <translation>添加为另一列</translation>
     </message>
     <message>
         <source>Keeps the column, and shows these settings beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>保留此列，并在旁边显示这些设置</translation>
     </message>
     <message>
-        <source>Back</source>
-        <translation type="unfinished">上一步</translation>
+        <source>Restore</source>
+        <translation>还原</translation>
     </message>
     <message>
         <source>All as it was fitted</source>
-        <translation type="unfinished"></translation>
+        <translation>全部恢复为拟合时的状态</translation>
     </message>
     <message>
         <source>The error grows most without %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>去掉 %1 时误差增加最多。</translation>
     </message>
     <message>
         <source>The column whose settings are changed</source>
-        <translation type="unfinished"></translation>
+        <translation>要更改设置的列</translation>
     </message>
     <message>
         <source>The method as on the command line; Enter takes it over</source>
-        <translation type="unfinished"></translation>
+        <translation>与命令行写法相同的方法；按 Enter 键采用</translation>
     </message>
     <message>
         <source>Method with its settings</source>
-        <translation type="unfinished"></translation>
+        <translation>方法及其设置</translation>
     </message>
     <message>
         <source>Noise of the outlines</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线的噪声</translation>
     </message>
     <message>
         <source>What if the silhouettes were noisier? By how much their outlines move, pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>若轮廓噪声更大会怎样？轮廓线的移动量，像素</translation>
     </message>
     <message>
         <source> px</source>
-        <translation type="unfinished"> px</translation>
+        <translation> px</translation>
     </message>
     <message>
         <source>Cameras that take part</source>
-        <translation type="unfinished"></translation>
+        <translation>参与的相机</translation>
     </message>
     <message>
         <source>%1 mm</source>
-        <translation type="unfinished">%1 mm</translation>
+        <translation>%1 mm</translation>
     </message>
     <message>
         <source>Whether this camera&apos;s silhouette takes part</source>
-        <translation type="unfinished"></translation>
+        <translation>此相机的轮廓是否参与</translation>
     </message>
     <message>
         <source>Leave at least one camera on.</source>
-        <translation type="unfinished"></translation>
+        <translation>请至少保留一台相机。</translation>
     </message>
     <message>
         <source>Fitting...</source>
-        <translation type="unfinished">正在拟合...</translation>
+        <translation>正在拟合...</translation>
     </message>
     <message>
         <source>Cameras</source>
-        <translation type="unfinished">相机</translation>
+        <translation>相机</translation>
     </message>
     <message>
         <source>Noise of the outlines, px</source>
-        <translation type="unfinished"></translation>
+        <translation>轮廓线的噪声，px</translation>
     </message>
     <message>
         <source>Error, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>误差 (mm)</translation>
     </message>
     <message>
         <source>Drag a setting: the error over it appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>拖动一项设置：误差随其变化的曲线将显示在此处。</translation>
     </message>
     <message>
         <source>%1 instead of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，原为 %2</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Fitting without each camera...</source>
-        <translation type="unfinished"></translation>
+        <translation>正在依次去掉每台相机进行拟合...</translation>
     </message>
 </context>
 <context>
@@ -5832,7 +5826,7 @@
     </message>
     <message>
         <source>What if</source>
-        <translation type="unfinished"></translation>
+        <translation>假设分析</translation>
     </message>
 </context>
 </TS>

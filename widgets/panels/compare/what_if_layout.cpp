@@ -49,7 +49,7 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     , m_apply(makeButton(tr("Use"), QStringLiteral("dialog-ok-apply"), tr("Gives the column these settings"), this))
     , m_add(makeButton(tr("Add as another column"), QStringLiteral("list-add"),
                        tr("Keeps the column, and shows these settings beside it"), this))
-    , m_back(makeButton(tr("Back"), QStringLiteral("edit-undo"), tr("All as it was fitted"), this))
+    , m_back(makeButton(tr("Restore"), QStringLiteral("edit-undo"), tr("All as it was fitted"), this))
     , m_answer(new QLabel(this))
     , m_plot(new CurvePlot(this)) {
     build();
