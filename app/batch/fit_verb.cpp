@@ -115,6 +115,7 @@ void fit(const FitArguments& arguments) {
         file["doubt"] = result.confidence->doubt;
         file["contourSigmaPx"] = result.confidence->sigmaPx;
         file["overlap"] = result.confidence->overlap;
+        file["systematicMm"] = result.confidence->systematic.jointMm;
     }
     file["joints"] = jointsToJson(dataset, result, truth);
     file["history"] = historyToJson(result);

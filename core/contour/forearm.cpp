@@ -13,11 +13,13 @@ namespace core {
 
 namespace {
 
-constexpr double kMarginMm = 25; ///< of the model's end, where it is a rounded cap
-constexpr double kSectionMm = 8; ///< vertices so near to the plane belong to the section
-constexpr double kOpening = 0.2; ///< mm per mm: a forearm widens, and may be bent against the hand
-constexpr double kLengthMm = 300;
+constexpr double kMarginMm = 25;   ///< of the model's end, where it is a rounded cap
+constexpr double kSectionMm = 8;   ///< vertices so near to the plane belong to the section
+constexpr double kOpening = 0.2;   ///< mm per mm: a forearm widens, and may be bent against the hand
+constexpr double kOpeningMm = 300; ///< beyond, it keeps its width
+constexpr double kLengthMm = 500;
 constexpr double kStepMm = 50;
+constexpr double kSleeveMm = 10;  ///< by which a sleeve is wider than the wrist
 constexpr int kCorners = 12;      ///< of the cone's circles
 constexpr double kNearestMm = 50; ///< of what is projected to the camera
 
@@ -126,7 +128,7 @@ ConvexRegion forearmRegion(const Camera& camera, const ForearmCut& cut, const Ri
     const Eigen::Vector3d direction = worldFromRest.rotation * cut.direction;
     for (double along = 0; along <= kLengthMm; along += kStepMm) {
         const Eigen::Vector3d centre = worldFromRest * (cut.centre + along * cut.direction);
-        if (!appendCircle(camera, centre, direction, cut.radiusMm + kOpening * along, points))
+        if (!appendCircle(camera, centre, direction, cut.radiusMm + kOpening * std::min(along, kOpeningMm), points))
             break;
     }
     return ConvexRegion(points);
@@ -137,6 +139,13 @@ std::vector<Eigen::Vector3d> forearmAxis(const ForearmCut& cut, const RigidMotio
     for (double beyond = 25; beyond <= 120; beyond += 5)
         axis.push_back(worldFromRest * (cut.centre + (cut.endMm + beyond) * cut.direction));
     return axis;
+}
+
+ForearmCut movedTowardsHand(ForearmCut cut, double mm) {
+    cut.centre -= mm * cut.direction;
+    cut.radiusMm += kSleeveMm;
+    cut.endMm += mm;
+    return cut;
 }
 
 } // namespace core

@@ -40,8 +40,11 @@ struct ForearmCut {
 };
 ForearmCut forearmCut(const HandModel& hand);
 
-/// Where a forearm beyond the cut may be seen: the hull of a cone that opens with 0.2 mm per mm over 300 mm. Parts near
-/// or behind the camera, or an image beside the picture, are left out.
+/// The cut where a sleeve, which is wider than the wrist, begins `mm` before it.
+ForearmCut movedTowardsHand(ForearmCut cut, double mm);
+
+/// Where a forearm beyond the cut may be seen: the hull of a cone that opens with 0.2 mm per mm over 300 mm and goes on
+/// as wide for another 200 mm. Parts near or behind the camera, or an image beside the picture, are left out.
 /// worldFromRest: the motion of the hand's root bone.
 ConvexRegion forearmRegion(const Camera& camera, const ForearmCut& cut, const RigidMotion& worldFromRest);
 

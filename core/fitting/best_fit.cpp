@@ -22,6 +22,10 @@ constexpr double kUnexplainedPx = 0.75;
 /// another hand up to 0.09; a wrong finger more than 0.1.
 constexpr double kUnexplainedDeepPx = 0.06, kUnexplainedNoisyDeepPx = 0.1;
 constexpr int kFingerSearches = 3;
+/// Contours that lie farther off than noise takes them, everywhere: the person's hands are others than the models, the
+/// calibration is off, or masks are rough. No start explains that; fingers are searched, roughly, and only what
+/// explains more by this share is followed.
+constexpr double kSystematicPx = 2, kWorthwhileShare = 0.005;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
 constexpr double kRivalScore = 1.1;
 
@@ -93,8 +97,8 @@ std::vector<std::vector<std::size_t>> wideDofsPerFinger(const Skeleton& skeleton
 }
 
 /// Finger by finger, the shape out of a few that explains the masks best; its own where none is better. `score` becomes
-/// that of the answer.
-HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score) {
+/// that of the answer. cellPx: of the scores.
+HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score, float cellPx) {
     struct Shape {
         double base, others; ///< how far the first joint and those after it are bent, shares of their range
     };
@@ -108,7 +112,7 @@ HandPoses searchFingers(PoseRefiner& refiner, HandPoses poses, double& score) {
                 for (std::size_t k = 0; k < finger.size(); ++k)
                     poses[h][kRigidDofs + static_cast<Eigen::Index>(finger[k])] =
                         bentAngle(skeleton.dofs[finger[k]], k == 0 ? shape.base : shape.others);
-                const double shapeScore = refiner.silhouetteDifferencePx(poses);
+                const double shapeScore = refiner.silhouetteDifferencePx(poses, cellPx);
                 if (shapeScore < score) {
                     score = shapeScore;
                     chosen = poses[h];
@@ -131,6 +135,9 @@ public:
         , m_best(best)
         , m_scorePx(refiner.silhouetteDifferencePx(best.poses)) {}
 
+    /// Whether the contours are so far off that finding out by attempts whether another start is better is of no use.
+    bool isSystematic() { return m_refiner.contourNoise(m_best.poses).px > kSystematicPx; }
+
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
     std::function<bool()> explainedByNoise() {
@@ -145,6 +152,8 @@ public:
     /// Attempts from other shapes of single fingers, as long as a shape is found that is better. False if the fit is
     /// over.
     bool tryFingers(const std::function<bool()>& explained);
+    /// The same in few steps, for contours that are off everywhere.
+    bool tryFingersRoughly(const std::function<bool()>& explained);
 
 private:
     bool run(const std::vector<Phase>& phases, FitAttempt& attempt) {
@@ -189,7 +198,7 @@ bool OtherStarts::tryFingers(const std::function<bool()>& explained) {
     for (int search = 0; search < kFingerSearches && !explained(); ++search) {
         FitAttempt attempt;
         double foundPx = m_scorePx;
-        attempt.poses = searchFingers(m_refiner, m_best.poses, foundPx);
+        attempt.poses = searchFingers(m_refiner, m_best.poses, foundPx, PoseRefiner::kScoreCellPx);
         if (foundPx >= m_scorePx)
             return true;
         if (!run(m_phases.fromOtherFingers, attempt))
@@ -198,6 +207,24 @@ bool OtherStarts::tryFingers(const std::function<bool()>& explained) {
         const bool isRival = std::max(scorePx, m_scorePx) <= kRivalScore * std::min(scorePx, m_scorePx);
         attempt.rivalMm = m_best.rivalMm =
             isRival ? meanJointDistanceMm(m_refiner.hands().models, m_best.poses, attempt.poses) : 0;
+        if (!take(std::move(attempt), scorePx))
+            return true;
+    }
+    return true;
+}
+
+bool OtherStarts::tryFingersRoughly(const std::function<bool()>& explained) {
+    constexpr float kCellPx = PoseRefiner::kRoughScoreCellPx;
+    for (int search = 0; search < kFingerSearches && !explained(); ++search) {
+        FitAttempt attempt;
+        const double beforePx = m_refiner.silhouetteDifferencePx(m_best.poses, kCellPx);
+        double foundPx = beforePx;
+        attempt.poses = searchFingers(m_refiner, m_best.poses, foundPx, kCellPx);
+        if (foundPx > (1 - kWorthwhileShare) * beforePx)
+            return true;
+        if (!run(m_phases.fromOtherFingers, attempt))
+            return false;
+        const double scorePx = m_refiner.silhouetteDifferencePx(attempt.poses);
         if (!take(std::move(attempt), scorePx))
             return true;
     }
@@ -215,6 +242,8 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, cons
                                 [&others] { return others.isExplained(); });
     if (others.isExplained() || others.explainedByNoise()())
         return true;
+    if (others.isSystematic())
+        return others.tryFingersRoughly(others.explainedByNoise());
     const auto search = [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); };
     const auto fingers = [&](const auto& explained) { return others.tryFingers(explained); };
     return search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }) &&
@@ -239,7 +268,8 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
     FitAttempt attempt;
     attempt.poses = start;
-    if (loop.run(phases.main, attempt) &&
+    if (loop.runAndCutSleeves(phases.main, attempt) &&
+        (!refiner.cutSleeves(attempt.poses) || loop.run(std::span(phases.main).last(1), attempt)) &&
         (!options.restarts || improve(refiner, loop, phases, method, start, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);

@@ -7,7 +7,9 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/fitting/stopwatch.h"
 #include "core/numeric/median.h"
+#include "core/numeric/robust_linear.h"
 
 namespace core {
 
@@ -19,7 +21,7 @@ constexpr double kLeastSigmaMm = 0.05;
 constexpr double kModelErrorFactor = 4.5;
 constexpr double kLeastChangeScale = 0.3, kMostChangeScale = 3;
 
-constexpr float kEvidenceTauRad = 0.39f; ///< matches within this angle
+constexpr float kEvidenceTauRad = 0.39f; ///< noise and evidence are those of matches within this angle
 constexpr int kEvidencePoints = 300;     ///< rim points per camera
 constexpr double kGateSigmas = 4;        ///< matches beyond it are wrong, not noisy
 constexpr double kEvidenceTangent = 0.1; ///< as `best` weighs the distance along the outline
@@ -106,12 +108,107 @@ std::vector<Eigen::Matrix3d> jointCovariances(const Skeleton& skeleton, const Po
     return covariances;
 }
 
+namespace {
+
+/// The unknowns of systematicPart in one vector: poses hand by hand, logarithm of the scale, girth, shifts by view.
+struct SystematicUnknowns {
+    std::vector<Eigen::Index> poseOf; ///< per hand
+    Eigen::Index scale = 0, girth = 0, shifts = 0, count = 0;
+
+    SystematicUnknowns(const HandPoses& poses, const std::vector<OutlineResidual>& residuals) {
+        for (const Pose& pose : poses) {
+            poseOf.push_back(scale);
+            scale += pose.size();
+        }
+        girth = scale + 1;
+        shifts = scale + 2;
+        count = shifts;
+        for (const OutlineResidual& residual : residuals)
+            count = std::max<Eigen::Index>(count, shifts + 2 * (residual.view + 1));
+    }
+};
+
+Eigen::MatrixXd systematicRows(const SystematicUnknowns& unknowns, const std::vector<OutlineResidual>& residuals) {
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(residuals.size()), unknowns.count);
+    Eigen::Index row = 0;
+    for (const OutlineResidual& residual : residuals) {
+        rows.row(row).segment(unknowns.poseOf[static_cast<std::size_t>(residual.hand)], residual.perPose.size()) =
+            residual.perPose;
+        rows(row, unknowns.scale) = residual.perLogScale;
+        rows(row, unknowns.girth) = residual.perGirthMm;
+        rows.row(row++).segment<2>(unknowns.shifts + 2 * residual.view) =
+            -residual.mmPerPx * residual.normalPx.transpose();
+    }
+    return rows;
+}
+
+Eigen::MatrixXd systematicPriors(const SystematicUnknowns& unknowns, const FittingHands& hands) {
+    constexpr double kScale = 0.05, kGirthMm = 1, kShiftPx = 5, kRigid = 100;
+    Eigen::MatrixXd priors = Eigen::MatrixXd::Zero(unknowns.count, unknowns.count);
+    for (std::size_t h = 0; h < unknowns.poseOf.size(); ++h) {
+        const Eigen::MatrixXd& precision = hands.changePrecision[h];
+        const Eigen::Index first = unknowns.poseOf[h];
+        priors.diagonal().segment<kRigidDofs>(first).array() += 1 / (kRigid * kRigid);
+        priors.block(first + kRigidDofs, first + kRigidDofs, precision.rows(), precision.cols()) += precision;
+    }
+    priors(unknowns.scale, unknowns.scale) = 1 / (kScale * kScale);
+    priors(unknowns.girth, unknowns.girth) = 1 / (kGirthMm * kGirthMm);
+    priors.diagonal().tail(unknowns.count - unknowns.shifts).setConstant(1 / (kShiftPx * kShiftPx));
+    return priors;
+}
+
+/// Joints at which fingers bend: roots and what is inside the palm move little and hide how much these do.
+bool isOfFinger(const Bone& bone) {
+    return bone.parent >= 0 && !bone.name.ends_with("_cmc");
+}
+
+} // namespace
+
+SystematicPart systematicPart(const FittingHands& hands, const HandPoses& poses,
+                              const std::vector<OutlineResidual>& residuals, double pointsPerSample) {
+    SystematicPart part;
+    if (residuals.empty())
+        return part;
+    const SystematicUnknowns unknowns(poses, residuals);
+    Eigen::VectorXd mm(static_cast<Eigen::Index>(residuals.size()));
+    for (std::size_t i = 0; i < residuals.size(); ++i)
+        mm[static_cast<Eigen::Index>(i)] = residuals[i].mm;
+    const Eigen::VectorXd found = robustLinearSolution(
+        systematicRows(unknowns, residuals), mm, systematicPriors(unknowns, hands),
+        {.measurementsPerSample = kModelErrorFactor * pointsPerSample, .leastSigma = kLeastSigmaMm});
+    part.scale = std::exp(found[unknowns.scale]);
+    part.girthMm = found[unknowns.girth];
+    const Eigen::VectorXd shifts = found.tail(unknowns.count - unknowns.shifts);
+    part.shiftPx = std::sqrt(shifts.squaredNorm() / std::max(1.0, 0.5 * static_cast<double>(shifts.size())));
+    double sum = 0;
+    int count = 0;
+    for (std::size_t h = 0; h < poses.size(); ++h) {
+        const Skeleton& skeleton = hands.models[h].skeleton;
+        const auto joints = jointPositions(skeleton, poses[h]);
+        const Eigen::VectorXd moved =
+            jointJacobian(skeleton, poses[h]) * found.segment(unknowns.poseOf[h], poses[h].size());
+        for (std::size_t b = 0; b < joints.size(); ++b) {
+            if (!isOfFinger(skeleton.bones[b]))
+                continue;
+            sum += (moved.segment<3>(3 * static_cast<Eigen::Index>(b)) +
+                    found[unknowns.scale] * (joints[b] - joints.front()))
+                       .norm();
+            ++count;
+        }
+    }
+    part.jointMm = count > 0 ? sum / count : 0;
+    return part;
+}
+
 double doubtOf(const FitConfidence& confidence) {
     // The share without a match and the rival add nothing once these are known. Silhouettes that overlap less than the
     // noise alone lets them do tell of another hand or another rig, on which contours agree with each other elsewhere.
     constexpr double kLeastOverlap = 0.8;
+    // The systematic part of the residuals is about half of the error that another hand or another rig makes.
+    constexpr double kHarmlessMm = 0.9;
     const double evidence = -7.1 + 15 * confidence.deepPx + 0.9 * largestSigmaMm(confidence) +
-                            60 * std::max(0.0, kLeastOverlap - confidence.overlap);
+                            60 * std::max(0.0, kLeastOverlap - confidence.overlap) +
+                            12 * std::max(0.0, confidence.systematic.jointMm - kHarmlessMm);
     return 1 / (1 + std::exp(-evidence));
 }
 
@@ -133,12 +230,74 @@ FitConfidence judgeFit(PoseRefiner& refiner, const HandPoses& start, const HandP
             kModelErrorFactor * evidence.pointsPerSample, precision, changeScale(precision, start[h], poses[h]));
         confidence.jointCovarianceMm2.push_back(jointCovariances(hands.models[h].skeleton, poses[h], covariance));
     }
+    confidence.systematic = systematicPart(hands, poses, evidence.residuals, evidence.pointsPerSample);
     confidence.doubt = doubtOf(confidence);
     return confidence;
 }
 
-void PoseRefiner::collectEvidence(View& view, const CameraTarget& target,
-                                  const std::vector<HandLinearisation>& hands) const {
+namespace {
+
+/// Unit, perpendicular to the contour point's ray, outward.
+Eigen::Vector3d across(const RimPoint& rim, const CameraTarget& target, int contourPoint) {
+    const Eigen::Vector3d& ray = target.rayDirection[static_cast<std::size_t>(contourPoint)];
+    const Eigen::Vector3d normal = rim.normal.cast<double>();
+    return (normal - normal.dot(ray) * ray).normalized();
+}
+
+/// Without its view and the derivatives by scale and pose.
+OutlineResidual outlineResidual(const RimPoint& rim, const CameraTarget& target, int contourPoint, double focalPx) {
+    const Eigen::Vector3d offset = rim.point.cast<double>() - target.centre;
+    const Eigen::Vector3d direction = across(rim, target, contourPoint);
+    OutlineResidual residual;
+    residual.hand = rim.hand;
+    residual.contourPoint = contourPoint;
+    residual.px = acrossPx(rim, target, contourPoint);
+    residual.mm = direction.dot(offset);
+    residual.mmPerPx = offset.dot(target.rayDirection[static_cast<std::size_t>(contourPoint)]) / focalPx;
+    residual.normalPx = rim.normalPx.cast<double>();
+    residual.perGirthMm = direction.dot(rim.normal.cast<double>());
+    return residual;
+}
+
+} // namespace
+
+void PoseRefiner::measureNoise(View& view, const CameraTarget& target) const {
+    MatchRule rule;
+    rule.distance = DistanceKind::DchThres;
+    rule.tauRad = kEvidenceTauRad;
+    std::vector<double> px;
+    for (const RimPoint& rim : view.rim) {
+        view.matched.matches.clear();
+        findMatches(target, rule, rim, view.matched.matches);
+        for (const WeightedMatch& match : view.matched.matches) {
+            if (isInside(view.forearms, contourPx(target, match.index)))
+                continue;
+            px.push_back(std::abs(acrossPx(rim, target, match.index)));
+        }
+    }
+    view.noisePx = px.empty() ? 0 : kSigmaPerMedian * medianOf(px);
+}
+
+PoseRefiner::Noise PoseRefiner::contourNoise(const HandPoses& poses) {
+    constexpr int kPoints = 120;
+    poseSurfaces(poses, Detail::Medium);
+    placeForearms(poses);
+    forEachView([&](View& view, const CameraTarget& target) {
+        extractRim(view, target, Detail::Medium, kPoints);
+        const Stopwatch watch;
+        measureNoise(view, target);
+        view.secondsScore += watch.seconds();
+    });
+    Noise noise;
+    for (const View& view : m_views)
+        noise.perCameraPx.push_back(view.noisePx);
+    if (!noise.perCameraPx.empty())
+        noise.px = medianOf(noise.perCameraPx);
+    return noise;
+}
+
+void PoseRefiner::collectEvidence(View& view, const CameraTarget& target, const std::vector<HandLinearisation>& hands,
+                                  const std::vector<Eigen::Vector3d>& roots) const {
     IterationSettings settings;
     settings.rule.distance = DistanceKind::DchThres;
     settings.rule.tauRad = kEvidenceTauRad;
@@ -146,6 +305,8 @@ void PoseRefiner::collectEvidence(View& view, const CameraTarget& target,
     settings.rule.gatePx = static_cast<float>(kGateSigmas * std::max(view.noisePx, 0.5));
     matchRim(target, settings, view.rim, view.forearms, view.matched);
     view.residuals.clear();
+    const Eigen::Matrix3d& intrinsics = m_cameras[static_cast<std::size_t>(target.camera)].intrinsics;
+    const double focalPx = 0.5 * (intrinsics(0, 0) + intrinsics(1, 1));
     std::vector<WeightedMatch>& matches = view.matched.matches;
     for (const RimPoint& rim : view.rim) {
         matches.clear();
@@ -153,11 +314,13 @@ void PoseRefiner::collectEvidence(View& view, const CameraTarget& target,
         for (const WeightedMatch& match : matches) {
             if (isInside(view.forearms, contourPx(target, match.index)))
                 continue;
-            const Eigen::Vector3d& ray = target.rayDirection[static_cast<std::size_t>(match.index)];
-            const Eigen::Vector3d normal = rim.normal.cast<double>(), point = rim.point.cast<double>();
-            const Eigen::Vector3d across = (normal - normal.dot(ray) * ray).normalized();
-            view.residuals.push_back(
-                {match.index, acrossPx(rim, target, match.index), across.dot(point - target.centre)});
+            view.residuals.push_back(outlineResidual(rim, target, match.index, focalPx));
+            OutlineResidual& found = view.residuals.back();
+            const auto h = static_cast<std::size_t>(rim.hand);
+            found.view = static_cast<int>(&view - m_views.data());
+            found.perLogScale = across(rim, target, match.index).dot(rim.point.cast<double>() - roots[h]);
+            found.perPose = across(rim, target, match.index).transpose() *
+                            hands[h].pointJacobian(rim.vertexA, rim.vertexB, static_cast<double>(rim.t));
         }
     }
     for (std::size_t h = 0; h < hands.size(); ++h) {
@@ -165,19 +328,22 @@ void PoseRefiner::collectEvidence(View& view, const CameraTarget& target,
         hands[h].accumulate(view.matched.correspondences[h], view.equations[h]);
     }
     std::sort(view.residuals.begin(), view.residuals.end(),
-              [](const Residual& a, const Residual& b) { return a.contourPoint < b.contourPoint; });
+              [](const OutlineResidual& a, const OutlineResidual& b) { return a.contourPoint < b.contourPoint; });
 }
 
 PoseRefiner::Evidence PoseRefiner::evidence(const HandPoses& poses) {
     Evidence found;
     const int depthPx = beyondNoisePx(contourNoise(poses).px); // and each view's noise is the gate of its matches
     std::vector<HandLinearisation> hands;
-    for (std::size_t h = 0; h < m_hands.models.size(); ++h)
+    std::vector<Eigen::Vector3d> roots;
+    for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         hands.emplace_back(m_hands.models[h], m_hands.levels[h][static_cast<std::size_t>(Detail::Medium)], poses[h]);
+        roots.push_back(jointPositions(m_hands.models[h].skeleton, poses[h]).front());
+    }
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
     forEachView([&](View& view, const CameraTarget& target) {
         extractRim(view, target, Detail::Medium, kEvidencePoints);
-        collectEvidence(view, target, hands);
+        collectEvidence(view, target, hands, roots);
         compareView(view, target, sources, unsureMask(view, target, depthPx));
     });
     CorrelationLength correlation;
@@ -190,10 +356,11 @@ PoseRefiner::Evidence PoseRefiner::evidence(const HandPoses& poses) {
         for (std::size_t h = 0; h < hands.size(); ++h)
             found.equations[h] += view.equations[h];
         correlation.add(view.residuals);
-        for (const Residual& residual : view.residuals) {
+        for (const OutlineResidual& residual : view.residuals) {
             px.push_back(std::abs(residual.px));
             mm.push_back(std::abs(residual.mm));
         }
+        found.residuals.insert(found.residuals.end(), view.residuals.begin(), view.residuals.end());
         rim += view.rim.size();
         unmatched += static_cast<std::size_t>(view.matched.rejected);
         found.silhouettes.differencePx2 += view.silhouettes.differencePx2;

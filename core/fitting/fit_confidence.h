@@ -17,6 +17,12 @@ Eigen::MatrixXd poseCovariance(const Eigen::MatrixXd& hessian, double sigmaMm, d
 std::vector<Eigen::Matrix3d> jointCovariances(const Skeleton& skeleton, const Pose& pose,
                                               const Eigen::MatrixXd& poseCovarianceOfHand);
 
+/// The systematic part of a fit's residuals: the linear least-squares problem of all poses, one scale, one girth and a
+/// shift of every view's picture, with weak priors on all of them (5 %, 1 mm, 5 px, changes of angles as
+/// changePrecision has them) and Cauchy weights. pointsPerSample: see poseCovariance.
+SystematicPart systematicPart(const FittingHands& hands, const HandPoses& poses,
+                              const std::vector<OutlineResidual>& residuals, double pointsPerSample);
+
 /// Logistic function of what speaks against a fit, with the weights that simulated fits of the demo's hands gave
 /// (docs/method.md, "Doubt"): `confidence` with all but the doubt filled in.
 double doubtOf(const FitConfidence& confidence);

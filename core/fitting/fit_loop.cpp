@@ -51,4 +51,16 @@ bool FitLoop::run(std::span<const Phase> phases, FitAttempt& attempt) {
     return true;
 }
 
+bool FitLoop::runAndCutSleeves(std::span<const Phase> phases, FitAttempt& attempt) {
+    const auto next =
+        std::find_if(phases.begin(), phases.end(), [&](const Phase& p) { return p.stage != phases.front().stage; });
+    if (next == phases.end())
+        return run(phases, attempt);
+    const auto first = static_cast<std::size_t>(next - phases.begin());
+    if (!run(phases.first(first), attempt))
+        return false;
+    m_refiner.cutSleeves(attempt.poses);
+    return run(phases.subspan(first), attempt);
+}
+
 } // namespace core

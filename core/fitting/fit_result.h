@@ -16,7 +16,7 @@ namespace core {
 
 /// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one
 /// folder.
-inline constexpr int kEstimatorRevision = 4;
+inline constexpr int kEstimatorRevision = 5;
 
 enum class FitTermination {
     Converged,     ///< the last step was below the phase's limit
@@ -50,6 +50,15 @@ struct FitProfile {
     double scoring = 0;
 };
 
+/// What hands of another size and cameras whose pictures are shifted would change, if both were free: estimated from
+/// the residuals of a fit. Large where the models are not the person's hands, or the calibration not the cameras'.
+struct SystematicPart {
+    double scale = 1;   ///< of the hands
+    double girthMm = 0; ///< along the normals
+    double shiftPx = 0; ///< root mean square over the cameras
+    double jointMm = 0; ///< mean movement of the fingers' joints
+};
+
 /// How far a fit can be trusted, from what its pose leaves unexplained (core/fitting/fit_confidence.h).
 struct FitConfidence {
     std::vector<std::vector<Eigen::Matrix3d>> jointCovarianceMm2; ///< per hand and bone, of the joint in the world
@@ -59,7 +68,8 @@ struct FitConfidence {
     double unmatchedShare = 0;  ///< of the rim points
     double rivalMm = 0;         ///< how far another attempt lies that explains the silhouettes nearly as well
     double pointsPerSample = 1; ///< rim points that count as one independent measurement
-    double doubt = 1;           ///< 0 sure .. 1 lost; below kTrustedDoubt the fit may be trusted
+    SystematicPart systematic;
+    double doubt = 1; ///< 0 sure .. 1 lost; below kTrustedDoubt the fit may be trusted
 };
 /// Fits with less doubt may be trusted; what that was measured on stands in docs/method.md, "Doubt".
 inline constexpr double kTrustedDoubt = 0.5;

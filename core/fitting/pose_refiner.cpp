@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "core/contour/sleeve.h"
 #include "core/fitting/stopwatch.h"
 #include "core/hand/finger_prior.h"
 #include "core/numeric/box_step.h"
@@ -29,9 +30,6 @@ constexpr double kRigidFloor = 1e-3;
 
 constexpr float kCoarseCellPx = 4;
 constexpr float kCoarseOutwardPx = 4;
-
-/// The contour's noise is that of matches within this angle.
-constexpr float kNoiseTauRad = 0.39f;
 
 } // namespace
 
@@ -58,6 +56,8 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
     , m_threads(threads)
     , m_profile(profile)
     , m_views(targets.size())
+    , m_cuts(hands.cuts)
+    , m_sleeveMm(hands.models.size(), 0)
     , m_hasForearm(hands.models.size(), 0)
     , m_posed(hands.models.size()) {
     for (View& view : m_views) {
@@ -256,10 +256,10 @@ const cv::Mat& PoseRefiner::unsureMask(View& view, const CameraTarget& target, i
 }
 
 void PoseRefiner::compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
-                              const cv::Mat& unsure) {
+                              const cv::Mat& unsure, float cellPx) {
     const Stopwatch watch;
     RimOptions options;
-    options.cellPx = kCoarseCellPx;
+    options.cellPx = cellPx;
     view.silhouettes = compareSilhouettes(m_cameras[static_cast<std::size_t>(target.camera)], sources, options,
                                           target.mask, unsure, target.maskBounds, view.scratch, view.forearms);
     view.contourPoints = target.contour.size();
@@ -269,11 +269,11 @@ void PoseRefiner::compareView(View& view, const CameraTarget& target, const std:
     view.secondsScore += watch.seconds();
 }
 
-double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses) {
+double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses, float cellPx) {
     poseSurfaces(poses, Detail::Coarse);
     placeForearms(poses);
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
-    forEachView([&](View& view, const CameraTarget& target) { compareView(view, target, sources, {}); });
+    forEachView([&](View& view, const CameraTarget& target) { compareView(view, target, sources, {}, cellPx); });
     double area = 0;
     for (const View& view : m_views)
         area += view.silhouettes.differencePx2;
@@ -311,8 +311,8 @@ void PoseRefiner::placeForearms(const HandPoses& poses) {
         for (std::size_t h = 0; h < poses.size(); ++h) {
             if (!hasForearm(h))
                 continue;
-            ConvexRegion region = forearmRegion(m_cameras[static_cast<std::size_t>(m_targets[v].camera)],
-                                                m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]));
+            ConvexRegion region = forearmRegion(m_cameras[static_cast<std::size_t>(m_targets[v].camera)], m_cuts[h],
+                                                worldFromRest(m_hands.models[h], poses[h]));
             if (!region.empty())
                 m_views[v].forearms.push_back(std::move(region));
         }
@@ -353,39 +353,30 @@ void PoseRefiner::cutForearms(const HandPoses& poses) {
         m_hasForearm[h] = anyIsSure && showsArm(h, kLikelyShare);
 }
 
-void PoseRefiner::measureNoise(View& view, const CameraTarget& target) const {
-    MatchRule rule;
-    rule.distance = DistanceKind::DchThres;
-    rule.tauRad = kNoiseTauRad;
-    std::vector<double> px;
-    for (const RimPoint& rim : view.rim) {
-        view.matched.matches.clear();
-        findMatches(target, rule, rim, view.matched.matches);
-        for (const WeightedMatch& match : view.matched.matches) {
-            if (isInside(view.forearms, contourPx(target, match.index)))
-                continue;
-            px.push_back(std::abs(acrossPx(rim, target, match.index)));
-        }
+bool PoseRefiner::cutSleeves(const HandPoses& poses) {
+    if (std::none_of(m_hasForearm.begin(), m_hasForearm.end(), [](char has) { return has != 0; }))
+        return false;
+    poseSurfaces(poses, Detail::Coarse);
+    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
+    std::vector<SleeveSearch> searches(poses.size());
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        const Camera& camera = m_cameras[static_cast<std::size_t>(m_targets[v].camera)];
+        RimScratch& scratch = m_views[v].scratch;
+        visibleRim(camera, sources, {.cellPx = kCoarseCellPx}, scratch, m_views[v].rim);
+        for (std::size_t h = 0; h < poses.size(); ++h)
+            searches[h].look(camera, m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]), scratch.coverage,
+                             m_targets[v].mask);
     }
-    view.noisePx = px.empty() ? 0 : kSigmaPerMedian * medianOf(px);
-}
-
-PoseRefiner::Noise PoseRefiner::contourNoise(const HandPoses& poses) {
-    constexpr int kPoints = 120;
-    poseSurfaces(poses, Detail::Medium);
-    placeForearms(poses);
-    forEachView([&](View& view, const CameraTarget& target) {
-        extractRim(view, target, Detail::Medium, kPoints);
-        const Stopwatch watch;
-        measureNoise(view, target);
-        view.secondsScore += watch.seconds();
-    });
-    Noise noise;
-    for (const View& view : m_views)
-        noise.perCameraPx.push_back(view.noisePx);
-    if (!noise.perCameraPx.empty())
-        noise.px = medianOf(noise.perCameraPx);
-    return noise;
+    bool moved = false;
+    for (std::size_t h = 0; h < poses.size(); ++h) {
+        const double mm = searches[h].beginsMm();
+        if (!hasForearm(h) || mm <= m_sleeveMm[h])
+            continue;
+        m_sleeveMm[h] = mm;
+        m_cuts[h] = movedTowardsHand(m_hands.cuts[h], mm);
+        moved = true;
+    }
+    return moved;
 }
 
 } // namespace core

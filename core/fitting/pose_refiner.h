@@ -26,6 +26,21 @@ struct FittingHands {
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
 
+/// A rim point at the final pose and the contour point that it is matched with, and what moves the rim across its
+/// outline: the derivatives of `mm`.
+struct OutlineResidual {
+    int view = 0; ///< index into the targets
+    int hand = 0;
+    int contourPoint = 0;
+    double px = 0;              ///< signed, across the outline: from the rim outward to the contour
+    double mm = 0;              ///< signed: from the contour's ray outward to the rim
+    double mmPerPx = 0;         ///< at the rim point's depth
+    Eigen::Vector2d normalPx;   ///< outward image normal, unit
+    double perGirthMm = 0;      ///< by 1 mm of girth
+    double perLogScale = 0;     ///< by the logarithm of the hand's size about its root joint, mm
+    Eigen::RowVectorXd perPose; ///< by a tangent step of its hand's pose
+};
+
 /// How far from an observed outline, px, a difference of silhouettes is no longer its noise of that standard deviation:
 /// 3.5 of them, from 4 to 12 px.
 int beyondNoisePx(double noisePx);
@@ -54,6 +69,9 @@ public:
     /// hand covers; silhouettes that end with the hands leave everything as it was.
     void cutForearms(const HandPoses& poses);
     bool hasForearm(std::size_t hand) const { return m_hasForearm[hand] != 0; }
+    /// Moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`: a sleeve begins
+    /// there. True if one was moved. Hands without a forearm are left as they are.
+    bool cutSleeves(const HandPoses& poses);
 
     /// How far the contours lie from the rim where they are matched, across the outline: 1.4826 times the median of the
     /// distances, px, per camera, and the cameras' median. 0 where there is no match. Not much disturbed by the parts
@@ -67,7 +85,10 @@ public:
     /// How badly the poses explain the masks: area of the symmetric difference over length of the outlines, that is the
     /// mean distance between both outlines in px, over all cameras. Of the coarse level: about half a pixel where all
     /// is well.
-    double silhouetteDifferencePx(const HandPoses& poses);
+    double silhouetteDifferencePx(const HandPoses& poses) { return silhouetteDifferencePx(poses, kScoreCellPx); }
+    /// The same, sampled every cellPx pixels.
+    double silhouetteDifferencePx(const HandPoses& poses, float cellPx);
+    static constexpr float kScoreCellPx = 4, kRoughScoreCellPx = 8;
     /// The same of the part that lies farther than depthPx from the observed outlines: almost 0 where only the
     /// contour is noisy, much where a finger is in a wrong place.
     double deepDifferencePx(const HandPoses& poses, int depthPx);
@@ -81,14 +102,11 @@ public:
         double unmatchedShare = 0;              ///< of the rim points, those without a match
         SilhouetteComparison silhouettes;       ///< over all cameras; deep: beyondNoisePx
         double outlinePx = 0;                   ///< length of the outlines that were compared
+        std::vector<OutlineResidual> residuals; ///< of all views
     };
     Evidence evidence(const HandPoses& poses);
 
 private:
-    struct Residual {
-        int contourPoint;
-        double px, mm; ///< signed, across the outline
-    };
     struct View {
         RimScratch scratch;
         std::vector<RimPoint> rim;
@@ -101,7 +119,7 @@ private:
         cv::Mat unsure; ///< not 0 within unsureDepthPx of the observed outline
         int unsureDepthPx = 0;
         SilhouetteComparison silhouettes;
-        std::vector<Residual> residuals;
+        std::vector<OutlineResidual> residuals;
         double secondsRim = 0, secondsMatch = 0, secondsSolve = 0, secondsScore = 0;
     };
 
@@ -114,10 +132,11 @@ private:
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                               const IterationSettings& settings) const;
     void compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
-                     const cv::Mat& unsure);
+                     const cv::Mat& unsure, float cellPx = kScoreCellPx);
     const cv::Mat& unsureMask(View& view, const CameraTarget& target, int depthPx) const;
     double outlineLengthPx() const;
-    void collectEvidence(View& view, const CameraTarget& target, const std::vector<HandLinearisation>& hands) const;
+    void collectEvidence(View& view, const CameraTarget& target, const std::vector<HandLinearisation>& hands,
+                         const std::vector<Eigen::Vector3d>& roots) const;
     void forEachView(const std::function<void(View&, const CameraTarget&)>& work);
 
     const FittingHands& m_hands;
@@ -128,6 +147,8 @@ private:
     FitProfile& m_profile;
     std::optional<IterationSettings> m_lastSettings;
     std::vector<View> m_views;
+    std::vector<ForearmCut> m_cuts;                               ///< per hand
+    std::vector<double> m_sleeveMm;                               ///< per hand: how far its cut was moved
     std::vector<char> m_hasForearm;                               ///< per hand
     std::vector<std::array<PosedPoints, kSurfaceLevels>> m_posed; ///< per hand
 };

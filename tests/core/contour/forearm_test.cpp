@@ -2,7 +2,10 @@
 #include "core/contour/forearm.h"
 
 #include <gtest/gtest.h>
+#include <opencv2/imgproc.hpp>
 
+#include "core/contour/rasteriser.h"
+#include "core/contour/sleeve.h"
 #include "core/contour/visible_rim.h"
 #include "tests/support/camera_ring.h"
 #include "tests/support/random_values.h"
@@ -89,6 +92,55 @@ TEST(Forearm, RegionMovesWithTheHand) {
         }
         EXPECT_GT(found, 10) << camera.name;
     }
+}
+
+/// How far before the cut a part begins that is wider than the hand, in the silhouettes of all cameras. The part is
+/// drawn as lines around the axis, from `before` mm before the cut on.
+double foundSleeveMm(const core::HandModel& hand, double before, double widerMm) {
+    const core::ForearmCut cut = core::forearmCut(hand);
+    const core::Pose pose = hand.skeleton.restPose();
+    const core::SkinnedSurface surface = core::makeSkinnedSurface(hand, 0);
+    core::PosedPoints posed;
+    core::poseSurface(surface, core::boneMatrices(hand.skeleton, pose), posed);
+    const std::vector<core::RimSource> sources{{&surface, &posed, &surface, &posed}};
+    core::SleeveSearch search;
+    for (const core::Camera& camera : test::cameraRing(6, true)) {
+        cv::Mat mask = core::renderHandsMask(camera, {hand}, {pose});
+        const auto from = core::project(camera, cut.centre - before * cut.direction);
+        const auto to = core::project(camera, cut.centre + 100 * cut.direction);
+        if (widerMm > 0 && from && to) {
+            const double depth = (camera.cameraFromWorld * cut.centre).z();
+            const double width = 2 * (cut.radiusMm + widerMm) * camera.intrinsics(0, 0) / depth;
+            const Eigen::Vector2d along = (*to - *from).normalized(), side(-along.y(), along.x());
+            std::vector<cv::Point> corners;
+            for (const Eigen::Vector2d& corner :
+                 {Eigen::Vector2d(*from - width / 2 * side), Eigen::Vector2d(*from + width / 2 * side),
+                  Eigen::Vector2d(*to + width / 2 * side), Eigen::Vector2d(*to - width / 2 * side)})
+                corners.emplace_back(static_cast<int>(corner.x()), static_cast<int>(corner.y()));
+            cv::fillConvexPoly(mask, corners, 255);
+        }
+        core::RimScratch scratch;
+        std::vector<core::RimPoint> rim;
+        core::visibleRim(camera, sources, {}, scratch, rim);
+        search.look(camera, cut, {}, scratch.coverage, mask);
+    }
+    return search.beginsMm();
+}
+
+TEST(Forearm, ASleeveIsFoundWhereItBegins) {
+    const core::HandModel hand = test::twoFingerHands().front();
+    EXPECT_EQ(foundSleeveMm(hand, 0, 0), 0) << "a bare wrist";
+    const double longer = foundSleeveMm(hand, 22, 12), shorter = foundSleeveMm(hand, 10, 12);
+    EXPECT_NEAR(longer, 22, 5);
+    EXPECT_NEAR(shorter, 10, 5);
+}
+
+TEST(Forearm, ACutThatIsMovedCoversTheSleeve) {
+    const core::ForearmCut cut = core::forearmCut(test::twoFingerHands().front());
+    const core::ForearmCut moved = core::movedTowardsHand(cut, 12);
+    EXPECT_NEAR((moved.centre - cut.centre).dot(cut.direction), -12, 1e-9);
+    EXPECT_NEAR(moved.endMm, cut.endMm + 12, 1e-9);
+    EXPECT_GT(moved.radiusMm, cut.radiusMm);
 }
 
 } // namespace

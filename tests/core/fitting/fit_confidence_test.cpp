@@ -101,6 +101,66 @@ TEST(FitConfidence, DoubtsSilhouettesThatOverlapTooLittleForTheirNoise) {
     EXPECT_GT(core::doubtOf(confidence), core::kTrustedDoubt) << "as a hand of another size does";
 }
 
+/// The same hand, larger: its poses are the same.
+core::HandModel scaled(core::HandModel hand, double factor) {
+    for (Eigen::Vector3d& vertex : hand.mesh.vertices)
+        vertex *= factor;
+    for (core::Bone& bone : hand.skeleton.bones)
+        bone.worldFromBoneAtRest.translation *= factor;
+    hand.skeleton.centreAtRest *= factor;
+    return hand;
+}
+
+core::FitConfidence confidenceOf(const std::vector<core::HandModel>& hands, const std::vector<core::Camera>& cameras,
+                                 const test::FittingScene& scene) {
+    const core::PoseEstimator estimator(hands, cameras);
+    return *estimator.fit(scene.masks, scene.start, core::parseMethod("best"), {}, {}, 1, {.confidence = true})
+                .confidence;
+}
+
+TEST(FitConfidence, TheSystematicPartOfTheRightHandsAndCamerasIsSmall) {
+    const test::FittingScene scene("systematic", 6);
+    const core::FitConfidence own = confidenceOf(scene.hands, scene.cameras, scene);
+    EXPECT_NEAR(own.systematic.scale, 1, 0.01);
+    EXPECT_LT(std::abs(own.systematic.girthMm), 0.4);
+    EXPECT_LT(own.systematic.shiftPx, 0.5);
+    EXPECT_LT(own.systematic.jointMm, 0.6);
+    EXPECT_LT(own.doubt, core::kTrustedDoubt);
+}
+
+TEST(FitConfidence, NoticesThatThePersonsHandsAreLarger) {
+    const test::FittingScene scene("systematic", 6);
+    const core::FitConfidence own = confidenceOf(scene.hands, scene.cameras, scene);
+    const core::FitConfidence small =
+        confidenceOf({scaled(scene.hands[0], 1 / 1.06), scaled(scene.hands[1], 1 / 1.06)}, scene.cameras, scene);
+    EXPECT_GT(small.systematic.scale, 1.025);
+    EXPECT_LT(small.systematic.scale, 1.09);
+    EXPECT_GT(small.systematic.jointMm, 2 * own.systematic.jointMm);
+    EXPECT_GT(small.doubt, own.doubt);
+}
+
+TEST(FitConfidence, NoticesPicturesThatAreShifted) {
+    const test::FittingScene scene("systematic", 6);
+    std::vector<core::Camera> moved = scene.cameras;
+    for (std::size_t c = 0; c < moved.size(); ++c) {
+        moved[c].intrinsics(0, 2) += c % 2 == 0 ? 4 : -4;
+        moved[c].intrinsics(1, 2) += c % 3 == 0 ? 4 : -4;
+    }
+    const core::FitConfidence shifted = confidenceOf(scene.hands, moved, scene);
+    EXPECT_GT(shifted.systematic.shiftPx, 2);
+    EXPECT_LT(shifted.systematic.shiftPx, 8);
+}
+
+TEST(FitConfidence, DoubtsWhatAnotherHandOrAnotherCalibrationWouldMove) {
+    core::FitConfidence confidence;
+    confidence.overlap = 0.95;
+    const double same = core::doubtOf(confidence);
+    confidence.systematic.jointMm = 0.8;
+    EXPECT_EQ(core::doubtOf(confidence), same) << "as measured hands do";
+    confidence.systematic.jointMm = 1.7;
+    EXPECT_GT(core::doubtOf(confidence), core::kTrustedDoubt);
+}
+
 TEST(FitConfidence, TheRealTimeVariantAndEmptyMasksHaveNone) {
     test::FittingScene scene("doubt", 5);
     const core::PoseEstimator estimator(scene.hands, scene.cameras);
