@@ -107,7 +107,7 @@ void ProposalReview::look(const AnnotationSet& set, const AnnotationSet& propose
         if (waits && !now.hasPoint())
             seen.openJoints[joint] = doubt;
         else if (guess && now.hasPoint())
-            seen.movedMm.push_back((now.result.point->pointInWorld - guess->pointInWorld).norm());
+            seen.movedMm.push_back(now.isAccepted ? 0 : (now.result.point->pointInWorld - guess->pointInWorld).norm());
         else if (guess && now.placedViews > now.manualViews)
             seen.movedMm.push_back(0); // accepted as it was
         if (now.hasPoint())

@@ -68,6 +68,7 @@ ReviewProgress reviewProgress(const std::vector<ReviewFrame>& frames, const Revi
         if (frame.isReviewed && frame.movedMm)
             moved.push_back(frame);
     ReviewProgress progress;
+    progress.isCorrected = std::any_of(moved.begin(), moved.end(), [](const ReviewFrame& f) { return *f.movedMm > 0; });
     double sum = 0;
     for (const ReviewFrame& frame : frames) {
         if (frame.isReviewed)
@@ -76,7 +77,7 @@ ReviewProgress reviewProgress(const std::vector<ReviewFrame>& frames, const Revi
         progress.doubtful += frame.doubt >= options.sureDoubt ? 1 : 0;
         sum += moved.empty() ? 0 : expectedMm(frame.doubt, moved);
     }
-    if (progress.left > 0 && static_cast<int>(moved.size()) >= kFewestMoved)
+    if (progress.left > 0 && progress.isCorrected && static_cast<int>(moved.size()) >= kFewestMoved)
         progress.expectedErrorMm = sum / progress.left;
     return progress;
 }

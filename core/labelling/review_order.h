@@ -39,8 +39,10 @@ struct ReviewProgress {
     int left = 0;     ///< frames that nobody has looked at
     int doubtful = 0; ///< of these, with a doubt of options.sureDoubt or more
     /// Mean error to be expected of the frames that are left, mm: what reviewed frames with about their doubts were
-    /// moved by. None while fewer than three frames say how far they were moved.
+    /// moved by. None while fewer than three frames say how far they were moved, and while nothing was moved at all: a
+    /// look alone finds no error of a few mm.
     std::optional<double> expectedErrorMm;
+    bool isCorrected = false; ///< something was moved in a reviewed frame
 };
 ReviewProgress reviewProgress(const std::vector<ReviewFrame>& frames, const ReviewOptions& options = {});
 

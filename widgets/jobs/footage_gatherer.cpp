@@ -28,12 +28,11 @@ bool isImage(const QFileInfo& file) {
 }
 
 bool isCalibration(const QFileInfo& file) {
-    const bool mayBe = file.isFile() && file.size() <= kMostCalibrationBytes &&
-                       hasEnding(file, "json toml yml yaml xml mat txt csv cal dat qca");
-    if (!mayBe)
+    const std::string path = file.absoluteFilePath().toStdString();
+    if (!file.isFile() || file.size() > kMostCalibrationBytes || !core::mayBeCalibration(path))
         return false;
     try {
-        core::sniffCalibration(file.absoluteFilePath().toStdString());
+        core::sniffCalibration(path);
         return true;
     } catch (const core::Error&) {
         return false;

@@ -89,6 +89,9 @@ QString reviewProgressText(const core::ReviewProgress& progress, int reviewed) {
                                  "widgets::ReviewText",
                                  "Error to be expected of those left: %1 mm a joint, as far as reviewed ones tell."))
                       .arg(localNumber(*progress.expectedErrorMm, 1))
+            : reviewed >= 3 && !progress.isCorrected
+                ? reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText",
+                                               "The error of those left is not known until a joint was corrected."))
                 : reviewText(QT_TRANSLATE_NOOP("widgets::ReviewText",
                                                "The error of those left is known once three frames are reviewed."));
     return text;

@@ -59,57 +59,64 @@ constexpr const char* kNoScale =
 /// All kinds, in the order in which they are tried: the first that looks alike is it, so a kind that takes every file
 /// of an extension stands behind those that look closer.
 constexpr Row kRows[] = {
-    {{"handlens", "cameras.json of a dataset", 1, true}, looksLikeOwnCameras, readOwnCameras, writeCameras},
-    {{"caliscope", "Caliscope's camera_array.toml (in metres)", 1000, false},
+    {{"handlens", "cameras.json of a dataset", 1, true, "json"}, looksLikeOwnCameras, readOwnCameras, writeCameras},
+    {{"caliscope", "Caliscope's camera_array.toml (in metres)", 1000, false, "toml"},
      looksLikeCaliscope,
      readCaliscope,
      nullptr},
-    {{"anipose", "calibration.toml of Anipose", 1, true}, looksLikeAnipose, readAnipose, writeAnipose},
-    {{"pose2sim", "Calib.toml of Pose2Sim (Anipose's, in metres)", 1000, false},
+    {{"anipose", "calibration.toml of Anipose", 1, true, "toml"}, looksLikeAnipose, readAnipose, writeAnipose},
+    {{"pose2sim", "Calib.toml of Pose2Sim (Anipose's, in metres)", 1000, false, "toml"},
      [](const Source&) { return false; }, // only the unit tells it from Anipose's
      readAnipose,
      nullptr},
-    {{"easymocap", "EasyMocap's intri.yml and extri.yml (usually in metres)", 1000, false},
+    {{"easymocap", "EasyMocap's intri.yml and extri.yml (usually in metres)", 1000, false, "yml yaml"},
      looksLikeEasyMocap,
      readEasyMocap,
      nullptr},
-    {{"dannce", "DANNCE's *_params.mat (a folder) or project file, Label3D's project file", 1, false},
+    {{"dannce", "DANNCE's *_params.mat (a folder) or project file, Label3D's project file", 1, false, "mat"},
      looksLikeDannce,
      readDannce,
      nullptr},
     {{"handpose3d", "a folder of handpose3d's c0.dat and rot_trans_c0.dat (the unit is not said; usually centimetres)",
-      10, false},
+      10, false, "dat"},
      looksLikeHandpose3d,
      readHandpose3d,
      nullptr,
      "these files do not say their unit of length: centimetres are assumed (--mm-per-unit 10); compare a length "
      "that you know, such as a palm's width. (In handpose3d's own example a unit is about 45 mm.)"},
-    {{"colmap", "COLMAP's text model: a folder with cameras.txt and images.txt", 1, false},
+    {{"colmap", "COLMAP's text model: a folder with cameras.txt and images.txt", 1, false, "txt"},
      looksLikeColmap,
      readColmap,
      nullptr,
      kNoScale},
-    {{"kalibr", "Kalibr's camchain.yaml (in metres)", 1000, false}, looksLikeKalibr, readKalibr, nullptr},
-    {{"jarvis", "a folder of JARVIS YAML files", 1, false}, looksLikeJarvis, readJarvis, nullptr},
-    {{"interhand", "InterHand2.6M camera JSON", 1, false}, looksLikeInterHand, readInterHand, nullptr},
-    {{"hanco", "HanCo calibration JSON (in metres)", 1000, false}, looksLikeHanCo, readHanCo, nullptr},
-    {{"nerfstudio", "transforms.json of nerfstudio", 1, false}, looksLikeNerfstudio, readNerfstudio, nullptr, kNoScale},
-    {{"dlt", "DLT coefficients, CSV with eleven rows and a column per camera", 1, false},
+    {{"kalibr", "Kalibr's camchain.yaml (in metres)", 1000, false, "yaml yml"}, looksLikeKalibr, readKalibr, nullptr},
+    {{"jarvis", "a folder of JARVIS YAML files", 1, false, "yaml yml"}, looksLikeJarvis, readJarvis, nullptr},
+    {{"interhand", "InterHand2.6M camera JSON", 1, false, "json"}, looksLikeInterHand, readInterHand, nullptr},
+    {{"hanco", "HanCo calibration JSON (in metres)", 1000, false, "json"}, looksLikeHanCo, readHanCo, nullptr},
+    {{"nerfstudio", "transforms.json of nerfstudio", 1, false, "json"},
+     looksLikeNerfstudio,
+     readNerfstudio,
+     nullptr,
+     kNoScale},
+    {{"dlt", "DLT coefficients, CSV with eleven rows and a column per camera", 1, false, "csv"},
      looksLikeDlt,
      readDlt,
      nullptr,
      "these files do not say their unit of length: millimetres are assumed; otherwise give --mm-per-unit"},
-    {{"qualisys", "calibration .qca.txt of Qualisys", 1, false}, looksLikeQualisys, readQualisys, nullptr},
-    {{"xmalab", "a folder of XMALab's MayaCam 2.0 files", 1, false},
+    {{"qualisys", "calibration .qca.txt of Qualisys", 1, false, "txt xml qca"},
+     looksLikeQualisys,
+     readQualisys,
+     nullptr},
+    {{"xmalab", "a folder of XMALab's MayaCam 2.0 files", 1, false, "txt"},
      looksLikeXmaLab,
      readXmaLab,
      nullptr,
      "these files do not say their unit of length: millimetres are assumed; otherwise give --mm-per-unit"},
-    {{"opencv", "OpenCV YAML, XML or JSON, all cameras in one file or a folder of files", 1, true},
+    {{"opencv", "OpenCV YAML, XML or JSON, all cameras in one file or a folder of files", 1, true, "yml yaml xml json"},
      looksLikeOpenCv,
      readOpenCv,
      writeOpenCv},
-    {{"tzionas", "Cameras.txt of the method's authors", 1, false},
+    {{"tzionas", "Cameras.txt of the method's authors", 1, false, "txt"},
      [](const Source& source) { return source.hasExtension({".txt"}); },
      [](const Source& source, const Options& options) { return readTzionasCameras(source.path(), options.size); },
      nullptr}};
@@ -202,6 +209,18 @@ std::string sizeNote(const std::vector<Camera>& asStored, const Options& options
 }
 
 } // namespace
+
+bool mayBeCalibration(const fs::path& file) {
+    std::string ending = file.extension().string();
+    ending.erase(0, 1);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    if (ending.empty() || ending.find(' ') != std::string::npos)
+        return false;
+    return std::any_of(std::begin(kRows), std::end(kRows), [&ending](const Row& row) {
+        return (" " + std::string(row.kind.endings) + " ").find(" " + ending + " ") != std::string::npos;
+    });
+}
 
 const std::vector<CalibrationKind>& calibrationKinds() {
     static const std::vector<CalibrationKind> kinds = [] {

@@ -18,9 +18,13 @@ struct CalibrationKind {
     std::string_view description; ///< English, for lists
     double mmPerUnit = 1;         ///< the unit that such files are usually in
     bool canWrite = false;
+    std::string_view endings = ""; ///< of the files that hold it: lower case, without dot, separated by spaces
 };
 /// All kinds, one row of the table in calibration.cpp each.
 const std::vector<CalibrationKind>& calibrationKinds();
+
+/// False if no kind has files that end so: such a file need not be opened to know that it is no calibration.
+bool mayBeCalibration(const std::filesystem::path& file);
 
 /// Which kind of calibration a file or folder holds. Throws Error(Unsupported) if it is none of the known ones.
 std::string sniffCalibration(const std::filesystem::path& path);

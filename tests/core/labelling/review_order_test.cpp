@@ -68,4 +68,14 @@ TEST(ReviewProgress, ExpectsNothingBeforeThreeFramesSayHowFarTheyWereMoved) {
     EXPECT_FALSE(core::reviewProgress({}).expectedErrorMm);
 }
 
+TEST(ReviewProgress, ExpectsNothingWhileFramesWereOnlyAccepted) {
+    std::vector<ReviewFrame> frames{{0, 0.1, true, 0}, {1, 0.1, true, 0}, {2, 0.5, true, 0}, {3, 0.1}};
+    EXPECT_FALSE(core::reviewProgress(frames).expectedErrorMm);
+    EXPECT_FALSE(core::reviewProgress(frames).isCorrected);
+    frames[1].movedMm = 0.4;
+    EXPECT_TRUE(core::reviewProgress(frames).isCorrected);
+    ASSERT_TRUE(core::reviewProgress(frames).expectedErrorMm);
+    EXPECT_GT(*core::reviewProgress(frames).expectedErrorMm, 0.1);
+}
+
 } // namespace

@@ -298,4 +298,14 @@ TEST(NaturalLess, CountsNumbersByValue) {
     EXPECT_TRUE(core::naturalLess("a1", "a01") != core::naturalLess("a01", "a1"));
 }
 
+TEST(CalibrationEndings, TellWhichFilesNeedNotBeOpened) {
+    for (const core::CalibrationKind& kind : core::calibrationKinds())
+        EXPECT_FALSE(kind.endings.empty()) << kind.name;
+    for (const char* file :
+         {"a/cameras.json", "Calib.TOML", "x.yml", "x.yaml", "c0.dat", "x.mat", "dlt.csv", "r.qca.txt"})
+        EXPECT_TRUE(core::mayBeCalibration(file)) << file;
+    for (const char* file : {"a/film.mp4", "picture.png", "json", "a.json/readme", "x.", "x.json yaml", ".json", ""})
+        EXPECT_FALSE(core::mayBeCalibration(file)) << file;
+}
+
 } // namespace
