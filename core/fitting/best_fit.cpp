@@ -136,7 +136,13 @@ public:
         , m_scorePx(refiner.silhouetteDifferencePx(best.poses)) {}
 
     /// Whether the contours are so far off that finding out by attempts whether another start is better is of no use.
-    bool isSystematic() { return m_refiner.contourNoise(m_best.poses).px > kSystematicPx; }
+    /// Only where arms are seen: silhouettes that end with the hands are searched as ever.
+    bool isSystematic() {
+        bool anyArm = false;
+        for (std::size_t h = 0; h < m_best.poses.size(); ++h)
+            anyArm = anyArm || m_refiner.hasForearm(h);
+        return anyArm && m_refiner.contourNoise(m_best.poses).px > kSystematicPx;
+    }
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
