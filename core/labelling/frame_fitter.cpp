@@ -38,6 +38,13 @@ std::vector<std::size_t> presentHands(const HandPoses& poses) {
 
 } // namespace
 
+bool FrameEvidence::showsPoses() const {
+    constexpr int kFewestViews = 3;
+    const auto hasPixels = [](const cv::Mat& picture) { return !picture.empty(); };
+    return std::max(std::count_if(pictures.begin(), pictures.end(), hasPixels),
+                    std::count_if(masks.begin(), masks.end(), hasPixels)) >= kFewestViews;
+}
+
 HandPoses FrameFit::poses() const {
     HandPoses list;
     for (const FittedHand& hand : hands)

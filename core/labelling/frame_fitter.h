@@ -18,6 +18,9 @@ struct FrameEvidence {
     std::vector<cv::Mat> pictures; ///< BGR, per camera; empty where there is none
     std::vector<cv::Mat> masks; ///< silhouettes that are given, per camera; no entries: they are made of the pictures
     std::vector<std::optional<SpatialHand>> detected; ///< per hand; no entries: nobody looked
+
+    /// Three views or more: the silhouettes of fewer do not tell where a hand is.
+    bool showsPoses() const;
 };
 
 /// What the pose of a hand rests on.

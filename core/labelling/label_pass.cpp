@@ -2,6 +2,7 @@
 #include "core/labelling/label_pass.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/labelling/landmark_fit.h"
 #include "core/labelling/pass_hands.h"
@@ -13,21 +14,17 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kFewestPilots = 3;  ///< frames that a person's hands can be measured from
-constexpr int kFewestSilhouetteViews = 3; ///< fewer do not tell where a hand is
-constexpr double kPilotDoubt = 0.3;       ///< frames with more are not measured from
+constexpr std::size_t kFewestPilots = 3; ///< frames that a person's hands can be measured from
+constexpr double kPilotDoubt = 0.3;      ///< frames with more are not measured from
+/// Landmarks that are so much longer or shorter than the model's bones are of a hand that silhouettes of this model do
+/// not find the size of; smaller differences are within what the detector may be off by.
+constexpr double kOtherScale = 0.06;
 
 std::vector<HandModel> withAllTips(const std::vector<HandModel>& hands) {
     std::vector<HandModel> result;
     for (const HandModel& hand : hands)
         result.push_back(withTips(hand));
     return result;
-}
-
-int countPictures(const FrameEvidence& evidence) {
-    const auto hasPixels = [](const cv::Mat& picture) { return !picture.empty(); };
-    return static_cast<int>(std::max(std::count_if(evidence.pictures.begin(), evidence.pictures.end(), hasPixels),
-                                     std::count_if(evidence.masks.begin(), evidence.masks.end(), hasPixels)));
 }
 
 long countHands(const FrameFit& fit) {
@@ -105,6 +102,7 @@ private:
     std::optional<FrameFitter> m_fitter;
     std::map<int, FrameFit> m_pilots; ///< fits of the models before they were measured
     long m_mostHands = 0;             ///< in one frame
+    double m_scale = 1;               ///< of the models, as landmarks show them, over those that were given
     int m_done = 0, m_total = 1;
 };
 
@@ -129,6 +127,11 @@ void Run::findUnit(const std::map<int, ViewDetections>& views) {
     }
     const double ratio = landmarksOverModelLength(m_result.hands, all);
     m_result.unitMm = unitMmOf(ratio);
+    const double scale = ratio * m_result.unitMm;
+    if (m_options.measureHands && m_options.withSilhouettes && std::abs(scale - 1) > kOtherScale && scale > 0) {
+        m_result.hands = scaledHands(m_result.hands, scale);
+        m_scale = scale;
+    }
     for (Camera& camera : m_cameras)
         camera.cameraFromWorld.translation *= m_result.unitMm;
 }
@@ -153,7 +156,7 @@ FrameFit Run::freshFit(const FrameFitter& fitter, int frame, const std::string& 
     const auto pilot = m_pilots.find(frame);
     FrameFit fit = fitter.fromLandmarks(evidence);
     const HandPoses start = pilot != m_pilots.end() && !pilot->second.isEmpty() ? pilot->second.poses() : fit.poses();
-    if (m_options.withSilhouettes && !fit.isEmpty() && countPictures(evidence) >= kFewestSilhouetteViews)
+    if (m_options.withSilhouettes && !fit.isEmpty() && evidence.showsPoses())
         fit = fitter.bySilhouettes(evidence, start, rounds, FitSource::Silhouettes, m_stop);
     if (!isStopped())
         m_source.remember(step, frame, fit);
@@ -196,8 +199,10 @@ bool Run::measureSilhouettes() {
 
 void Run::takeHands(std::vector<SubjectHand> measured) {
     m_result.measured = std::move(measured);
-    for (std::size_t h = 0; h < m_result.measured.size(); ++h)
+    for (std::size_t h = 0; h < m_result.measured.size(); ++h) {
         m_result.hands[h] = m_result.measured[h].hand;
+        m_result.measured[h].scale.value *= m_scale; // over the model as it was given
+    }
     makeFitter();
 }
 

@@ -46,7 +46,7 @@ struct PassResult {
     std::map<int, std::vector<std::optional<SpatialHand>>>
         detected;                      ///< per hand, of the frames that were looked at; mm
     std::vector<HandModel> hands;      ///< whose poses the fits hold: with bones for tips, measured
-    std::vector<SubjectHand> measured; ///< empty: the models were taken as they are
+    std::vector<SubjectHand> measured; ///< empty: of the models at most the size was changed, as landmarks show it
     double unitMm = 1;                 ///< of the calibration
     bool isFinished = false;           ///< else it was stopped
 };

@@ -2,6 +2,7 @@
 #include "core/labelling/retracking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "core/labelling/landmark_fit.h"
@@ -42,9 +43,31 @@ std::vector<JointTarget> inMm(std::vector<JointTarget> targets, double unitMm) {
     return targets;
 }
 
-/// Of the corrected frame, from its joints and then from its silhouettes; the joints alone if these contradict.
+/// Whether joints that a person has placed are elsewhere in a fit, beyond what clicks and models leave open.
+bool contradicts(const FrameFit& fit, const std::vector<HandModel>& hands, const CorrectedFrame& corrected,
+                 double unitMm) {
+    constexpr double kModelMm = 4, kSigmas = 3;
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        if (fit.hands[h].pose.size() == 0)
+            continue;
+        const auto joints = jointPositions(hands[h].skeleton, fit.hands[h].pose);
+        for (std::size_t b = 0; b < joints.size(); ++b) {
+            const auto placed = corrected.joints.find(JointId{hands[h].side, hands[h].skeleton.bones[b].name});
+            if (placed == corrected.joints.end())
+                continue;
+            const double sigmaMm = unitMm * std::sqrt(placed->second.covariance.trace());
+            if ((joints[b] - unitMm * placed->second.pointInWorld).norm() > kModelMm + kSigmas * sigmaMm)
+                return true;
+        }
+    }
+    return false;
+}
+
+/// Of the corrected frame, from its joints and then from its silhouettes; the joints alone if these contradict, or if
+/// there are too few views of them.
 FrameFit correctedFit(const FrameFitter& fitter, const std::vector<std::vector<JointTarget>>& targets,
-                      const FrameEvidence& evidence, double leastDoubt, const std::stop_token& stop) {
+                      const FrameEvidence& evidence, const CorrectedFrame& corrected, double unitMm, double leastDoubt,
+                      const std::stop_token& stop) {
     FrameFit fit;
     fit.source = FitSource::Correction;
     fit.hands.resize(targets.size());
@@ -55,10 +78,10 @@ FrameFit correctedFit(const FrameFitter& fitter, const std::vector<std::vector<J
         if (auto found = fitToTargets(hand, targets[h], usualStarts(hand.skeleton), options))
             fit.hands[h] = {std::move(found->pose), std::move(found->jointCovarianceMm2), 0};
     }
-    if (fit.isEmpty())
+    if (fit.isEmpty() || !evidence.showsPoses())
         return fit;
     FrameFit refined = fitter.bySilhouettes(evidence, fit.poses(), 2, FitSource::Correction, stop);
-    return refined.doubt() < leastDoubt ? refined : fit;
+    return refined.doubt() < leastDoubt && !contradicts(refined, fitter.hands(), corrected, unitMm) ? refined : fit;
 }
 
 } // namespace
@@ -81,7 +104,8 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
     for (Camera& camera : metric)
         camera.cameraFromWorld.translation *= result.unitMm;
     const FrameFitter fitter(result.hands, metric, options.threads);
-    const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), options.leastDoubt, stop);
+    const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), corrected, result.unitMm,
+                                        options.leastDoubt, stop);
     if (start.isEmpty() || stop.stop_requested())
         return result;
     int done = 0;
@@ -100,8 +124,11 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
         while (const auto next = nextFrame(frames, at, direction, options.mostGapFrames)) {
             if (stop.stop_requested() || std::binary_search(reviewed.begin(), reviewed.end(), *next))
                 break;
-            FrameFit fit = fitter.bySilhouettes(
-                source.evidence(*next), predictedPoses(last.poses(), before, kStepShare), 1, FitSource::Tracking, stop);
+            const FrameEvidence evidence = source.evidence(*next);
+            if (!evidence.showsPoses())
+                break;
+            FrameFit fit = fitter.bySilhouettes(evidence, predictedPoses(last.poses(), before, kStepShare), 1,
+                                                FitSource::Tracking, stop);
             if (stop.stop_requested() || fit.doubt() >= options.leastDoubt)
                 break;
             keep(*next, fit);

@@ -68,7 +68,7 @@ const std::vector<Fence>& fences() {
         {"TOML", std::regex("toml\\+\\+/.*"), std::regex("core/io/calibration/.*")},
         {"libav", std::regex("lib(av|sw)[a-z]+/.*"), std::regex("core/io/footage/.*")},
         {"matio", std::regex("matio\\.h"), std::regex("core/io/matlab/.*|tests/.*")},
-        {"zlib", std::regex("zlib\\.h"), std::regex("core/io/detector/.*|tests/.*")},
+        {"zlib", std::regex("zlib\\.h"), std::regex("core/io/(detector|matlab)/.*|tests/.*")},
         {"HDF5", std::regex("hdf5\\.h"), std::regex("core/io/hdf5/.*|tests/.*")},
         {"CLI11", std::regex("CLI/.*"), std::regex("app/.*")},
         {"spdlog", std::regex("spdlog/.*"), std::regex("(widgets/|app/).*")},

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Labels without a click and their review, on recordings that are simulated from a dataset's recorded motion: another
-// person's hands, cameras that are off, clutter, blur, few views. Prints a line per hand (error, doubt), the summary with
-// processor time, and the curve of the review: clicks, and the mean error of all frames.
-// Usage: handlens_first_pass_trial DATASET SEQUENCE [--rig exact|studio|casual] [--scale S] [--girth MM] [--cameras N]
+// person's hands, cameras that are off, clutter, blur, few views. Prints a line per hand (error, doubt), the summary
+// with processor time, and the curve of the review: clicks, and the mean error of all frames. Usage:
+// handlens_first_pass_trial DATASET SEQUENCE [--rig exact|studio|casual] [--scale S] [--girth MM] [--cameras N|--views
+// I,I]
 //        [--clutter] [--blur FRAMES] [--defocus PX] [--aside SHARE] [--first F] [--every N] [--frames N] [--seed N]
 //        [--key-every N] [--same-hands] [--review MM]
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -38,7 +40,8 @@ const char* valueOf(int argc, char** argv, const char* option, const char* other
 }
 
 bool has(int argc, char** argv, const char* option) {
-    return std::any_of(argv + 3, argv + argc, [option](const char* text) { return std::strcmp(text, option) == 0; });
+    return std::any_of(
+        argv + 3, argv + argc, [option](const char* text) { return std::strcmp(text, option) == 0; });
 }
 
 Arguments parsed(int argc, char** argv) {
@@ -55,6 +58,13 @@ Arguments parsed(int argc, char** argv) {
     recording.imperfection.girthMm = number("--girth", "0");
     recording.imperfection.forearm = recording.hasClutter = has(argc, argv, "--clutter");
     recording.cameras = static_cast<int>(number("--cameras", "8"));
+    for (const char* text = valueOf(argc, argv, "--views", ""); *text != '\0'; text += *text == ',' ? 1 : 0) {
+        char* end = nullptr;
+        recording.views.push_back(static_cast<int>(std::strtol(text, &end, 10)));
+        if (end == text)
+            break;
+        text = end;
+    }
     recording.exposureFrames = number("--blur", "0");
     recording.defocusPx = number("--defocus", "0");
     recording.asideShare = number("--aside", "0");
@@ -91,9 +101,7 @@ public:
     }
 
 private:
-    double now() const {
-        return static_cast<double>(std::clock()) / CLOCKS_PER_SEC - m_recording.drawingSeconds();
-    }
+    double now() const { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC - m_recording.drawingSeconds(); }
     const trial::Recording& m_recording;
     double m_last;
     std::array<std::pair<double, int>, 4> m_stages{};
@@ -115,8 +123,11 @@ void countHand(Errors& errors, int frame, const core::AutoHand& hand, const std:
     errors.badTrusted += isBad && hand.doubt < kTrustedDoubt;
     errors.sure += hand.doubt < kSureDoubt;
     errors.trusted += hand.doubt < kTrustedDoubt;
-    std::printf("hand,%d,%s,%d,%.2f,%.2f,%.4f\n", frame, std::string(core::sideName(hand.side)).c_str(),
-                static_cast<int>(hand.source), mean, *std::max_element(mm.begin(), mm.end()), hand.doubt);
+    double statedMm = 0;
+    for (const core::AutoJoint& joint : hand.joints)
+        statedMm += std::sqrt(joint.covariance.trace()) / static_cast<double>(hand.joints.size());
+    std::printf("hand,%d,%s,%d,%.2f,%.2f,%.4f,%.2f\n", frame, std::string(core::sideName(hand.side)).c_str(),
+                static_cast<int>(hand.source), mean, *std::max_element(mm.begin(), mm.end()), hand.doubt, statedMm);
     errors.jointsMm.insert(errors.jointsMm.end(), mm.begin(), mm.end());
 }
 
@@ -124,7 +135,7 @@ void countHand(Errors& errors, int frame, const core::AutoHand& hand, const std:
 Errors errorsOf(const trial::Recording& recording, const core::AutoLabels& labels) {
     Errors errors;
     std::vector<Eigen::Vector3d> found, truth;
-    std::printf("hand,frame,side,source,error mm,worst joint mm,doubt\n");
+    std::printf("hand,frame,side,source,error mm,worst joint mm,doubt,stated mm\n");
     for (const auto& [frame, hands] : labels) {
         for (const core::AutoHand& hand : hands) {
             std::vector<double> mm;

@@ -18,10 +18,11 @@ double processorSeconds() {
 
 core::Dataset withCameras(core::Dataset dataset, const RecordingOptions& options) {
     std::vector<core::Camera> chosen;
-    for (int i = 0; i < options.cameras; ++i) {
-        const std::size_t index =
-            static_cast<std::size_t>(i) * dataset.cameras.size() / static_cast<std::size_t>(options.cameras);
-        core::Camera& camera = chosen.emplace_back(dataset.cameras[index]);
+    const int count = options.views.empty() ? options.cameras : static_cast<int>(options.views.size());
+    for (int i = 0; i < count; ++i) {
+        const int index = options.views.empty() ? i * static_cast<int>(dataset.cameras.size()) / count
+                                                : options.views[static_cast<std::size_t>(i)];
+        core::Camera& camera = chosen.emplace_back(dataset.cameras.at(static_cast<std::size_t>(index)));
         if (i % 2 == 1)
             camera.intrinsics(0, 2) += options.asideShare * camera.size.width;
     }
@@ -39,8 +40,8 @@ Recording::Recording(core::Dataset dataset, const std::string& sequence, const c
     , m_world(core::simulatedWorld(m_dataset.hands, m_dataset.cameras, options.imperfection, options.seed))
     , m_joints(core::annotatableJoints(m_dataset.hands))
     , m_detector(networks, m_dataset.cameras) {
-    for (int frame = options.firstFrame; frame + 1 < static_cast<int>(m_motion.size()) &&
-                                         static_cast<int>(m_frames.size()) < options.mostFrames;
+    for (int frame = options.firstFrame;
+         frame + 1 < static_cast<int>(m_motion.size()) && static_cast<int>(m_frames.size()) < options.mostFrames;
          frame += options.every)
         m_frames.push_back(frame);
     for (const core::Camera& camera : m_world.cameras)
@@ -82,9 +83,9 @@ Eigen::Vector3d Recording::truth(int frame, const core::JointId& joint) const {
     for (std::size_t h = 0; h < m_world.hands.size(); ++h) {
         const core::Skeleton& skeleton = m_world.hands[h].skeleton;
         if (m_world.hands[h].side == joint.hand)
-            return core::jointPositions(
-                skeleton,
-                m_motion[static_cast<std::size_t>(frame)][h])[static_cast<std::size_t>(skeleton.boneIndex(joint.joint))];
+            return core::jointPositions(skeleton,
+                                        m_motion[static_cast<std::size_t>(frame)]
+                                                [h])[static_cast<std::size_t>(skeleton.boneIndex(joint.joint))];
     }
     return Eigen::Vector3d::Zero();
 }

@@ -16,11 +16,12 @@ namespace trial {
 /// How a simulated recording is made of a dataset's recorded motion.
 struct RecordingOptions {
     core::Imperfection imperfection;
-    int cameras = 8;              ///< of the dataset's, evenly drawn
-    bool hasClutter = false;      ///< a room behind the hands, sleeves and noise; else a plain backdrop
-    double exposureFrames = 0;    ///< motion blur
-    double defocusPx = 0;         ///< blur
-    double asideShare = 0;        ///< of the picture's width by which every second camera looks past the hands
+    int cameras = 8;           ///< of the dataset's, evenly drawn
+    std::vector<int> views;    ///< these instead, by index
+    bool hasClutter = false;   ///< a room behind the hands, sleeves and noise; else a plain backdrop
+    double exposureFrames = 0; ///< motion blur
+    double defocusPx = 0;      ///< blur
+    double asideShare = 0;     ///< of the picture's width by which every second camera looks past the hands
     int firstFrame = 18;
     int every = 14;
     int mostFrames = 1000;

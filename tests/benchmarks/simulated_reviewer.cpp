@@ -37,8 +37,7 @@ SimulatedReviewer::SimulatedReviewer(Recording& recording, core::PassResult pass
 
 /// As the window and the command line make proposals of labels.
 void SimulatedReviewer::takeLabels(const core::AutoLabels& labels) {
-    const core::Edit edit =
-        core::autoLabelEdit(m_set, m_recording.dataset(), labels, kRater, m_recording.joints());
+    const core::Edit edit = core::autoLabelEdit(m_set, m_recording.dataset(), labels, kRater, m_recording.joints());
     core::followProposals(m_proposed, edit);
     for (const auto& [frame, hands] : labels)
         for (const core::AutoHand& hand : hands)
@@ -108,16 +107,15 @@ std::vector<core::JointId> SimulatedReviewer::jointsToCorrect(const core::Propos
     std::vector<core::JointId> missing;
     core::JointId worst = why.joint;
     double worstPx = offPx(why.frame, why.joint);
-    const bool isListed = std::find(m_recording.joints().begin(), m_recording.joints().end(), why.joint) !=
-                          m_recording.joints().end();
+    const bool isListed =
+        std::find(m_recording.joints().begin(), m_recording.joints().end(), why.joint) != m_recording.joints().end();
     if (isListed && worstPx >= m_options.seenPx && pointOf(why.frame, why.joint))
         return {why.joint};
-    for (const core::JointId& joint : m_recording.joints()) {
+    for (const core::JointId& joint : m_recording.joints())
         if (!pointOf(why.frame, joint))
             missing.push_back(joint);
         else if (const double px = offPx(why.frame, joint); px > worstPx || !isListed)
             worst = joint, worstPx = px;
-    }
     if (!missing.empty())
         return missing;
     return worstPx >= m_options.seenPx ? std::vector{worst} : std::vector<core::JointId>{};
@@ -161,8 +159,7 @@ void SimulatedReviewer::correct(int frame, const core::JointId& joint) {
 
 core::CorrectedFrame SimulatedReviewer::corrected(int frame) const {
     core::CorrectedFrame corrected{frame, {}};
-    for (auto& [id, joint] :
-         core::reconstructFrame(m_set, m_recording.dataset().cameras, frame, kRater, kQuick))
+    for (auto& [id, joint] : core::reconstructFrame(m_set, m_recording.dataset().cameras, frame, kRater, kQuick))
         if (joint.hasPoint())
             corrected.joints.emplace(id, *joint.result.point);
     return corrected;
@@ -189,8 +186,8 @@ bool SimulatedReviewer::reviewOne() {
     if (order.empty())
         return false;
     m_last = order.front().frame;
-    const auto why = std::find_if(
-        frames.begin(), frames.end(), [this](const core::ProposedFrame& frame) { return frame.frame == m_last; });
+    const auto why = std::find_if(frames.begin(), frames.end(),
+                                  [this](const core::ProposedFrame& frame) { return frame.frame == m_last; });
     const auto joints = jointsToCorrect(*why);
     m_act = joints.empty() ? "accepted" : core::jointLabel(joints.front());
     for (const core::JointId& joint : joints)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/formats/ground_truth_file.h"
 
+#include <algorithm>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -19,12 +20,15 @@ using nlohmann::ordered_json;
 namespace {
 
 ordered_json viewJson(const ViewReconstruction& view) {
-    return {{"camera", view.camera},
-            {"px", {view.mark->px.x(), view.mark->px.y()}},
-            {"state", stateName(view.outside ? MarkState::Occluded
-                                             : view.mark->state)}, // a place outside the picture is not visible
-            {"placement", placementName(view.mark->placement)},
-            {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
+    ordered_json json{
+        {"camera", view.camera},
+        {"px", {view.mark->px.x(), view.mark->px.y()}},
+        {"state", stateName(view.outside ? MarkState::Occluded : view.mark->state)}, // outside the picture: not visible
+        {"placement", placementName(view.mark->placement)},
+        {"errorPx", view.errorPx ? ordered_json(*view.errorPx) : ordered_json()}};
+    if (view.mark->isAcceptedGuess())
+        json["likelihood"] = *view.mark->likelihood;
+    return json;
 }
 
 /// Names of all joints: those of the hands, then others that are annotated.
@@ -112,12 +116,25 @@ namespace {
 
 Mark markFromJson(const json& view, const std::string& file, const std::string& field) {
     const std::vector<double> px = jsonNumbers(view["px"], 2, file, field + ".px");
-    return {{px[0], px[1]},
-            *placementFromName(view["placement"].get<std::string>()),
-            *stateFromName(view["state"].get<std::string>())};
+    Mark mark{{px[0], px[1]},
+              *placementFromName(view["placement"].get<std::string>()),
+              *stateFromName(view["state"].get<std::string>())};
+    if (mark.placement == Placement::Auto && view.contains("likelihood"))
+        mark.likelihood = view["likelihood"].get<double>();
+    return mark;
 }
 
-void readJoint(const json& joint, const MarkKey& where, const std::string& file, ImportNotes& notes,
+/// Files of before do not say which marks are accepted guesses of a program: those of a joint that has a place, and
+/// neither a click nor a residual.
+bool isAcceptedUnsaid(const json& joint) {
+    return !joint["xyz"].is_null() && joint["rmsPx"].is_null() &&
+           std::all_of(
+               joint["views"].begin(), joint["views"].end(),
+               [](const json& view) { return view["placement"] == "auto" && !view.contains("likelihood"); });
+}
+
+/// `isProgram`: a program labelled the hand, and nobody has looked at it.
+void readJoint(const json& joint, const MarkKey& where, bool isProgram, const std::string& file, ImportNotes& notes,
                AnnotationSet& set) {
     const auto add = [&](const std::string& camera, const Mark& mark) {
         MarkKey key = where;
@@ -126,9 +143,13 @@ void readJoint(const json& joint, const MarkKey& where, const std::string& file,
             throw Error(ErrorCode::BadInput, file, "frame " + std::to_string(key.frame) + ", " + jointLabel(key.joint),
                         "camera \"" + camera + "\" occurs twice");
     };
+    constexpr double kUnknownLikelihood = 0.5;
+    const bool isAccepted = isAcceptedUnsaid(joint) && !isProgram;
     for (const json& view : joint["views"]) {
-        add(view["camera"],
-            markFromJson(view, file, "frame " + std::to_string(where.frame) + ", " + jointLabel(where.joint)));
+        Mark mark = markFromJson(view, file, "frame " + std::to_string(where.frame) + ", " + jointLabel(where.joint));
+        if (isAccepted)
+            mark.likelihood = kUnknownLikelihood;
+        add(view["camera"], mark);
     }
     for (const json& camera : joint["unplaceable"])
         add(camera, Mark{Eigen::Vector2d::Zero(), Placement::Manual, MarkState::Unplaceable});
@@ -150,8 +171,8 @@ ImportedAnnotations readGroundTruth(const std::filesystem::path& file, const Dat
         for (const json& rater : frame["raters"]) {
             for (const auto& [hand, joints] : rater["hands"].items()) {
                 for (const auto& [name, joint] : joints["joints"].items()) {
-                    readJoint(joint, {number, rater["rater"], {*sideFromName(hand), name}, {}}, file.string(), notes,
-                              set);
+                    readJoint(joint, {number, rater["rater"], {*sideFromName(hand), name}, {}},
+                              joints.contains("doubt"), file.string(), notes, set);
                 }
             }
         }

@@ -87,6 +87,35 @@ bool isNumber(hid_t type) {
     return kind == H5T_INTEGER || kind == H5T_FLOAT || kind == H5T_ENUM;
 }
 
+/// Whether a dataset's numbers can lie in the file: within it where they lie in one piece, and not more than packing
+/// makes of it where they lie in parts. The library believes what a damaged file says.
+bool isPlausible(hid_t data, hsize_t count, std::size_t elementBytes, hsize_t fileBytes) {
+    constexpr hsize_t kMostPacking = 1100; // deflate's is 1032
+    constexpr hsize_t kSmallBytes = 1 << 26;
+    const hsize_t stored = H5Dget_storage_size(data);
+    const Id creation(H5Dget_create_plist(data), H5Pclose);
+    const H5D_layout_t layout = creation.isValid() ? H5Pget_layout(creation) : H5D_LAYOUT_ERROR;
+    if (layout == H5D_CHUNKED) {
+        hsize_t chunk[H5S_MAX_RANK] = {};
+        hsize_t chunkBytes = elementBytes;
+        const int rank = H5Pget_chunk(creation, H5S_MAX_RANK, chunk);
+        for (int axis = 0; axis < rank; ++axis) {
+            if (chunk[axis] == 0 || chunkBytes > (hsize_t(1) << 32) / chunk[axis])
+                return false;
+            chunkBytes *= chunk[axis];
+        }
+        const hsize_t most = std::max(kSmallBytes, fileBytes * kMostPacking);
+        return rank > 0 && stored <= fileBytes && chunkBytes <= most && count * elementBytes <= most;
+    }
+    if (layout == H5D_CONTIGUOUS && stored > 0) {
+        const haddr_t at = H5Dget_offset(data);
+        return at == HADDR_UNDEF || (stored >= count * elementBytes && at <= fileBytes && stored <= fileBytes - at);
+    }
+    if (layout == H5D_COMPACT) // within the dataset's own description
+        return stored <= fileBytes && stored >= count * elementBytes;
+    return layout != H5D_LAYOUT_ERROR; // never written, or in other files
+}
+
 /// A dataset with its type, its extent and its number of elements.
 struct OpenDataset {
     OpenDataset(const Hdf5File& file, std::int64_t id, const std::string& path)
@@ -99,6 +128,8 @@ struct OpenDataset {
         if (points < 0 || static_cast<hsize_t>(points) > kMostElements || H5Tget_size(type) > kMostElementBytes)
             file.refuse(path, "is damaged or too large");
         count = static_cast<std::size_t>(points);
+        if (!isPlausible(data, count, H5Tget_size(type), file.bytes()))
+            file.refuse(path, "is damaged or too large");
     }
     Id data, type, space;
     std::size_t count = 0;
@@ -157,6 +188,35 @@ bool Hdf5File::has(const std::string& path) const {
             return false;
     return path == "/" || (H5Lexists(m_file, path.c_str(), H5P_DEFAULT) > 0 &&
                            H5Oexists_by_name(m_file, path.c_str(), H5P_DEFAULT) > 0);
+}
+
+std::uintmax_t Hdf5File::bytes() const {
+    std::error_code ignored;
+    return fs::file_size(m_name, ignored);
+}
+
+void Hdf5File::checkDatasets() const {
+    struct Visit {
+        const Hdf5File& file;
+        std::int64_t id;
+        std::optional<Error> error{};
+    } visit{*this, m_file};
+    const auto look = [](hid_t, const char* name, const H5O_info_t* info, void* to) -> herr_t {
+        Visit& work = *static_cast<Visit*>(to);
+        if (info->type != H5O_TYPE_DATASET)
+            return 0;
+        try {
+            OpenDataset(work.file, work.id, name);
+        } catch (const Error& error) { // not through the library, which is written in C
+            work.error = error;
+            return 1;
+        }
+        return 0;
+    };
+    if (H5Ovisit2(m_file, H5_INDEX_NAME, H5_ITER_NATIVE, look, &visit, H5O_INFO_BASIC) < 0)
+        refuse("", "is damaged");
+    if (visit.error)
+        throw Error(*visit.error);
 }
 
 std::vector<std::string> Hdf5File::childrenOf(const std::string& group) const {

@@ -52,6 +52,11 @@ public:
     std::optional<std::string> textAttribute(const std::string& path, const std::string& attribute) const;
     std::optional<double> numberAttribute(const std::string& path, const std::string& attribute) const;
 
+    std::uintmax_t bytes() const; ///< size of the file
+    /// Throws Error(BadInput) naming the first dataset that claims more than the file can hold. Readers of this class
+    /// check what they read; this is for other programs' readers of the same file.
+    void checkDatasets() const;
+
     /// An error about a dataset of this file.
     [[noreturn]] void refuse(const std::string& path, const std::string& what) const;
 

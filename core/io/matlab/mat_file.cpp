@@ -2,11 +2,14 @@
 #include "core/io/matlab/mat_file.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 
 #include <matio.h>
 
 #include "core/error.h"
 #include "core/io/hdf5/hdf5_file.h"
+#include "core/io/matlab/mat_claims.h"
 
 namespace core {
 
@@ -89,6 +92,25 @@ bool holdsParts(const matvar_t& variable, std::size_t parts) {
 
 /// A file may claim any size; no table of annotations comes near.
 constexpr std::size_t kMostElements = 200'000'000;
+
+/// Refuses what matio cannot read, or only with more memory than there is.
+void checkContent(const fs::path& file) {
+    std::array<char, 128> header{};
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored) ||
+        !std::ifstream(file, std::ios::binary).read(header.data(), header.size()))
+        throw Error(ErrorCode::BadInput, file.string(), "", "is not a readable MATLAB file");
+    const bool isBigEndian = header[126] == 'M' && header[127] == 'I';
+    const bool isLittleEndian = header[126] == 'I' && header[127] == 'M';
+    const int level = isBigEndian ? header[124] : header[125];
+    if ((!isBigEndian && !isLittleEndian) || (level != 1 && level != 2))
+        throw Error(ErrorCode::BadInput, file.string(), "",
+                    "is not a readable MATLAB file: levels 5 and 7.3 are read (save with -v7)");
+    if (level == 1)
+        checkMatClaims(file);
+    else
+        Hdf5File(file).checkDatasets();
+}
 
 } // namespace
 
@@ -197,9 +219,8 @@ MatFile::MatFile(const fs::path& file)
     m_file->lock = lockHdf5();
     Mat_LogInit("handlens");
     Mat_LogInitFunc("handlens", [](int, char*) {}); // its messages are ours to give
-    constexpr std::uintmax_t kHeaderBytes = 128;
-    if (fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) >= kHeaderBytes)
-        m_file->file = Mat_Open(m_name.c_str(), MAT_ACC_RDONLY);
+    checkContent(file);
+    m_file->file = Mat_Open(m_name.c_str(), MAT_ACC_RDONLY);
     if (!m_file->file)
         refuse("", "is not a readable MATLAB file");
 }

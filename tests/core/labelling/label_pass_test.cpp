@@ -86,19 +86,22 @@ TEST(LabelPass, FindsNothingWhereTheDetectorSeesNothing) {
     EXPECT_TRUE(core::autoLabels(result, scene.cameras).empty());
 }
 
+/// Of another size than the models; much larger ones are found by their landmarks first.
 TEST(LabelPass, MeasuresThePersonsHands) {
-    SimulatedPass scene("other hand");
-    scene.person = core::scaledHands(scene.hands, 1.04);
-    auto settings = options(true);
-    settings.keyEveryFrames = 12;
-    settings.mostPilots = 5;
-    const auto frames = framesFrom(20, 5, 12);
-    const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, settings);
-    ASSERT_EQ(result.measured.size(), 2u);
-    for (const core::SubjectHand& hand : result.measured)
-        EXPECT_NEAR(hand.scale.value, 1.04, 0.012);
-    for (const int frame : frames)
-        EXPECT_LT(scene.errorMm(result.fits.at(frame), result.hands, frame), 2) << frame;
+    for (const double scale : {1.04, 1.13}) {
+        SimulatedPass scene("other hand");
+        scene.person = core::scaledHands(scene.hands, scale);
+        auto settings = options(true);
+        settings.keyEveryFrames = 12;
+        settings.mostPilots = 5;
+        const auto frames = framesFrom(20, 5, 12);
+        const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, settings);
+        ASSERT_EQ(result.measured.size(), 2u) << scale;
+        for (const core::SubjectHand& hand : result.measured)
+            EXPECT_NEAR(hand.scale.value, scale, 0.012);
+        for (const int frame : frames)
+            EXPECT_LT(scene.errorMm(result.fits.at(frame), result.hands, frame), 2) << frame;
+    }
 }
 
 TEST(LabelPass, OfTwoViewsKeepsToTheLandmarks) {
@@ -126,12 +129,13 @@ TEST(LabelPass, LabelsAreInTheCalibrationsUnit) {
         EXPECT_LT((view.px - *core::project(cameras[static_cast<std::size_t>(view.camera)], truth[3] / 10)).norm(), 3);
 }
 
-TEST(Retracking, GoesFromACorrectedFrameToBothSidesUpToAReviewedOne) {
-    SimulatedPass scene("retrack");
+/// As a person who places every joint where it is.
+core::CorrectedFrame correctedAt(const SimulatedPass& scene, int frame) {
     core::CorrectedFrame corrected;
-    corrected.frame = 50;
+    corrected.frame = frame;
     for (std::size_t h = 0; h < 2; ++h) {
-        const auto truth = core::jointPositions(scene.hands[h].skeleton, scene.motion[50][h]);
+        const auto truth =
+            core::jointPositions(scene.hands[h].skeleton, scene.motion[static_cast<std::size_t>(frame)][h]);
         for (std::size_t b = 0; b < truth.size(); ++b) {
             core::TriangulatedPoint point;
             point.pointInWorld = truth[b];
@@ -139,7 +143,13 @@ TEST(Retracking, GoesFromACorrectedFrameToBothSidesUpToAReviewedOne) {
             corrected.joints[{scene.hands[h].side, scene.hands[h].skeleton.bones[b].name}] = point;
         }
     }
-    const auto result = core::retrack(scene.hands, scene.cameras, corrected, framesFrom(47, 7), {52}, scene, options());
+    return corrected;
+}
+
+TEST(Retracking, GoesFromACorrectedFrameToBothSidesUpToAReviewedOne) {
+    SimulatedPass scene("retrack");
+    const auto result =
+        core::retrack(scene.hands, scene.cameras, correctedAt(scene, 50), framesFrom(47, 7), {52}, scene, options());
     std::vector<int> reached;
     for (const auto& [frame, fit] : result.fits) {
         reached.push_back(frame);
@@ -147,6 +157,27 @@ TEST(Retracking, GoesFromACorrectedFrameToBothSidesUpToAReviewedOne) {
     }
     EXPECT_EQ(reached, (std::vector{47, 48, 49, 50, 51}));
     EXPECT_EQ(scene.detectCalls, 0);
+}
+
+TEST(Retracking, TwoViewsDoNotTellTheNeighbours) {
+    SimulatedPass scene("two views", 2);
+    const auto result =
+        core::retrack(scene.hands, scene.cameras, correctedAt(scene, 50), framesFrom(47, 7), {}, scene, options());
+    ASSERT_EQ(result.fits.size(), 1u);
+    EXPECT_LT(scene.errorMm(result.fits.at(50), result.hands, 50), 1.5);
+}
+
+/// A person who places the fingertips of a hand elsewhere is followed, whatever the silhouettes say.
+TEST(Retracking, ThePersonsJointsCountMoreThanSilhouettes) {
+    SimulatedPass scene("moved");
+    auto corrected = correctedAt(scene, 50);
+    for (auto& [id, point] : corrected.joints)
+        if (id.hand == core::Side::Left)
+            point.pointInWorld += Eigen::Vector3d(0, 0, 15);
+    const auto result = core::retrack(scene.hands, scene.cameras, corrected, {50}, {}, scene, options());
+    const auto joints = core::jointPositions(result.hands[0].skeleton, result.fits.at(50).hands[0].pose);
+    const auto wrist = corrected.joints.at({core::Side::Left, result.hands[0].skeleton.bones[0].name}).pointInWorld;
+    EXPECT_LT((joints[0] - wrist).norm(), 4);
 }
 
 } // namespace

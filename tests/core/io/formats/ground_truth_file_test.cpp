@@ -6,10 +6,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/annotation/edits.h"
 #include "core/error.h"
 #include "core/io/files/json_file.h"
 #include "core/io/formats/annotation_formats.h"
 #include "tests/support/clicks.h"
+#include "tests/support/expect_error.h"
 #include "tests/support/recordings/ring_dataset.h"
 #include "tests/support/temporary_folder.h"
 
@@ -113,6 +115,45 @@ TEST_F(GroundTruthFile, ReadsBackExactly) {
     const auto back = read();
     EXPECT_EQ(back.set, m_set);
     EXPECT_TRUE(back.warnings.empty());
+}
+
+/// A joint that a program proposed and a person accepted as it stood keeps its place through a file.
+TEST_F(GroundTruthFile, AcceptedProposalsKeepTheirPlace) {
+    const JointId joint{Side::Right, "ring_pip"};
+    core::apply(m_set, core::proposeEdit(m_set, m_dataset.cameras, 4, "ann", {{joint, {10, 20, 30}}}));
+    for (auto& [key, mark] : m_set.marks)
+        mark.likelihood = 0.875;
+    core::apply(m_set, core::acceptProposalsEdit(m_set, m_dataset.cameras, 4, "ann"));
+    write();
+    EXPECT_EQ(read().set, m_set);
+    const auto before = core::reconstruct(m_set, m_dataset.cameras, 4, "ann", joint);
+    ASSERT_TRUE(before.isAccepted);
+
+    // files of before this field
+    std::string text = test::readText(m_file);
+    for (std::size_t at; (at = text.find("\"likelihood\"")) != std::string::npos;) {
+        const std::size_t comma = text.rfind(',', at), end = text.find_first_of(",}", at);
+        text.erase(comma, end - comma);
+    }
+    test::writeText(m_file, text);
+    const auto after = core::reconstruct(read().set, m_dataset.cameras, 4, "ann", joint);
+    ASSERT_TRUE(after.isAccepted);
+    EXPECT_EQ(after.result.point->pointInWorld, before.result.point->pointInWorld);
+}
+
+TEST_F(GroundTruthFile, WhatNobodyLookedAtIsNotAccepted) {
+    const JointId joint{Side::Right, "ring_pip"};
+    core::apply(m_set, core::proposeEdit(m_set, m_dataset.cameras, 4, "auto", {{joint, {10, 20, 30}}}));
+    core::apply(m_set, core::acceptProposalsEdit(m_set, m_dataset.cameras, 4, "auto"));
+    for (auto& [key, mark] : m_set.marks)
+        mark.likelihood.reset();
+    write();
+    nlohmann::json value = content();
+    nlohmann::json& hand = value["frames"][0]["raters"][0]["hands"]["right"];
+    hand["doubt"] = 0.1;
+    hand["joints"]["ring_pip"]["xyz"] = {10, 20, 30};
+    test::writeText(m_file, value.dump());
+    EXPECT_FALSE(core::reconstruct(read().set, m_dataset.cameras, 4, "auto", joint).hasPoint());
 }
 
 TEST_F(GroundTruthFile, HoldsOneRaterIfAsked) {

@@ -15,12 +15,12 @@ using core::ErrorCode::BadInput;
 
 class MatFiles : public testing::TestWithParam<mat_ft> {
 protected:
-    void write(const std::vector<matvar_t*>& variables) {
+    void write(const std::vector<matvar_t*>& variables, matio_compression packing = MAT_COMPRESSION_NONE) {
         std::filesystem::remove(m_path);
         mat_t* file = Mat_CreateVer(m_path.c_str(), nullptr, GetParam());
         ASSERT_TRUE(file);
         for (matvar_t* variable : variables) {
-            ASSERT_EQ(Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE), 0);
+            ASSERT_EQ(Mat_VarWrite(file, variable, packing), 0);
             Mat_VarFree(variable);
         }
         Mat_Close(file);
@@ -120,6 +120,56 @@ TEST_P(MatFiles, SessionsOfLabel3dHoldPicturesOfTheCamerasSizes) {
     test::expectError([&] { core::readCalibration(m_path); }, BadInput, "imageSize", "rows and columns");
     write({doubles("labels", 1, 1, {1})});
     test::expectError([&] { core::readCalibration(m_path); }, BadInput, "file.mat: params", "is missing");
+}
+
+std::string bytesOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_P(MatFiles, PackedVariablesAreReadAndDamagedOnesRefused) {
+    write({structures("params"), letters("camnames", 2, 4, "CCaamm12"),
+           doubles("many", 40, 50, std::vector<double>(2000, 0.5))},
+          MAT_COMPRESSION_ZLIB);
+    EXPECT_EQ(core::MatFile(m_path).read("many").numbers().values, std::vector<double>(2000, 0.5));
+    EXPECT_EQ(core::MatFile(m_path).read("params").element(1).member("t").numbers().values.at(0), 11);
+    if (GetParam() != MAT_FT_MAT5)
+        return;
+    std::string bytes = bytesOf(m_path);
+    bytes[bytes.size() - 8] = static_cast<char>(bytes[bytes.size() - 8] ^ 0x40);
+    test::writeText(m_path, bytes);
+    test::expectError([&] { core::MatFile file(m_path); }, BadInput, "file.mat: variable 3", "is damaged");
+}
+
+/// The numbers of rows and of cells are made ten million times as large as the file: nothing makes room for them.
+TEST_P(MatFiles, ClaimsThatTheFileCannotHoldAreRefused) {
+    if (GetParam() != MAT_FT_MAT5)
+        GTEST_SKIP() << "claims of level 7.3 are the HDF5 library's";
+    const std::string row{'\x03', '\0', '\0', '\0', '\x05', '\0', '\0', '\0'}; // 3 x 5
+    std::size_t shape[] = {3, 5};
+    for (matvar_t* variable : {doubles("a", 3, 5, std::vector<double>(15, 1)), letters("a", 3, 5, "abcdefghijklmno"),
+                               Mat_VarCreate("a", MAT_C_CELL, MAT_T_CELL, 2, shape, nullptr, 0)}) {
+        write({doubles("first", 1, 1, {1}), variable});
+        EXPECT_EQ(core::MatFile(m_path).readShape("a").size(1), 5u);
+        std::string bytes = bytesOf(m_path);
+        const std::size_t at = bytes.find(row);
+        ASSERT_NE(at, std::string::npos);
+        bytes[at + 3] = 3; // 3 + 3 * 2^24 rows
+        test::writeText(m_path, bytes);
+        test::expectError([&] { core::MatFile file(m_path); }, BadInput, "file.mat: variable 2", "claims more");
+    }
+}
+
+TEST(MatFile, OfAnotherLevelIsRefused) {
+    const test::TemporaryFolder folder;
+    mat_t* file = Mat_CreateVer((folder / "four.mat").c_str(), nullptr, MAT_FT_MAT4);
+    std::size_t shape[] = {20, 1};
+    double values[20] = {};
+    matvar_t* variable = Mat_VarCreate("a", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, shape, values, 0);
+    Mat_VarWrite(file, variable, MAT_COMPRESSION_NONE);
+    Mat_VarFree(variable);
+    Mat_Close(file);
+    test::expectError([&] { core::MatFile(folder / "four.mat"); }, BadInput, "four.mat", "levels 5 and 7.3");
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, MatFiles, testing::Values(MAT_FT_MAT5, MAT_FT_MAT73),
