@@ -87,7 +87,8 @@ QJsonObject chooseColumns(MainWindow& window, const QJsonObject& step) {
     if (step.contains(QLatin1String("show")))
         showColumns(window, textsField(step, "show"));
     if (step.contains(QLatin1String("cameras")))
-        showCameras(window, textsField(step, "cameras"));
+        showCameras(window, step.value(QLatin1String("cameras")).toArray().isEmpty() ? QStringList()
+                                                                                     : textsField(step, "cameras"));
     return printColumns(window);
 }
 

@@ -86,6 +86,8 @@ void WhatIfPanel::takeColumns() {
             m_column->addItem(methodChip(method.toStdString()), method, method);
         const QString next = QString::fromStdString(methods.contains(QString::fromStdString(m_next)) ? m_next : m_base);
         m_column->setCurrentIndex(std::max(0, methods.indexOf(next)));
+        if (next != QString::fromStdString(m_base))
+            m_next.clear();
         makeCameraBoxes();
     }
     if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base) {

@@ -32,7 +32,7 @@ public:
     WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const DatasetSession& datasets, JobPool& pool,
                 QWidget* parent = nullptr);
 
-    /// The settings of that column; nothing for columns without a method.
+    /// Shows the settings of that column. Columns that no method made are passed over.
     void showColumn(std::size_t column);
     MethodForm* form() const { return m_form; }
     CurvePlot* plot() const { return m_plot; }
