@@ -21,7 +21,7 @@ bool isInPicture(const cv::Mat& mask, const Eigen::Vector2d& px) {
 
 /// From a covered pixel in a direction, the first place that is not covered and a margin beyond it; none if it is too
 /// far.
-std::optional<Eigen::Vector2d> placeBeside(const Coverage& coverage, const Eigen::Vector2d& from,
+std::optional<Eigen::Vector2d> placeBeside(const CoverageMask& coverage, const Eigen::Vector2d& from,
                                            const Eigen::Vector2d& direction, double pxPerMm) {
     for (double walked = 0; walked < kWidestMm * pxPerMm; walked += kWalkPx) {
         if (!coverage.covers((from + walked * direction).cast<float>())) {
@@ -35,7 +35,7 @@ std::optional<Eigen::Vector2d> placeBeside(const Coverage& coverage, const Eigen
 } // namespace
 
 void SleeveSearch::look(const Camera& camera, const ForearmCut& cut, const RigidMotion& worldFromRest,
-                        const Coverage& coverage, const cv::Mat& mask) {
+                        const CoverageMask& coverage, const cv::Mat& mask) {
     for (int slice = 0; slice < kSlices; ++slice) {
         const Eigen::Vector3d point = worldFromRest * (cut.centre - slice * kSliceMm * cut.direction);
         const double depthMm = (camera.cameraFromWorld * point).z();

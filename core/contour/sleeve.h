@@ -17,8 +17,8 @@ namespace core {
 class SleeveSearch {
 public:
     /// Adds what one camera sees. coverage: the posed hands as this camera sees them. mask: CV_8U, 0 = background.
-    void look(const Camera& camera, const ForearmCut& cut, const RigidMotion& worldFromRest, const Coverage& coverage,
-              const cv::Mat& mask);
+    void look(const Camera& camera, const ForearmCut& cut, const RigidMotion& worldFromRest,
+              const CoverageMask& coverage, const cv::Mat& mask);
     /// How far before the cut such a part begins, mm; 0 if there is none at the cut.
     double beginsMm() const;
 
