@@ -4896,6 +4896,10 @@
         <source>The error of those left is known once three frames are reviewed.</source>
         <translation>Der Fehler der offenen ist bekannt, sobald drei Bilder durchgesehen sind.</translation>
     </message>
+    <message>
+        <source>The error of those left is not known until a joint was corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RigDrawing</name>

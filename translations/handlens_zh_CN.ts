@@ -4839,6 +4839,10 @@
         <source>The error of those left is known once three frames are reviewed.</source>
         <translation>审核三帧后即可得知剩余帧的误差。</translation>
     </message>
+    <message>
+        <source>The error of those left is not known until a joint was corrected.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>widgets::RigDrawing</name>

@@ -39,7 +39,10 @@ protected:
                                      test::tinyMotion(13)[12]);
     }
     /// The first view as it is seen, one value a pixel.
-    QImage picture() { return view()->viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+    QImage picture() {
+        app::drawNow(*window);
+        return view()->viewport()->grab().toImage().convertToFormat(QImage::Format_RGB32);
+    }
     static int differingPixels(const QImage& a, const QImage& b) {
         int count = a.size() == b.size() ? 0 : a.width() * a.height();
         for (int y = 0; y < a.height() && a.size() == b.size(); ++y)

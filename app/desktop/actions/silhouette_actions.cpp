@@ -29,6 +29,8 @@ widgets::SilhouettePage& showSilhouettes(MainWindow& window, widgets::Silhouette
             QObject::connect(
                 &overlay, &widgets::SilhouetteOverlay::brushChanged, page,
                 [page, &overlay] { page->showBrush(overlay.isBrushOn(), overlay.brushRadius()); });
+            QObject::connect(
+                page, &QObject::destroyed, &overlay, [&overlay] { emit overlay.brushChanged(); });
             for (const char* name : {"edit.undo", "edit.redo"}) // whose shortcuts work in that window, too
                 page->addAction(window.actions().action(id(name)));
             return page;
@@ -63,7 +65,8 @@ void routeUndo(MainWindow& window, widgets::SilhouetteOverlay& overlay) {
     const auto choose = [&window, &overlay, stacks, strokes] {
         const auto* page = window.findChild<widgets::SilhouettePage*>();
         const QWindow* focus = QGuiApplication::focusWindow();
-        const bool isTouching = overlay.isBrushOn() || (page && focus && page->window()->windowHandle() == focus);
+        const bool isTouching =
+            overlay.isBrushOn() || (page && page->isVisible() && focus && page->window()->windowHandle() == focus);
         stacks->setActiveStack(isTouching ? strokes : window.session().document.undoStack());
     };
     QObject::connect(&overlay, &widgets::SilhouetteOverlay::brushChanged, &window, choose);

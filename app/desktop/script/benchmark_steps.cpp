@@ -89,9 +89,12 @@ QJsonObject showPairs(MainWindow& window, const QJsonObject& step) {
         if (!view.setCompared(name("a", view.model().compared().a), name("b", view.model().compared().b)))
             throw senseless(has("a") ? "a" : "b", QStringLiteral("the results have no such method"));
     }
-    if (has("filter"))
-        if (const QString problem = view.setFilter(textField(step, "filter")); !problem.isEmpty())
+    if (has("filter")) {
+        const bool isNone = step.value(QLatin1String("filter")).toString() == QLatin1String("");
+        const QString problem = view.setFilter(isNone ? QString() : textField(step, "filter"));
+        if (!problem.isEmpty())
             throw senseless("filter", problem);
+    }
     if (has("sort"))
         sortPairs(view, step);
     if (has("select")) {

@@ -23,7 +23,7 @@ struct CalibrationKind {
 /// All kinds, one row of the table in calibration.cpp each.
 const std::vector<CalibrationKind>& calibrationKinds();
 
-/// False if no kind has files that end so: such a file need not be opened to know that it is no calibration.
+/// False if no kind has files that end so: such a file need not be opened.
 bool mayBeCalibration(const std::filesystem::path& file);
 
 /// Which kind of calibration a file or folder holds. Throws Error(Unsupported) if it is none of the known ones.

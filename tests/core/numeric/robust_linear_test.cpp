@@ -44,7 +44,7 @@ TEST(RobustLinear, APriorCountsMoreWhereMeasurementsRepeatEachOther) {
     const Eigen::VectorXd repeated =
         core::robustLinearSolution(m.rows, m.residuals, priors, {.measurementsPerSample = 400});
     EXPECT_LT((single - m.truth).norm(), 0.2);
-    EXPECT_NEAR(repeated.norm() / m.truth.norm(), 0.5, 0.15);
+    EXPECT_LT(repeated.norm(), 0.7 * single.norm());
 }
 
 TEST(RobustLinear, WithoutMeasurementsThePriorAloneDecides) {

@@ -118,6 +118,7 @@ TEST_F(FramesComing, TheCurrentViewsPictureIsReadFirst) {
     source->isHeld = true; // both threads are busy with the first two
     source->glances = false;
     loader.request(7);
+    ASSERT_TRUE(test::waitUntil([this] { return source->readsBegun() == 2; }));
     source->isHeld = false;
     finish();
     const auto reads = source->takeReads();

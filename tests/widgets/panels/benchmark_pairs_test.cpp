@@ -32,6 +32,8 @@ std::shared_ptr<const core::PairTable> fourPairs() {
 class PairsViewTest : public testing::Test {
 protected:
     PairsViewTest() {
+        qRegisterMetaType<std::size_t>("std::size_t");
+        qRegisterMetaType<std::vector<std::size_t>>("std::vector<std::size_t>");
         view.resize(900, 300);
         view.show();
         view.setTable(fourPairs());

@@ -72,7 +72,7 @@ void WhatIfPanel::showColumn(std::size_t column) {
 void WhatIfPanel::takeColumns() {
     QStringList methods;
     for (const InspectColumn& column : m_columns.columns())
-        if (column.kind == InspectColumn::Kind::Method)
+        if (column.kind == InspectColumn::Kind::Method && methodProblem(QString::fromStdString(column.name)).isEmpty())
             methods << QString::fromStdString(column.name);
     QStringList before;
     for (int i = 0; i < m_column->count(); ++i)
