@@ -2756,7 +2756,7 @@
     </message>
     <message>
         <source>apart: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Abstand: %1</translation>
     </message>
 </context>
 <context>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Run selected (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Auswahl ausführen (%1)</translation>
     </message>
 </context>
 <context>
@@ -3705,7 +3705,7 @@
     <name>widgets::HistogramPlot</name>
     <message>
         <source>%1 to %2, pairs: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2, Paare: %3</translation>
     </message>
 </context>
 <context>
@@ -3908,7 +3908,7 @@
     </message>
     <message>
         <source>95 % regions</source>
-        <translation type="unfinished"></translation>
+        <translation>95-%-Bereiche</translation>
     </message>
 </context>
 <context>
@@ -4898,7 +4898,7 @@
     </message>
     <message>
         <source>The error of those left is not known until a joint was corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Fehler der übrigen ist erst bekannt, wenn ein Gelenk korrigiert wurde.</translation>
     </message>
 </context>
 <context>

@@ -2756,7 +2756,7 @@
     </message>
     <message>
         <source>apart: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>απόσταση: %1</translation>
     </message>
 </context>
 <context>
@@ -2807,7 +2807,7 @@
     </message>
     <message>
         <source>Run selected (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Εκτέλεση επιλεγμένων (%1)</translation>
     </message>
 </context>
 <context>
@@ -3705,7 +3705,7 @@
     <name>widgets::HistogramPlot</name>
     <message>
         <source>%1 to %2, pairs: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 έως %2, ζεύγη: %3</translation>
     </message>
 </context>
 <context>
@@ -3908,7 +3908,7 @@
     </message>
     <message>
         <source>95 % regions</source>
-        <translation type="unfinished"></translation>
+        <translation>Περιοχές 95 %</translation>
     </message>
 </context>
 <context>
@@ -4898,7 +4898,7 @@
     </message>
     <message>
         <source>The error of those left is not known until a joint was corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Το σφάλμα των υπολοίπων δεν είναι γνωστό μέχρι να διορθωθεί μια άρθρωση.</translation>
     </message>
 </context>
 <context>

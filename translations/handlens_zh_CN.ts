@@ -2741,7 +2741,7 @@
     </message>
     <message>
         <source>apart: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>间隔：%1</translation>
     </message>
 </context>
 <context>
@@ -2792,7 +2792,7 @@
     </message>
     <message>
         <source>Run selected (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>运行所选（%1）</translation>
     </message>
 </context>
 <context>
@@ -3671,7 +3671,7 @@
     <name>widgets::HistogramPlot</name>
     <message>
         <source>%1 to %2, pairs: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 至 %2，对数：%3</translation>
     </message>
 </context>
 <context>
@@ -3862,7 +3862,7 @@
     </message>
     <message>
         <source>95 % regions</source>
-        <translation type="unfinished"></translation>
+        <translation>95 % 区域</translation>
     </message>
 </context>
 <context>
@@ -4841,7 +4841,7 @@
     </message>
     <message>
         <source>The error of those left is not known until a joint was corrected.</source>
-        <translation type="unfinished"></translation>
+        <translation>在更正某个关节之前，其余帧的误差未知。</translation>
     </message>
 </context>
 <context>
