@@ -113,7 +113,8 @@ TEST_F(SilhouettesWindow, AStrokeIsSeenWhileItIsDrawn) {
     open();
     setBrush(true);
     const QImage before = picture();
-    const QPointF from = view()->imageToViewport({20, 20}), to = view()->imageToViewport({60, 20});
+    const double low = 0.75 * camera(0).size.height; // below the view's title
+    const QPointF from = view()->imageToViewport({20, low}), to = view()->imageToViewport({200, low});
     test::press(view()->viewport(), from);
     test::moveTo(view()->viewport(), to, Qt::LeftButton);
     EXPECT_GT(differingPixels(before, picture()), 100);

