@@ -248,12 +248,13 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, cons
                                 [&others] { return others.isExplained(); });
     if (others.isExplained() || others.explainedByNoise()())
         return true;
-    if (others.isSystematic())
-        return others.tryFingersRoughly(others.explainedByNoise());
     const auto search = [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); };
     const auto fingers = [&](const auto& explained) { return others.tryFingers(explained); };
-    return search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }) &&
-           search(fingers) &&
+    if (!search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }))
+        return false;
+    if (others.isSystematic()) // with another start, too: a lost hand alone looks the same
+        return search([&](const auto& explained) { return others.tryFingersRoughly(explained); });
+    return search(fingers) &&
            search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
            search(fingers);
 }
