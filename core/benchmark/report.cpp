@@ -2,7 +2,6 @@
 #include "core/benchmark/report.h"
 
 #include <algorithm>
-#include <cctype>
 
 #include "core/benchmark/findings.h"
 #include "core/benchmark/metrics.h"
@@ -11,6 +10,7 @@
 #include "core/fitting/method_name.h"
 #include "core/text/html_text.h"
 #include "core/text/number_text.h"
+#include "core/text/shell_text.h"
 
 namespace core {
 
@@ -157,20 +157,6 @@ std::string tablesHtml(const ReportContent& content) {
            htmlTable(resultTable(underScheduleOnly(results, Schedule::RigidFirst), content.setup)) +
            "<h2>The paper's schedule</h2>\n" +
            htmlTable(resultTable(underScheduleOnly(results, Schedule::Paper), content.setup));
-}
-
-/// A shell word: quoted only if it has to be.
-std::string shellWord(const std::string& text) {
-    const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("/._-+,:=@").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    if (plain)
-        return text;
-    std::string word = "'";
-    for (const char c : text)
-        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return word + "'";
 }
 
 } // namespace

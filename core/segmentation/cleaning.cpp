@@ -93,4 +93,16 @@ void dropSmallParts(cv::Mat& mask, int areaPx) {
     }
 }
 
+void keepReached(cv::Mat& mask, const cv::Mat& reached, double leastPx) {
+    cv::Mat parts;
+    std::vector<int> shared(static_cast<std::size_t>(cv::connectedComponents(mask, parts, 8, CV_32S)), 0);
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            shared[static_cast<std::size_t>(parts.at<int>(y, x))] += reached.at<uchar>(y, x) != 0 ? 1 : 0;
+    for (int y = 0; y < mask.rows; ++y)
+        for (int x = 0; x < mask.cols; ++x)
+            if (shared[static_cast<std::size_t>(parts.at<int>(y, x))] < leastPx)
+                mask.at<uchar>(y, x) = 0;
+}
+
 } // namespace core

@@ -19,4 +19,7 @@ cv::Mat cleaned(const cv::Mat& mask, const CleaningOptions& options = {}, const 
 /// Fills what is dark and smaller than that, and clears what is lit and smaller, px^2.
 void dropSmallParts(cv::Mat& mask, int areaPx);
 
+/// Clears the parts of a mask that share fewer than `leastPx` pixels with `reached` (of the same size).
+void keepReached(cv::Mat& mask, const cv::Mat& reached, double leastPx = 1);
+
 } // namespace core

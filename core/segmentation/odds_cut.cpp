@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/segmentation/cleaning.h"
+
 namespace core {
 
 namespace {
@@ -93,24 +95,6 @@ cv::Mat signedDistance(const cv::Mat& model) {
     return inside - outside;
 }
 
-/// Only the parts that the model reaches, without specks.
-void keepHands(cv::Mat& mask, const cv::Mat& model) {
-    cv::Mat labels, stats, centroids;
-    const int count = cv::connectedComponentsWithStats(mask, labels, stats, centroids, 8, CV_32S);
-    std::vector<int> shared(static_cast<std::size_t>(count), 0);
-    for (int y = 0; y < mask.rows; ++y)
-        for (int x = 0; x < mask.cols; ++x)
-            shared[static_cast<std::size_t>(labels.at<int>(y, x))] += model.at<std::uint8_t>(y, x) ? 1 : 0;
-    const double least = kLeastPart * cv::countNonZero(model);
-    for (int y = 0; y < mask.rows; ++y) {
-        const auto* label = labels.ptr<int>(y);
-        auto* to = mask.ptr<std::uint8_t>(y);
-        for (int x = 0; x < mask.cols; ++x)
-            if (label[x] > 0 && shared[static_cast<std::size_t>(label[x])] < least)
-                to[x] = 0;
-    }
-}
-
 } // namespace
 
 cv::Mat oddsCut(const cv::Mat& picture, const ModelInView& view, int rounds) {
@@ -133,7 +117,7 @@ cv::Mat oddsCut(const cv::Mat& picture, const ModelInView& view, int rounds) {
         cv::dilate(mask, other, cv::Mat());
         other = ~other;
     }
-    keepHands(mask, view.model);
+    keepReached(mask, view.model, kLeastPart * cv::countNonZero(view.model));
     return mask;
 }
 

@@ -108,20 +108,6 @@ std::optional<Silhouette> byModel(const cv::Mat& picture, const Camera& camera, 
                       view.cuts};
 }
 
-/// Leaves out the parts of a mask that share no pixel with `reached`.
-void keepReached(cv::Mat& mask, const cv::Mat& reached) {
-    cv::Mat parts;
-    std::vector<uchar> kept(static_cast<std::size_t>(cv::connectedComponents(mask, parts, 8, CV_32S)), 0);
-    for (int y = 0; y < mask.rows; ++y)
-        for (int x = 0; x < mask.cols; ++x)
-            if (reached.at<uchar>(y, x) != 0)
-                kept[static_cast<std::size_t>(parts.at<int>(y, x))] = 1;
-    for (int y = 0; y < mask.rows; ++y)
-        for (int x = 0; x < mask.cols; ++x)
-            if (kept[static_cast<std::size_t>(parts.at<int>(y, x))] == 0)
-                mask.at<uchar>(y, x) = 0;
-}
-
 bool isAnyKnown(const std::vector<HandInView>& hands) {
     return std::any_of(
         hands.begin(), hands.end(), [](const HandInView& hand) { return hand.isKnown(); });

@@ -12,16 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-class Script : public test::WindowTest {
-protected:
-    std::vector<json> said() const {
-        std::vector<json> lines;
-        std::istringstream stream(answers.str());
-        for (std::string line; std::getline(stream, line);)
-            lines.push_back(json::parse(line));
-        return lines;
-    }
-};
+class Script : public test::WindowTest {};
 
 TEST_F(Script, AnswersEveryStepInOneLine) {
     EXPECT_EQ(play("{\"do\":\"goto\",\"sequence\":\"b\",\"frame\":3}\n\n"

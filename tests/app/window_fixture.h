@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/script_player.h"
@@ -53,6 +54,20 @@ protected:
         answers.str({});
         errors.str({});
         return app::playScript(*window, file.fileName(), path("out"), answers, errors);
+    }
+
+    /// The answers to the steps that were played last.
+    std::vector<nlohmann::json> said() const {
+        std::vector<nlohmann::json> lines;
+        std::istringstream stream(answers.str());
+        for (std::string line; std::getline(stream, line);)
+            lines.push_back(nlohmann::json::parse(line));
+        return lines;
+    }
+    /// Plays lines of a script that has to end well; returns the answers.
+    std::vector<nlohmann::json> run(const std::string& steps) {
+        EXPECT_EQ(play(steps), 0) << errors.str();
+        return said();
     }
 
     widgets::WindowSession& session() { return window->session(); }

@@ -14,6 +14,7 @@
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/text_file.h"
 #include "core/text/html_text.h"
+#include "core/text/shell_text.h"
 #include "widgets/presenters/inspected_poses.h"
 #include "widgets/text/edit_text.h"
 #include "widgets/text/local_text.h"
@@ -181,22 +182,10 @@ std::string settingsTable(const Compared& compared) {
     return text + "</tbody>\n</table>\n";
 }
 
-/// A word of a command line; in quotes if the shell would take it apart.
-std::string shellWord(const std::string& word) {
-    const bool isPlain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                 "0123456789/._-+=:,@") == std::string::npos;
-    if (isPlain)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
-}
-
 std::string commandPart(const Compared& compared, const std::string& workspaceFile, const std::string& workspaceText) {
     const std::string folder = compared.window.session().opened.dataset()->folder.string();
     return heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "To make this page again"))) + "<pre>" +
-           htmlEscaped("handlens " + shellWord(folder) + " --workspace " + shellWord(workspaceFile) +
+           htmlEscaped("handlens " + core::shellWord(folder) + " --workspace " + core::shellWord(workspaceFile) +
                        " --offscreen --out comparison") +
            "</pre>\n" +
            paragraph(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "The file %1 holds:"))

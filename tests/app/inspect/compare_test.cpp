@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 #include <fstream>
-#include <sstream>
 
 #include <QTest>
 
@@ -20,14 +19,6 @@ using Ids = std::vector<std::string>;
 /// The columns of the Inspect workspace, on a fitted pair: frame 7 from frame 4 of the tiny dataset.
 class CompareTest : public test::WindowTest {
 protected:
-    std::vector<json> run(const std::string& steps) {
-        EXPECT_EQ(play(steps), 0) << errors.str();
-        std::vector<json> lines;
-        std::istringstream stream(answers.str());
-        for (std::string line; std::getline(stream, line);)
-            lines.push_back(json::parse(line));
-        return lines;
-    }
     void fit(const std::string& methods) {
         run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods +
             "]}\n{\"do\":\"action\",\"id\":\"workspace.inspect\"}\n");

@@ -2,7 +2,6 @@
 // What leaves the window of a comparison: layers of the results, figures, films and pages; and results of a benchmark
 // that are opened by scripts.
 #include <cmath>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 #include <opencv2/videoio.hpp>
@@ -23,14 +22,6 @@ using nlohmann::json;
 
 class ComparisonWindow : public test::WindowTest {
 protected:
-    std::vector<json> run(const std::string& steps) {
-        EXPECT_EQ(play(steps), 0) << errors.str();
-        std::vector<json> lines;
-        std::istringstream stream(answers.str());
-        for (std::string line; std::getline(stream, line);)
-            lines.push_back(json::parse(line));
-        return lines;
-    }
     void fit(const std::string& methods) { run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods + "]}\n"); }
     std::filesystem::path out(const char* name) const { return folder / "out" / name; }
     const widgets::InspectPage& page() { return *window->workspaces().inspectPage(); }

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -34,14 +33,6 @@ int largestDifference(const QImage& a, const QImage& b) {
 /// Scripts about a fitted pair: what is printed is checked against the silhouettes that the fit was to meet.
 class InspectScript : public test::WindowTest {
 protected:
-    std::vector<json> run(const std::string& steps) {
-        EXPECT_EQ(play(steps), 0) << errors.str();
-        std::vector<json> lines;
-        std::istringstream stream(answers.str());
-        for (std::string line; std::getline(stream, line);)
-            lines.push_back(json::parse(line));
-        return lines;
-    }
     void fit(const std::string& methods) { run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods + "]}\n"); }
     json matches(const std::string& method, int iteration) {
         return run("{\"do\":\"iteration\",\"to\":" + std::to_string(iteration) +

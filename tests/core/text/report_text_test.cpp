@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/text/gnuplot_text.h"
 #include "core/text/html_text.h"
+#include "core/text/shell_text.h"
 
 #include <cmath>
 
@@ -30,6 +31,13 @@ TEST(GnuplotText, FiguresStandInAPageOrSayWhyNot) {
     EXPECT_NE(drawn.find("<h3>A &amp; B</h3>\n<svg/>"), std::string::npos);
     EXPECT_NE(drawn.find("what &lt; it"), std::string::npos);
     EXPECT_NE(core::figuresHtml(figures, nullptr, "it is quick").find("gnuplot is not installed"), std::string::npos);
+}
+
+TEST(ShellWord, IsQuotedOnlyWhereTheShellWouldTakeItApart) {
+    EXPECT_EQ(core::shellWord("/data/a-1_b.json"), "/data/a-1_b.json");
+    EXPECT_EQ(core::shellWord("two words"), "'two words'");
+    EXPECT_EQ(core::shellWord("it's"), "'it'\\''s'");
+    EXPECT_EQ(core::shellWord(""), "''");
 }
 
 } // namespace

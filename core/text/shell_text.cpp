@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "core/text/shell_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+namespace core {
+
+std::string shellWord(const std::string& text) {
+    const bool plain = !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("/._-+,:=@").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (plain)
+        return text;
+    std::string word = "'";
+    for (const char c : text)
+        word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return word + "'";
+}
+
+} // namespace core
