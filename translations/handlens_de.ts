@@ -5370,6 +5370,14 @@
         <source>the file is read-only</source>
         <translation>die Datei ist schreibgeschützt</translation>
     </message>
+    <message>
+        <source>This file system has no locks: make sure that no other window has %1 open.</source>
+        <translation>Dieses Dateisystem kennt keine Sperren: achten Sie darauf, dass kein anderes Fenster %1 geöffnet hat.</translation>
+    </message>
+    <message>
+        <source>No backup could be made: %1</source>
+        <translation>Es konnte keine Sicherung angelegt werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SubjectModel</name>

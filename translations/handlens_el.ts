@@ -5370,6 +5370,14 @@
         <source>the file is read-only</source>
         <translation>το αρχείο είναι μόνο για ανάγνωση</translation>
     </message>
+    <message>
+        <source>This file system has no locks: make sure that no other window has %1 open.</source>
+        <translation>Αυτό το σύστημα αρχείων δεν έχει κλειδώματα: βεβαιωθείτε ότι κανένα άλλο παράθυρο δεν έχει ανοιχτό το %1.</translation>
+    </message>
+    <message>
+        <source>No backup could be made: %1</source>
+        <translation>Δεν ήταν δυνατή η δημιουργία αντιγράφου ασφαλείας: %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SubjectModel</name>

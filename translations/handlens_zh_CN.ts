@@ -5302,6 +5302,14 @@
         <source>the file is read-only</source>
         <translation>文件为只读</translation>
     </message>
+    <message>
+        <source>This file system has no locks: make sure that no other window has %1 open.</source>
+        <translation>此文件系统不支持文件锁：请确保没有其他窗口打开 %1。</translation>
+    </message>
+    <message>
+        <source>No backup could be made: %1</source>
+        <translation>无法创建备份：%1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::SubjectModel</name>

@@ -73,7 +73,7 @@ void MainWindow::connectDocument() {
             showMessage(tr("Read-only: %1. You can look and export; edits are not possible.")
                             .arg(widgets::readOnlyInWords(store->readOnlyReason())));
         else if (store && !store->warnings().empty())
-            showMessage(QString::fromStdString(store->warnings().front()));
+            showMessage(widgets::storeWarningInWords(store->warnings().front()));
     });
     connect(&m_session.annotator, &widgets::Annotator::nothingDone, m_statusLine, &widgets::StatusLine::sayBriefly);
     widgets::AnnotationFiles& files = m_session.files;

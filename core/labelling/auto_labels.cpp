@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/labelling/auto_labels.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/detection/landmark_errors.h"
@@ -8,6 +9,10 @@
 namespace core {
 
 namespace {
+
+/// A hand from the detector's landmarks alone is off by more than 5 mm every other time (docs/results.md), whatever
+/// they say.
+constexpr double kLeastDoubtOfLandmarks = 0.5;
 
 /// Which landmark stands for a joint; kLandmarkCount if none does.
 std::size_t landmarkOf(const std::string& joint) {
@@ -78,6 +83,8 @@ std::vector<AutoHand> autoHands(const PassResult& pass, int frame, const std::ve
         const SpatialHand* detected = seen != pass.detected.end() && seen->second[h] ? &*seen->second[h] : nullptr;
         hands.push_back(autoHand(pass.hands[h], fit.hands[h], detected, cameras, pass.unitMm));
         hands.back().source = fit.source;
+        if (fit.source == FitSource::Landmarks)
+            hands.back().doubt = std::max(hands.back().doubt, kLeastDoubtOfLandmarks);
     }
     return hands;
 }

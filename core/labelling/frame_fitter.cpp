@@ -96,6 +96,7 @@ FrameFit FrameFitter::fromLandmarks(const FrameEvidence& evidence, const HandPos
             continue;
         FitSigns signs;
         signs.misfit = fit->misfit;
+        signs.raySine = widestRaySine(m_cameras, *detected);
         signs.landmarkMm = landmarkDistanceMm(m_hands[h], fit->pose, *detected, m_landmarks.areJoints);
         result.hands[h] = {std::move(fit->pose), std::move(fit->jointCovarianceMm2), doubtOf(signs)};
     }

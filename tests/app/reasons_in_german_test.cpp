@@ -85,6 +85,13 @@ TEST_F(ReasonsInGerman, EveryReasonForReadingOnlyIsTranslated) {
             expectTranslated([&] { return widgets::readOnlyInWords({static_cast<Kind>(kind), holder}); });
 }
 
+TEST_F(ReasonsInGerman, EveryWarningOfAStoreIsTranslated) {
+    using Kind = core::StoreWarning::Kind;
+    const core::Error problem(core::ErrorCode::Io, "/data/a.db", "", "no space");
+    for (const Kind kind : {Kind::NoLocks, Kind::NoBackup})
+        expectTranslated([&] { return widgets::storeWarningInWords({kind, problem}); });
+}
+
 TEST_F(ReasonsInGerman, EveryErrorIsTranslatedAndKeepsItsEnglishDetailBehindTheText) {
     const QLocale before;
     for (int code = 0; code <= static_cast<int>(core::ErrorCode::Unsupported); ++code) {

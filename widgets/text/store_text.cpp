@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/text/store_text.h"
 
+#include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 
 namespace widgets {
@@ -29,6 +30,15 @@ QString readOnlyInWords(const core::ReadOnlyReason& reason) {
         break;
     }
     return {};
+}
+
+QString storeWarningInWords(const core::StoreWarning& warning) {
+    if (warning.kind == core::StoreWarning::Kind::NoLocks)
+        return storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "This file system has no locks: make sure that no "
+                                                                  "other window has %1 open."))
+            .arg(QString::fromStdString(warning.problem.file()));
+    return storeWords(QT_TRANSLATE_NOOP("widgets::StoreText", "No backup could be made: %1"))
+        .arg(errorInWords(warning.problem));
 }
 
 } // namespace widgets

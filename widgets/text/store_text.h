@@ -9,5 +9,7 @@ namespace widgets {
 
 /// Why annotations cannot be changed, in the person's language.
 QString readOnlyInWords(const core::ReadOnlyReason& reason);
+/// What went wrong without harm when annotations were opened, in the person's language.
+QString storeWarningInWords(const core::StoreWarning& warning);
 
 } // namespace widgets

@@ -10,7 +10,6 @@
 #include <fstream>
 #include <limits>
 
-#include "core/error.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/file_flusher.h"
 #include "core/io/files/file_lock.h"
@@ -48,7 +47,7 @@ struct AnnotationStore::Impl {
     std::unique_ptr<AnnotationTables> tables;
     bool isReadOnly = true;
     ReadOnlyReason readOnlyReason;
-    std::vector<std::string> warnings;
+    std::vector<StoreWarning> warnings;
     ino_t inode = 0;
 
     void decideAccess(StoreAccess access);
@@ -77,10 +76,9 @@ void AnnotationStore::Impl::decideAccess(StoreAccess access) {
         readOnlyReason.kind = ReadOnlyReason::Kind::ReadOnlyFile;
     else
         isReadOnly = false;
-    if (lock.state() == FileLock::State::NotSupported) {
-        warnings.push_back("this file system has no locks: make sure that no other window has " + file.string() +
-                           " open");
-    }
+    if (lock.state() == FileLock::State::NotSupported)
+        warnings.push_back(
+            {StoreWarning::Kind::NoLocks, Error(ErrorCode::Io, file.string(), "", "the file system has no locks")});
 }
 
 void AnnotationStore::Impl::openReadOnly() {
@@ -152,7 +150,7 @@ AnnotationStore AnnotationStore::open(const fs::path& file, StoreAccess access) 
     try {
         store.backup();
     } catch (const Error& problem) {
-        store.m_impl->warnings.emplace_back(problem.what());
+        store.m_impl->warnings.push_back({StoreWarning::Kind::NoBackup, problem});
     }
     return store;
 }
@@ -172,7 +170,7 @@ bool AnnotationStore::isReadOnly() const {
 const ReadOnlyReason& AnnotationStore::readOnlyReason() const {
     return m_impl->readOnlyReason;
 }
-const std::vector<std::string>& AnnotationStore::warnings() const {
+const std::vector<StoreWarning>& AnnotationStore::warnings() const {
     return m_impl->warnings;
 }
 

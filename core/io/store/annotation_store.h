@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/annotation/annotation_set.h"
+#include "core/error.h"
 #include "core/io/store/annotation_journal.h"
 
 namespace core {
@@ -32,6 +33,16 @@ struct ReadOnlyReason {
 /// In English, for messages of the command line: "opened by another window (user@host, process 123)"; empty for None.
 std::string readOnlyText(const ReadOnlyReason& reason);
 
+/// What went wrong without harm when a store was opened.
+struct StoreWarning {
+    enum class Kind {
+        NoLocks, ///< the file system has none, so another window could write at the same time
+        NoBackup ///< the newest state could not be copied to the backups
+    };
+    Kind kind;
+    Error problem; ///< NoLocks: the file; NoBackup: what the copy failed of
+};
+
 /// The annotations of one sequence in one SQLite file (WAL). Every edit, undo and redo is one transaction that is in
 /// the file before the call returns: killing the process at any moment loses at most the call in flight. The file is
 /// flushed to the disk within a tenth of a second, so that a power failure costs no more than that, and a click need
@@ -54,8 +65,7 @@ public:
     const std::filesystem::path& file() const;
     bool isReadOnly() const;
     const ReadOnlyReason& readOnlyReason() const;
-    /// Things that went wrong without harm when opening, such as a backup that could not be written.
-    const std::vector<std::string>& warnings() const;
+    const std::vector<StoreWarning>& warnings() const;
 
     /// Everything that is in the file. Throws Error(BadInput) if a row makes no sense.
     AnnotationSet annotations() const;

@@ -109,6 +109,8 @@ TEST(LabelPass, OfTwoViewsKeepsToTheLandmarks) {
     const auto result = core::runLabelPass(scene.hands, scene.cameras, {30}, scene, options());
     EXPECT_EQ(result.fits.at(30).source, FitSource::Landmarks);
     EXPECT_LT(scene.errorMm(result.fits.at(30), result.hands, 30), 15);
+    for (const core::AutoHand& hand : core::autoHands(result, 30, scene.cameras))
+        EXPECT_GE(hand.doubt, 0.5);
 }
 
 TEST(LabelPass, LabelsAreInTheCalibrationsUnit) {

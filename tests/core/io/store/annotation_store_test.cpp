@@ -275,6 +275,18 @@ TEST_F(AnnotationStoreTest, RefusesToStartAnewBesideTheLogOfALostFile) {
     EXPECT_FALSE(fs::exists(m_file));
 }
 
+TEST_F(AnnotationStoreTest, WarnsWhenNoBackupCanBeMade) {
+    AnnotationStore::open(m_file).commit(place(0, 0), "ann");
+    const fs::path folder = m_file.parent_path() / (m_file.stem().string() + ".backups");
+    fs::remove_all(folder);
+    writeBytes(folder.string(), "a file in the place of the folder");
+    const auto store = AnnotationStore::open(m_file);
+    ASSERT_EQ(store.warnings().size(), 1u);
+    EXPECT_EQ(store.warnings().front().kind, core::StoreWarning::Kind::NoBackup);
+    EXPECT_NE(store.warnings().front().problem.file().find(".backups"), std::string::npos);
+    EXPECT_EQ(store.annotations().marks.size(), 1u);
+}
+
 TEST_F(AnnotationStoreTest, KeepsTheTenNewestStatesAndCopiesOnlyWhatChanged) {
     for (int i = 0; i < 14; ++i) {
         auto store = AnnotationStore::open(m_file);
