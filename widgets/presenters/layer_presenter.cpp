@@ -124,6 +124,8 @@ void LayerPresenter::applyLook() {
 }
 
 void LayerPresenter::setInspected(std::optional<std::vector<MeshLayer>> layers) {
+    if (layers == m_inspected)
+        return;
     m_inspected = std::move(layers);
     showScene();
     emit sceneChoicesChanged();

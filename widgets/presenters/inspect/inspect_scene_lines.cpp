@@ -118,12 +118,21 @@ void InspectSceneLines::refresh() {
     const std::size_t count = scene.outcome && m_layers.showsInspected() ? scene.outcome->methods.size() : 0;
     while (method < count && QString::fromStdString(scene.outcome->methods[method].method) != m_layers.sceneChoice())
         ++method;
-    if (method == count || m_overlays.shown().empty()) {
+    Source source{scene.outcome, scene.poses, scene.rowCameras, scene.iteration, method, {}};
+    for (const InspectLayer layer : {InspectLayer::Error, InspectLayer::Matches, InspectLayer::Uncertainty})
+        if (m_overlays.isShown(layer))
+            source.shown.insert(layer);
+    if (method == count || source.shown.empty())
+        source = {};
+    if (source == m_source)
+        return;
+    m_source = source;
+    if (!source.outcome) {
         m_job.stop();
         setLines({});
         return;
     }
-    m_job.start([this, scene, method, shown = m_overlays.shown()](const JobContext&) -> Job::Delivery {
+    m_job.start([this, scene, method, shown = source.shown](const JobContext&) -> Job::Delivery {
         return [this, lines = inspectSceneLines(scene, method, shown)] { setLines(lines); };
     });
 }

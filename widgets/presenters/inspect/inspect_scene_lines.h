@@ -31,6 +31,16 @@ public:
                       QObject* parent = nullptr);
 
 private:
+    /// What the lines depend on.
+    struct Source {
+        std::shared_ptr<const FitOutcome> outcome;
+        std::shared_ptr<const InspectedPoses> poses;
+        std::vector<int> rowCameras;
+        int iteration = 0;
+        std::size_t method = 0;
+        std::set<InspectLayer> shown; ///< of the layers that have lines
+        bool operator==(const Source&) const = default;
+    };
     void refresh();
     void setLines(const std::vector<SceneBone>& lines);
 
@@ -38,6 +48,7 @@ private:
     const LayerPresenter& m_layers;
     SceneView& m_scene;
     Job m_job;
+    Source m_source;
     bool m_hasLines = false;
 };
 

@@ -91,6 +91,8 @@ void CameraView::setAdjustment(const ImageAdjustment& adjustment) {
 }
 
 void CameraView::setMeshLayers(const std::vector<MeshLayer>& layers) {
+    if (layers == m_meshLayers)
+        return;
     m_meshLayers = layers;
     requestMeshPicture();
 }

@@ -42,6 +42,7 @@ struct MeshLayer {
     MeshStyle style = MeshStyle::Shaded;
     double opacity = 0.35; ///< of the faces; in views the silhouette's edge keeps its full strength
     bool silhouetteEdge = true;
+    bool operator==(const MeshLayer&) const = default; ///< the same surfaces, not only equal ones
 };
 
 /// Mesh layers drawn for one crop of one camera, ready to be laid over its image.
