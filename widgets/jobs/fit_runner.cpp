@@ -17,7 +17,7 @@ const core::PoseEstimator& SharedEstimator::get(const core::Dataset& dataset) {
 
 MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
                         const std::string& method, const std::stop_token& stop, int threads,
-                        const std::function<void(double)>& progress) {
+                        const std::function<void(double)>& progress, bool judged) {
     MethodOutcome outcome;
     outcome.method = method;
     const auto report = [&](int iteration, int most) {
@@ -26,7 +26,7 @@ MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Datase
     };
     try {
         outcome.result = estimator.fit(pair.masks, pair.startPoses, core::parseMethod(method), stop, report, threads,
-                                       {.matches = true, .confidence = true});
+                                       {.matches = true, .confidence = judged});
         outcome.errorMm = errorAgainst(pair, dataset, outcome.result.poses);
         for (const core::FitIteration& step : outcome.result.history)
             outcome.iterationErrorMm.push_back(errorAgainst(pair, dataset, step.poses));

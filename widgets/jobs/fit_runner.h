@@ -48,10 +48,10 @@ private:
 };
 
 /// One method on one pair, errors measured against the pair's reference. Slow: not for the window's thread.
-/// `progress` gets the share of the method's iterations that are done.
+/// `progress` gets the share of the method's iterations that are done. `judged`: with the uncertainty of the result.
 MethodOutcome runMethod(const core::PoseEstimator& estimator, const core::Dataset& dataset, const FitPair& pair,
                         const std::string& method, const std::stop_token& stop, int threads,
-                        const std::function<void(double)>& progress = {});
+                        const std::function<void(double)>& progress = {}, bool judged = true);
 
 /// Fits a frame pair with several methods, one after the other, in the background. Stopping keeps the methods that have
 /// ended.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspect_overlays.h"
 
+#include <opencv2/core/utility.hpp>
+
 #include "widgets/presenters/inspect_uncertainty.h"
 
 namespace widgets {
@@ -11,20 +13,22 @@ constexpr double kFieldOpacity = 0.6, kDifferenceOpacity = 1;
 
 std::vector<InspectOverlay> makeOverlays(const InspectOverlays::Scene& scene, const std::set<InspectLayer>& shown,
                                          double fieldAngleRad, const std::stop_token& stop) {
-    std::vector<InspectOverlay> overlays;
-    for (const int camera : scene.rowCameras) {
-        for (std::size_t m = 0; m < scene.outcome->methods.size(); ++m) {
-            if (stop.stop_requested())
-                return {};
-            const MeshLayer posed =
-                scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m] : MeshLayer();
-            const MethodOutcome& method = scene.outcome->methods[m];
-            const core::Camera& seen = scene.dataset->cameras[static_cast<std::size_t>(camera)];
-            overlays.push_back(inspectOverlay(method, seen, camera, scene.iteration, shown, posed, fieldAngleRad));
-            if (shown.count(InspectLayer::Uncertainty) && isAtResult(method, scene.iteration))
-                addUncertainty(jointUncertainties(*scene.dataset, method), seen, overlays.back().shapes);
-        }
-    }
+    const std::size_t columns = scene.outcome->methods.size();
+    std::vector<InspectOverlay> overlays(scene.rowCameras.size() * columns);
+    const auto makeOne = [&](std::size_t view) {
+        const std::size_t m = view % columns;
+        const int camera = scene.rowCameras[view / columns];
+        const MeshLayer posed = scene.poses && m < scene.poses->methods.size() ? scene.poses->methods[m] : MeshLayer();
+        const MethodOutcome& method = scene.outcome->methods[m];
+        const core::Camera& seen = scene.dataset->cameras[static_cast<std::size_t>(camera)];
+        overlays[view] = inspectOverlay(method, seen, camera, scene.iteration, shown, posed, fieldAngleRad);
+        if (shown.count(InspectLayer::Uncertainty) && isAtResult(method, scene.iteration))
+            addUncertainty(jointUncertainties(*scene.dataset, method), seen, overlays[view].shapes);
+    };
+    cv::parallel_for_(cv::Range(0, static_cast<int>(overlays.size())), [&](const cv::Range& views) {
+        for (int view = views.start; view < views.end && !stop.stop_requested(); ++view)
+            makeOne(static_cast<std::size_t>(view));
+    });
     return overlays;
 }
 

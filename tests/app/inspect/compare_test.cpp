@@ -206,6 +206,23 @@ TEST_F(CompareTest, ACameraLessFitsWithoutItsSilhouette) {
         << said.toStdString();
 }
 
+TEST_F(CompareTest, TheRealTimeVariantWaitsForNoOtherFit) {
+    fit("\"best\"");
+    widgets::WhatIf whatIf(session().fits, session().opened, session().pool);
+    std::vector<std::string> order;
+    std::vector<bool> judged;
+    QObject::connect(&whatIf, &widgets::WhatIf::found,
+                     [&](const widgets::WhatIfTrial& trial, const widgets::MethodOutcome& outcome) {
+                         order.push_back(trial.method);
+                         judged.push_back(outcome.result.confidence.has_value());
+                     });
+    whatIf.run({{"dch-thres", {}, "", "tau", 1}});
+    whatIf.run({{"best:live=1", {}, "", "tau", 2, true}, {"ch", {}, "", "tau", 2}});
+    app::waitUntilIdle(*window);
+    EXPECT_EQ(order, (std::vector<std::string>{"best:live=1", "ch"})) << "what ran before is out of date";
+    EXPECT_EQ(judged, (std::vector<bool>{false, true}));
+}
+
 TEST_F(CompareTest, NoisierOutlinesMakeOtherFits) {
     fit("\"ch\"");
     const json points = run(R"({"do":"whatIf","set":"outlines","to":1.5})")[0]["points"]["ch"];

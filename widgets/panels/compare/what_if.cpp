@@ -38,6 +38,8 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
 
 void WhatIf::run(std::vector<WhatIfTrial> trials) {
     m_waiting.assign(std::make_move_iterator(trials.begin()), std::make_move_iterator(trials.end()));
+    if (m_job.isRunning() && !m_runsLive && !m_waiting.empty() && m_waiting.front().isLive)
+        m_job.stop();
     if (!m_job.isRunning())
         startNext();
 }
@@ -57,13 +59,14 @@ void WhatIf::startNext() {
     }
     const WhatIfTrial trial = m_waiting.front();
     m_waiting.pop_front();
+    m_runsLive = trial.isLive;
     m_job.start([this, trial, outcome, dataset, estimator = m_fits.estimator()](const JobContext& context) {
         const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
         FitOutcome pair;
         static_cast<FitPair&>(pair) = *outcome;
         pair.masks = masksOf(*outcome, trial.what);
-        auto found = std::make_shared<MethodOutcome>(
-            runMethod(estimator->get(*dataset), *dataset, pair, trial.method, context.stop, threads));
+        auto found = std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
+                                                               context.stop, threads, {}, !trial.isLive));
         return Job::Delivery([this, trial, found] { emit this->found(trial, *found); });
     });
 }

@@ -24,13 +24,14 @@ struct WhatIfCase {
 struct WhatIfTrial {
     std::string method; ///< as core::parseMethod reads it
     WhatIfCase what;
-    std::string column; ///< whose place it takes; empty for none
-    std::string key;    ///< the parameter that is explored
-    double x = 0;       ///< its value
+    std::string column;  ///< whose place it takes; empty for none
+    std::string key;     ///< the parameter that is explored
+    double x = 0;        ///< its value
+    bool isLive = false; ///< the real-time variant, which answers first and is not judged
 };
 
 /// Fits the open pair again and again while a parameter is dragged. One fit at a time, in the background: the one that
-/// runs ends, and of what was asked meanwhile the latest counts.
+/// runs ends, and of what was asked meanwhile the latest counts; only the real-time variant does not wait for others.
 class WhatIf : public QObject {
     Q_OBJECT
 
@@ -54,6 +55,7 @@ private:
     const DatasetSession& m_datasets;
     Job m_job;
     std::deque<WhatIfTrial> m_waiting;
+    bool m_runsLive = false;
 };
 
 } // namespace widgets
