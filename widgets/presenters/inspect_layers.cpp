@@ -2,6 +2,7 @@
 #include "widgets/presenters/inspect_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -113,6 +114,17 @@ core::DirectionalDistance reducedDistance(const core::MatchRule& rule) {
     return distance;
 }
 
+/// scaleColour in 256 steps, for pictures.
+QRgb scaleRgb(double share) {
+    static const auto steps = [] {
+        std::array<QRgb, 256> colours{};
+        for (std::size_t i = 0; i < colours.size(); ++i)
+            colours[i] = scaleColour(static_cast<double>(i) / (colours.size() - 1)).rgba();
+        return colours;
+    }();
+    return steps[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (steps.size() - 1) + 0.5)];
+}
+
 /// The cost of a rim point at every pixel, where the method would keep it; clear where it would not.
 QImage fieldPicture(const core::CameraTarget& target, const core::MatchRule& rule, const core::Camera& camera,
                     double angleRad) {
@@ -132,7 +144,7 @@ QImage fieldPicture(const core::CameraTarget& target, const core::MatchRule& rul
         auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (int x = 0; x < region.width; ++x)
             if (static_cast<double>(from[x]) < kRefusedCost / 2)
-                row[x] = scaleColour(static_cast<double>(from[x]) * kReduction / kFieldScalePx).rgba();
+                row[x] = scaleRgb(static_cast<double>(from[x]) * kReduction / kFieldScalePx);
     }
     return picture;
 }

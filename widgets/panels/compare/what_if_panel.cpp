@@ -192,9 +192,10 @@ std::vector<WhatIfTrial> WhatIfPanel::trialsOf(const std::string& key) const {
     const std::string mine = m_form->method();
     const WhatIfCase what = currentCase();
     std::vector<WhatIfTrial> trials;
-    if (const std::string live = liveOf(mine); (isOfPair || isBest(mine)) && live != mine)
+    const std::string live = liveOf(mine);
+    if ((isOfPair || isBest(mine)) && live != mine)
         trials.push_back({live, what, isBest(mine) ? m_base : std::string(), key, x, true});
-    trials.push_back({mine, what, m_base, key, x});
+    trials.push_back({mine, what, m_base, key, x, live == mine});
     for (const InspectColumn& column : m_columns.columns()) {
         if (key.empty() || column.kind != InspectColumn::Kind::Method || column.name == m_base)
             continue;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Dense>
 
@@ -181,9 +182,9 @@ void SceneStage::setGridShown(bool shown) {
     rebuildGrid();
 }
 
-void SceneStage::setJointsShown(bool shown) {
-    m_jointsShown = shown;
+bool SceneStage::setJointsShown(bool shown) {
     m_front->SetDraw(shown);
+    return std::exchange(m_jointsShown, shown) != shown;
 }
 
 void SceneStage::setLookedThrough(int camera) {

@@ -38,7 +38,7 @@ public:
     void setCameraImage(const QImage& image);
     void setCamerasShown(bool shown);
     void setGridShown(bool shown);
-    void setJointsShown(bool shown);
+    bool setJointsShown(bool shown); ///< whether that changes anything
     void setLookedThrough(int camera);
 
     const std::vector<core::Camera>& cameras() const { return m_cameras; }

@@ -169,8 +169,8 @@ void SceneView::setGridShown(bool shown) {
 }
 
 void SceneView::setJointsShown(bool shown) {
-    m_impl->stage.setJointsShown(shown);
-    requestRender();
+    if (m_impl->stage.setJointsShown(shown))
+        requestRender();
 }
 
 void SceneView::resetView() {
