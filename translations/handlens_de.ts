@@ -3887,10 +3887,6 @@
         <translation>Fehler 0–%1 mm</translation>
     </message>
     <message>
-        <source>Point at a view to see what each method would match there.</source>
-        <translation>Auf eine Ansicht zeigen, um zu sehen, was jedes Verfahren dort zuordnen würde.</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1; %2), Richtung %3°</translation>
     </message>
@@ -3909,6 +3905,10 @@
     <message>
         <source>95 % regions</source>
         <translation>95-%-Bereiche</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there; click to pin it.</source>
+        <translation>Zeigen Sie auf eine Ansicht, um zu sehen, was jede Methode dort zuordnen würde; ein Klick heftet es an.</translation>
     </message>
 </context>
 <context>
@@ -3960,6 +3960,72 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>Es gibt keine Referenz, an der der Fehler zu messen wäre.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbe</name>
+    <message>
+        <source>the directions differ</source>
+        <translation>die Richtungen weichen ab</translation>
+    </message>
+    <message>
+        <source>beyond the gate</source>
+        <translation>jenseits der Schranke</translation>
+    </message>
+    <message>
+        <source>too far to count</source>
+        <translation>zu weit, um zu zählen</translation>
+    </message>
+    <message>
+        <source>no outline in this bin</source>
+        <translation>kein Umriss in dieser Klasse</translation>
+    </message>
+    <message>
+        <source>beyond the end of the hand</source>
+        <translation>jenseits des Handendes</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbeCard</name>
+    <message>
+        <source>Take the pin away (or click the point once more)</source>
+        <translation>Nadel entfernen (oder den Punkt noch einmal anklicken)</translation>
+    </message>
+    <message>
+        <source>Take the pin away</source>
+        <translation>Nadel entfernen</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3), direction %4</source>
+        <translation>%1 (%2, %3), Richtung %4</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Methode</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nächster</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>Klasse</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Kosten</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
     </message>
 </context>
 <context>

@@ -3887,10 +3887,6 @@
         <translation>σφάλμα 0–%1 mm</translation>
     </message>
     <message>
-        <source>Point at a view to see what each method would match there.</source>
-        <translation>Δείξτε σε μια όψη για να δείτε τι θα αντιστοίχιζε εκεί κάθε μέθοδος.</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1· %2), κατεύθυνση %3°</translation>
     </message>
@@ -3909,6 +3905,10 @@
     <message>
         <source>95 % regions</source>
         <translation>Περιοχές 95 %</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there; click to pin it.</source>
+        <translation>Δείξτε σε μια προβολή για να δείτε τι θα αντιστοίχιζε κάθε μέθοδος εκεί· κάντε κλικ για να καρφιτσωθεί.</translation>
     </message>
 </context>
 <context>
@@ -3960,6 +3960,72 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>Δεν υπάρχει αναφορά για να μετρηθεί το σφάλμα.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbe</name>
+    <message>
+        <source>the directions differ</source>
+        <translation>οι διευθύνσεις διαφέρουν</translation>
+    </message>
+    <message>
+        <source>beyond the gate</source>
+        <translation>πέρα από το όριο</translation>
+    </message>
+    <message>
+        <source>too far to count</source>
+        <translation>πολύ μακριά για να μετρήσει</translation>
+    </message>
+    <message>
+        <source>no outline in this bin</source>
+        <translation>κανένα περίγραμμα σε αυτή την κλάση</translation>
+    </message>
+    <message>
+        <source>beyond the end of the hand</source>
+        <translation>πέρα από το τέλος του χεριού</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbeCard</name>
+    <message>
+        <source>Take the pin away (or click the point once more)</source>
+        <translation>Αφαίρεση της καρφίτσας (ή κάντε ξανά κλικ στο σημείο)</translation>
+    </message>
+    <message>
+        <source>Take the pin away</source>
+        <translation>Αφαίρεση της καρφίτσας</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3), direction %4</source>
+        <translation>%1 (%2, %3), διεύθυνση %4</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Μέθοδος</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Πλησιέστερο</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Διεύθυνση</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>Κλάση</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>Κόστος</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>κρατήθηκε</translation>
     </message>
 </context>
 <context>

@@ -3841,10 +3841,6 @@
         <translation>误差 0–%1 mm</translation>
     </message>
     <message>
-        <source>Point at a view to see what each method would match there.</source>
-        <translation>将指针移到视图上，可查看各方法在该处的匹配。</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1, %2)，方向 %3°</translation>
     </message>
@@ -3863,6 +3859,10 @@
     <message>
         <source>95 % regions</source>
         <translation>95 % 区域</translation>
+    </message>
+    <message>
+        <source>Point at a view to see what each method would match there; click to pin it.</source>
+        <translation>指向某个视图，查看各方法在该处会匹配什么；单击可固定。</translation>
     </message>
 </context>
 <context>
@@ -3914,6 +3914,72 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>没有可用于衡量误差的参照。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbe</name>
+    <message>
+        <source>the directions differ</source>
+        <translation>方向不同</translation>
+    </message>
+    <message>
+        <source>beyond the gate</source>
+        <translation>超出门限</translation>
+    </message>
+    <message>
+        <source>too far to count</source>
+        <translation>太远，不计入</translation>
+    </message>
+    <message>
+        <source>no outline in this bin</source>
+        <translation>此方向区间内没有轮廓</translation>
+    </message>
+    <message>
+        <source>beyond the end of the hand</source>
+        <translation>超出手部末端</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::InspectProbeCard</name>
+    <message>
+        <source>Take the pin away (or click the point once more)</source>
+        <translation>取消固定（或再次单击该点）</translation>
+    </message>
+    <message>
+        <source>Take the pin away</source>
+        <translation>取消固定</translation>
+    </message>
+    <message>
+        <source>%1 (%2, %3), direction %4</source>
+        <translation>%1 (%2, %3)，方向 %4</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>最近点</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Bin</source>
+        <translation>区间</translation>
+    </message>
+    <message>
+        <source>Cost</source>
+        <translation>代价</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>保留</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,8 @@ void InspectGrid::connectView(int index, CameraView* view) {
         view, &CameraView::viewChanged, this, [this, index] { syncRow(index); });
     connect(
         view, &CameraView::pointerMoved, this, [this, index](QPointF px) { emit pointerMoved(index, px); });
+    connect(
+        view, &CameraView::pointClicked, this, [this, index](QPointF px) { emit pointClicked(index, px); });
     connect(view, &CameraView::contextMenuRequested, this,
             [this, index](QPointF, const core::JointId&, QPoint position) { emit menuRequested(index, position); });
     connect(view, &CameraView::pointerLeft, this, &InspectGrid::pointerLeft);

@@ -66,6 +66,7 @@ signals:
     void pictureShown(int camera);
     void pointerMoved(int view, QPointF px);
     void pointerLeft();
+    void pointClicked(int view, QPointF px);
     void camerasChanged();
     /// A right click.
     void menuRequested(int view, const QPoint& globalPosition);

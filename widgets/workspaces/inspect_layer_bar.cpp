@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/workspaces/inspect_layer_bar.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +10,6 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "core/fitting/method_name.h"
 #include "widgets/panels/state_colours.h"
 
 namespace widgets {
@@ -20,7 +18,6 @@ namespace {
 
 constexpr int kScaleWidth = 60, kScaleHeight = 8;
 constexpr int kDegreesPerStep = 15;
-constexpr std::array kCompared{"ch", "dch-thres", "dch-quant", "dch-dt3"};
 
 double degrees(double rad) {
     return rad * 180 / std::numbers::pi;
@@ -125,31 +122,21 @@ void InspectLayerBar::showLegend() {
 }
 
 void InspectLayerBar::clearProbe() {
-    m_probe->setText(tr("Point at a view to see what each method would match there."));
+    m_probe->setText(tr("Point at a view to see what each method would match there; click to pin it."));
 }
 
-void InspectLayerBar::showProbe(const std::string& method, const ShownMatches& shown, QPointF px) {
-    const std::optional<float> angle = rimAngleAt(shown, px);
-    if (!shown.target || !angle) {
+void InspectLayerBar::showProbe(const std::optional<InspectProbe>& probe) {
+    if (!probe) {
         clearProbe();
         return;
     }
-    const Eigen::Vector2f p(static_cast<float>(px.x()), static_cast<float>(px.y()));
-    QStringList parts{tr("(%1, %2), direction %3\u00b0")
-                          .arg(number(px.x(), 1), number(px.y(), 1), number(degrees(static_cast<double>(*angle)), 0))};
-    std::vector<std::string> names{method};
-    for (const char* const name : kCompared)
-        if (name != method)
-            names.emplace_back(name);
-    for (const std::string& name : names) {
-        const core::MatchRule rule = core::matchRule(core::parseMethod(name));
-        const core::ContourProbe probe =
-            name == method ? core::probeContour(*shown.target, rule, p, *angle)
-                           : core::probeContour(core::targetForRule(*shown.target, rule), rule, p, *angle);
-        const QString text = probe.contourPoint < 0 ? tr("none") : tr("%1 px").arg(number(probe.cost, 1));
-        const bool isRefused = probe.contourPoint >= 0 && probe.verdict != core::MatchVerdict::Kept;
-        parts << QStringLiteral("%1 %2").arg(QString::fromStdString(name),
-                                             isRefused ? tr("%1, refused").arg(text) : text);
+    QStringList parts{
+        tr("(%1, %2), direction %3\u00b0")
+            .arg(number(probe->px.x(), 1), number(probe->px.y(), 1), number(degrees(probe->angleRad), 0))};
+    for (const ProbeRow& row : probe->rows) {
+        const QString text = row.found() ? tr("%1 px").arg(number(row.probe.cost, 1)) : tr("none");
+        parts << QStringLiteral("%1 %2").arg(QString::fromStdString(row.method),
+                                             row.found() && !row.kept() ? tr("%1, refused").arg(text) : text);
     }
     m_probe->setText(parts.join(QStringLiteral("  \u00b7  ")));
 }

@@ -2,13 +2,14 @@
 #pragma once
 
 #include <map>
-#include <string>
+#include <optional>
 
 #include <QCheckBox>
 #include <QLabel>
 #include <QSlider>
 #include <QWidget>
 
+#include "widgets/presenters/inspect/inspect_probe.h"
 #include "widgets/presenters/inspect_overlays.h"
 
 namespace widgets {
@@ -22,8 +23,8 @@ public:
 
     /// What a layer is called, and what its tip says. Until then it has its id.
     void setLayerTexts(InspectLayer layer, const QString& text, const QString& tip);
-    /// `shown`: the method's matches in the view under the pointer.
-    void showProbe(const std::string& method, const ShownMatches& shown, QPointF px);
+    /// What is matched at the pointer; none shows how to ask.
+    void showProbe(const std::optional<InspectProbe>& probe);
     void clearProbe();
 
 private:

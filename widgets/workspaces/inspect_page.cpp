@@ -42,6 +42,7 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_cameraChoice(new CameraChoice(this))
     , m_layerBar(new InspectLayerBar(*m_views->overlays(), this))
     , m_jointMarks(new InspectJointMarks(*m_columns, *m_views->overlays(), *m_views->grid(), this))
+    , m_probePin(new InspectProbePin(*m_columns, *m_views, this))
     , m_joints(new InspectJointErrors(*m_columns, *m_jointMarks, this))
     , m_errors(new CurvePlot(this))
     , m_costs(new CurvePlot(this)) {
@@ -246,7 +247,7 @@ void InspectPage::showProbe(int view, QPointF px) {
     if (!outcome || camera < 0)
         return;
     const MethodOutcome& method = outcome->methods[m_views->columnOf(view)];
-    m_layerBar->showProbe(method.method, shownMatches(method, camera, iteration()), px);
+    m_layerBar->showProbe(inspectProbe(method, shownMatches(method, camera, iteration()), px));
 }
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {

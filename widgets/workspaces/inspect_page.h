@@ -24,6 +24,7 @@
 #include "widgets/workspaces/inspect_grid.h"
 #include "widgets/workspaces/inspect_joint_errors.h"
 #include "widgets/workspaces/inspect_layer_bar.h"
+#include "widgets/workspaces/inspect_probe_pin.h"
 
 namespace widgets {
 
@@ -62,6 +63,7 @@ public:
     /// Cameras that are shown, from the current one on.
     int rows() const { return m_rows->value(); }
     void setRows(int rows) { m_rows->setValue(rows); }
+    InspectProbePin* probePin() const { return m_probePin; }
     ColumnBar* columnBar() const { return m_columnBar; }
     /// Of a method of the fit, in a camera, at the iteration that is shown.
     ShownMatches matches(const QString& method, int camera) const;
@@ -104,6 +106,7 @@ private:
     CameraChoice* m_cameraChoice;
     InspectLayerBar* m_layerBar;
     InspectJointMarks* m_jointMarks;
+    InspectProbePin* m_probePin;
     InspectJointErrors* m_joints;
     CurvePlot* m_errors;
     CurvePlot* m_costs;

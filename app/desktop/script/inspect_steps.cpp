@@ -65,6 +65,22 @@ widgets::ShownMatches matchesOf(MainWindow& window, const QJsonObject& step) {
     throw impossible("camera", QStringLiteral("unknown camera \"%1\"").arg(camera));
 }
 
+/// Pins the probe in the view of a method and a camera.
+void pinProbe(MainWindow& window, const QString& method, const QString& camera, QPointF px) {
+    const widgets::InspectPage& page = fittedPage(window);
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (int view = 0; view < page.grid()->count(); ++view) {
+        const auto& column = page.columns()->columns()[page.views()->columnOf(view)];
+        const int shown = page.views()->cameraOf(view);
+        if (shown >= 0 && QString::fromStdString(cameras[static_cast<std::size_t>(shown)].name) == camera &&
+            QString::fromStdString(column.name) == method) {
+            page.probePin()->pin(view, px);
+            return;
+        }
+    }
+    throw impossible("pin", QStringLiteral("no view of the method and the camera is shown"));
+}
+
 } // namespace
 
 QJsonObject showIteration(MainWindow& window, const QJsonObject& step) {
@@ -134,6 +150,8 @@ QJsonObject probeAt(MainWindow& window, const QJsonObject& step) {
     answer[QStringLiteral("cost")] = numberOrNull(probe.cost);
     answer[QStringLiteral("kept")] = isFound && probe.verdict == core::MatchVerdict::Kept;
     answer[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(probe.verdict));
+    if (step.value(QLatin1String("pin")).toBool())
+        pinProbe(window, textField(step, "method"), textField(step, "camera"), px);
     return answer;
 }
 

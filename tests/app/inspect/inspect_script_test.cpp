@@ -3,6 +3,8 @@
 #include <limits>
 #include <numbers>
 
+#include <QTest>
+
 #include <nlohmann/json.hpp>
 
 #include "app/desktop/script/workspace_player.h"
@@ -66,6 +68,35 @@ TEST_F(InspectScript, MatchesOfChAreTheNearestPixelsOfTheOutline) {
             EXPECT_NEAR(match["residualPx"].get<double>(), distanceToOutline(match["p"][0], match["p"][1]), 0.75);
         }
     }
+}
+
+TEST_F(InspectScript, AClickPinsTheProbeAndAnotherTakesItAway) {
+    fit("\"ch\",\"dch-thres\"");
+    run("{\"do\":\"iteration\",\"to\":1}\n");
+    widgets::InspectPage& page = *window->workspaces().inspectPage();
+    widgets::CameraView* view = page.grid()->view(0);
+    const QPoint place = view->viewport()->rect().center();
+    const QPointF px = view->viewportToImage(place);
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
+    ASSERT_TRUE(page.probePin()->isPinned());
+    EXPECT_TRUE(page.probePin()->card().isVisible());
+    for (const char* method : {"ch", "dch-thres", "dch-quant", "dch-dt3"})
+        EXPECT_TRUE(page.probePin()->card().text().contains(QLatin1String(method))) << method;
+    ASSERT_EQ(view->residualArrows().size(), 1u);
+    const QLineF arrow(view->residualArrows()[0].fromPx, view->residualArrows()[0].toPx);
+    EXPECT_LT(QLineF(arrow.p1(), px).length(), 0.5);
+    EXPECT_NEAR(arrow.length(), distanceToOutline(px.x(), px.y()), 0.75) << "ch goes to the nearest pixel";
+    run("{\"do\":\"iteration\",\"to\":3}\n");
+    EXPECT_EQ(view->residualArrows().size(), 1u) << "it stays while iterations go by";
+    QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
+    EXPECT_FALSE(page.probePin()->isPinned());
+    EXPECT_FALSE(page.probePin()->card().isVisible());
+    EXPECT_TRUE(view->residualArrows().empty());
+    const std::string step = R"({"do":"probe","camera":"cam0","px":[200,200],"method":"dch-thres","pin":true})";
+    run(step);
+    EXPECT_TRUE(page.probePin()->isPinned());
+    run("{\"do\":\"columns\",\"show\":[\"ch\"]}\n");
+    EXPECT_FALSE(page.probePin()->card().isVisible()) << "its column is gone";
 }
 
 TEST_F(InspectScript, DchThresKeepsWhatPassesItsAngleAndQuantWhatLiesInTheBin) {

@@ -137,6 +137,8 @@ public:
 signals:
     /// The selected joint was placed here.
     void pointPlaced(QPointF px);
+    /// A click where placing is not enabled.
+    void pointClicked(QPointF px);
     /// The pointPlaced before was only the first half of a double click: take it back without a trace.
     void pointWithdrawn();
     void markDragStarted(const core::JointId& joint, QPointF px);

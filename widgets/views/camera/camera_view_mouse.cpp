@@ -78,6 +78,8 @@ void CameraViewMouse::release(const QMouseEvent& event) {
     if (state == State::Pressed && m_placingEnabled) {
         m_lastClickPlaced = true;
         emit pointPlaced(m_surface.toImage(m_pressedAt));
+    } else if (state == State::Pressed) {
+        emit pointClicked(m_surface.toImage(m_pressedAt));
     } else if (state == State::DraggingMark) {
         emit markDropped(m_dragged, m_surface.toImage(event.localPos()) + m_grabOffsetPx);
     } else if (state == State::RightPressed) {

@@ -38,6 +38,7 @@ public:
 
 signals:
     void pointPlaced(QPointF px);
+    void pointClicked(QPointF px);
     void pointWithdrawn();
     void markDragStarted(const core::JointId& joint, QPointF px);
     void markDragged(const core::JointId& joint, QPointF px);

@@ -25,6 +25,7 @@ std::unique_ptr<CameraViewMouse> CameraView::makeMouse() {
                        [this](const core::JointId& joint) { return markPosition(joint); }});
     using Mouse = CameraViewMouse;
     connect(mouse.get(), &Mouse::pointPlaced, this, &CameraView::pointPlaced);
+    connect(mouse.get(), &Mouse::pointClicked, this, &CameraView::pointClicked);
     connect(mouse.get(), &Mouse::pointWithdrawn, this, &CameraView::pointWithdrawn);
     connect(mouse.get(), &Mouse::markDragStarted, this, &CameraView::markDragStarted);
     connect(mouse.get(), &Mouse::markDragged, this, &CameraView::markDragged);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/workspaces/inspect_probe_card.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/panels/state_colours.h"
+
+namespace widgets {
+
+namespace {
+
+QString numberOrDash(double value, int decimals) {
+    return std::isnan(value) ? QStringLiteral("\u2013") : QLocale().toString(value, 'f', decimals);
+}
+
+QString degreesText(double rad) {
+    return numberOrDash(rad * 180 / std::numbers::pi, 0) + QStringLiteral("\u00b0");
+}
+
+QString htmlRow(const QStringList& cells, const char* tag) {
+    QString row = QStringLiteral("<tr>");
+    for (int i = 0; i < cells.size(); ++i)
+        row += QStringLiteral("<%1 align=\"%2\" style=\"padding: 1px 6px\">%3</%1>")
+                   .arg(QLatin1String(tag),
+                        i == 0 || i + 1 == cells.size() ? QStringLiteral("left") : QStringLiteral("right"), cells[i]);
+    return row + QStringLiteral("</tr>");
+}
+
+} // namespace
+
+InspectProbeCard::InspectProbeCard(QWidget* parent)
+    : QFrame(parent)
+    , m_heading(new QLabel(this))
+    , m_table(new QLabel(this)) {
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    auto* close = new QToolButton(this);
+    close->setText(QStringLiteral("\u00d7"));
+    close->setAutoRaise(true);
+    close->setFocusPolicy(Qt::NoFocus);
+    close->setToolTip(tr("Take the pin away (or click the point once more)"));
+    close->setAccessibleName(tr("Take the pin away"));
+    connect(close, &QToolButton::clicked, this, &InspectProbeCard::closed);
+    auto* head = new QHBoxLayout;
+    head->addWidget(m_heading, 1);
+    head->addWidget(close);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpacing, kSpacing / 2, kSpacing / 2, kSpacing / 2);
+    column->setSpacing(0);
+    column->addLayout(head);
+    column->addWidget(m_table);
+    m_table->setTextFormat(Qt::RichText);
+    parent->installEventFilter(this);
+    hide();
+}
+
+void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& probe) {
+    m_heading->setText(
+        tr("%1 (%2, %3), direction %4")
+            .arg(camera, numberOrDash(probe.px.x(), 1), numberOrDash(probe.px.y(), 1), degreesText(probe.angleRad)));
+    QString table =
+        QStringLiteral("<table cellspacing=\"0\">") +
+        htmlRow({tr("Method"), tr("Nearest"), tr("px"), tr("Direction"), tr("Bin"), tr("Cost"), QString()}, "th");
+    const QString none = QStringLiteral("\u2013");
+    for (const ProbeRow& row : probe.rows) {
+        const QString at =
+            row.found()
+                ? QStringLiteral("(%1, %2)").arg(numberOrDash(row.contourPx.x(), 1), numberOrDash(row.contourPx.y(), 1))
+                : none;
+        table += htmlRow({QString::fromStdString(row.method).toHtmlEscaped(), at,
+                          row.found() ? numberOrDash(row.probe.distancePx, 1) : none,
+                          row.found() ? degreesText(row.contourAngleRad) : none,
+                          row.bins > 1 ? QString::number(row.probe.bin) : none,
+                          row.found() ? numberOrDash(row.probe.cost, 1) : none,
+                          row.kept() ? tr("kept") : verdictInWords(row.probe.verdict)},
+                         "td");
+    }
+    m_table->setText(table + QStringLiteral("</table>"));
+    show();
+    adjustSize();
+    moveToCorner();
+    raise();
+}
+
+void InspectProbeCard::moveToCorner() {
+    const QSize room = parentWidget()->size();
+    move(std::max(0, room.width() - width() - kSpacing), std::max(0, room.height() - height() - kSpacing));
+}
+
+bool InspectProbeCard::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parent() && event->type() == QEvent::Resize && isVisible())
+        moveToCorner();
+    return QFrame::eventFilter(watched, event);
+}
+
+} // namespace widgets

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "widgets/workspaces/inspect_grid.h"
+#include "widgets/workspaces/inspect_probe_card.h"
+
+namespace widgets {
+
+/// A point of a view that stays probed: its card, and in every column the way to the contour point that its own method
+/// matches there. Follows iterations, settings and poses; goes when its column or camera goes.
+class InspectProbePin : public QObject {
+    Q_OBJECT
+
+public:
+    InspectProbePin(InspectColumns& columns, InspectGrid& views, QObject* parent = nullptr);
+
+    /// The same point once more takes the pin away.
+    void pin(int view, QPointF px);
+    void unpin();
+    bool isPinned() const { return m_pin.has_value(); }
+    const InspectProbeCard& card() const { return *m_card; }
+
+private:
+    struct Pin {
+        InspectColumn column;
+        int camera = 0;
+        QPointF px;
+    };
+    void refresh();
+
+    InspectColumns& m_columns;
+    InspectGrid& m_views;
+    InspectProbeCard* m_card;
+    std::optional<Pin> m_pin;
+};
+
+} // namespace widgets
