@@ -102,8 +102,14 @@ std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const 
     pair.masks = targetMasks(source, request, pair.truePoses);
     if (pair.masks.empty())
         return FitRefusal::NoTestMasks;
-    for (const cv::Mat& mask : pair.masks) {
-        pair.handsPx.push_back(roomyBounds(mask));
+    for (std::size_t camera = 0; camera < pair.masks.size(); ++camera) {
+        const cv::Mat& mask = pair.masks[camera];
+        // Mask files may show arms, and more: the models say where the hands are.
+        QRectF hands;
+        if (request.target == FitTarget::Masks && !mask.empty())
+            hands = roomyBounds(core::renderHandsMask(dataset.cameras[camera], dataset.hands,
+                                                      recorded ? pair.truePoses : pair.startPoses));
+        pair.handsPx.push_back(hands.isEmpty() ? roomyBounds(mask) : hands);
         pair.outlinesPx.push_back(request.target == FitTarget::Masks ? outlinesOf(mask) : std::vector<QLineF>{});
     }
     if (request.target == FitTarget::Masks) // the realistic setup: against annotated joints

@@ -95,6 +95,17 @@ TEST_F(FitRunnerTest, MeetsMaskFilesAsItMeetsTheRecordedPose) {
     EXPECT_LT((hands.center() - outline.center()).manhattanLength(), 0.2 * outline.width());
 }
 
+TEST_F(FitRunnerTest, FramesTheHandsThoughAMaskShowsAnArm) {
+    open(true);
+    run({4, 7, {"ch"}, FitTarget::Masks});
+    const QRectF hands = runner.outcome()->handsPx[0];
+    cv::Mat mask = runner.outcome()->masks[0].clone();
+    mask.rowRange(mask.rows / 2, mask.rows).setTo(255);
+    core::writePng(dataset->folder / "masks" / (dataset->cameras[0].name + "-7.png"), mask);
+    run({4, 7, {"ch"}, FitTarget::Masks});
+    EXPECT_EQ(runner.outcome()->handsPx[0], hands);
+}
+
 TEST_F(FitRunnerTest, AgainstMasksErrorsAreOverTheMarkedJoints) {
     open(true);
     markFrame(7);
