@@ -3834,8 +3834,9 @@
         <translation>Wahrheit</translation>
     </message>
     <message>
-        <source>What if: %1</source>
-        <translation>Was wäre, wenn: %1</translation>
+        <source>%1?</source>
+        <comment>a method with settings that are tried</comment>
+        <translation>%1?</translation>
     </message>
 </context>
 <context>

@@ -3788,8 +3788,9 @@
         <translation>真值</translation>
     </message>
     <message>
-        <source>What if: %1</source>
-        <translation>假设：%1</translation>
+        <source>%1?</source>
+        <comment>a method with settings that are tried</comment>
+        <translation>%1？</translation>
     </message>
 </context>
 <context>

@@ -322,7 +322,8 @@ void InspectColumns::setShown(std::size_t column, int camera, bool shown) {
 QString InspectColumns::title(std::size_t column) const {
     if (!isPreview(column))
         return columnTitle(m_columns[column]);
-    return tr("What if: %1").arg(QString::fromStdString(m_outcome->methods[column].method));
+    return tr("%1?", "a method with settings that are tried")
+        .arg(QString::fromStdString(m_outcome->methods[column].method));
 }
 
 QColor InspectColumns::colour(std::size_t column) const {

@@ -165,7 +165,7 @@ TEST_F(CompareTest, DraggedTauFitsAgainAsTheCommandLineWould) {
     ASSERT_EQ(points.size(), 2u);
     EXPECT_EQ(points[1], (std::vector<double>{22.5, before})) << "known from the start";
     EXPECT_EQ(points[0][0], 10);
-    EXPECT_EQ(columns().title(0), QStringLiteral("What if: dch-thres:tau=10"));
+    EXPECT_EQ(columns().title(0), QStringLiteral("dch-thres:tau=10?"));
     EXPECT_EQ(panel().line()->text(), QStringLiteral("dch-thres:tau=10"));
     EXPECT_EQ(errorOf("dch-thres"), before) << "the fit itself is untouched";
     panel().addColumn();
@@ -246,7 +246,7 @@ TEST_F(CompareTest, TheWrittenMethodIsTakenOrRefusedInOneSentence) {
     EXPECT_EQ(columns().title(0), QStringLiteral("dch-quant"));
     write("dch-quant:bins=4");
     EXPECT_EQ(panel().form()->value("bins"), 4);
-    EXPECT_EQ(columns().title(0), QStringLiteral("What if: dch-quant:bins=4"));
+    EXPECT_EQ(columns().title(0), QStringLiteral("dch-quant:bins=4?"));
 }
 
 TEST_F(CompareTest, AWipeShowsTheNextColumnBehindItsLine) {
