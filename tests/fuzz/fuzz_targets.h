@@ -17,7 +17,7 @@ void readNetwork(std::string_view bytes);
 void runNetwork(std::string_view bytes);
 /// Any table of a FlatBuffers file: the bytes say which fields are followed.
 void readFlatBuffer(std::string_view bytes);
-/// The package of the hand detector.
+/// The package of the hand detector, packed with gzip or not yet.
 void readArchive(std::string_view bytes);
 /// Variables of a MATLAB file, with all that is in them.
 void readMatlab(std::string_view bytes);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <cstdint>
+#include <functional>
+#include <numeric>
+
 #include "core/detection/network.h"
 #include "core/error.h"
 #include "core/io/detector/tflite_file.h"
@@ -7,13 +11,14 @@
 namespace fuzz {
 
 void runNetwork(std::string_view bytes) {
-    constexpr int kLongestSide = 64; // of the picture; larger ones only take longer
+    constexpr std::int64_t kMostElements = 1 << 18; // larger networks only take longer
     try {
         const core::NetworkGraph graph = core::parseTflite(bytes, "network.tflite");
+        std::int64_t all = 0;
         for (const core::NetworkTensor& tensor : graph.tensors)
-            for (const int length : tensor.shape)
-                if (length > kLongestSide)
-                    return;
+            all += std::accumulate(tensor.shape.begin(), tensor.shape.end(), std::int64_t(1), std::multiplies<>());
+        if (all > kMostElements)
+            return;
         core::Network(graph, "network.tflite");
     } catch (const core::Error&) {
     }
