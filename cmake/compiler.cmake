@@ -26,7 +26,8 @@ if(HANDLENS_FUZZ)
   if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     message(FATAL_ERROR "HANDLENS_FUZZ needs Clang: CXX=clang++-14 (Debian packages clang-14, libclang-rt-14-dev)")
   endif()
-  target_compile_options(handlens_compiler INTERFACE -fsanitize=fuzzer-no-link,address,undefined
+  # Most of the time is spent in the libraries that are read with: ours compiles in half the time with fewer optimisations.
+  target_compile_options(handlens_compiler INTERFACE -O1 -fsanitize=fuzzer-no-link,address,undefined
     -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(handlens_compiler INTERFACE -fsanitize=address,undefined)
 endif()

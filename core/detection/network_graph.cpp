@@ -36,7 +36,9 @@ namespace {
 using Shape = std::vector<int>;
 
 constexpr std::int64_t kMostElements = std::int64_t(1) << 24;
-constexpr int kMostSteps = 64; ///< strides and filters
+constexpr std::int64_t kMostElementsInAll = std::int64_t(1) << 27;
+constexpr std::int64_t kMostProducts = std::int64_t(1) << 36; ///< of one run; the hand's networks take some 2^29
+constexpr int kMostSteps = 64;                                ///< strides and filters
 
 std::int64_t elementCount(const Shape& shape) {
     std::int64_t count = 1;
@@ -57,11 +59,14 @@ public:
         , m_isMade(graph.tensors.size()) {}
 
     void run() {
+        std::int64_t all = 0;
         for (std::size_t i = 0; i < m_graph.tensors.size(); ++i) {
             m_field = "tensor " + std::to_string(i);
             const NetworkTensor& tensor = m_graph.tensors[i];
             const std::int64_t count = elementCount(tensor.shape);
             require(count > 0, "a shape of " + shapeText(tensor.shape) + " is not supported");
+            all += count;
+            require(all <= kMostElementsInAll, "the tensors are too large together");
             const std::size_t given = std::max(tensor.values.size(), tensor.integers.size());
             require(!tensor.isConstant() || given == static_cast<std::size_t>(count),
                     std::to_string(given) + " values do not fill a shape of " + shapeText(tensor.shape));
@@ -112,6 +117,19 @@ private:
         make(step.outputs[0]);
         const Shape& stated = made(step.outputs[0]).shape;
         require(expected == stated, "the output is " + shapeText(stated) + ", it should be " + shapeText(expected));
+        m_products += elementCount(stated) * productsOf(step);
+        require(m_products <= kMostProducts, "the network takes too long to run");
+    }
+
+    /// How many numbers an element of the output is made of.
+    std::int64_t productsOf(const NetworkOperator& step) const {
+        if (step.kind == NetworkOperatorKind::MaxPool)
+            return std::int64_t(step.filterHeight) * step.filterWidth;
+        if (step.kind != NetworkOperatorKind::Convolution && step.kind != NetworkOperatorKind::DepthwiseConvolution)
+            return 1;
+        const Shape& weights = input(step, 1).shape;
+        const bool depthwise = step.kind == NetworkOperatorKind::DepthwiseConvolution;
+        return std::int64_t(weights[1]) * weights[2] * (depthwise ? 1 : weights[3]);
     }
 
     static std::size_t least(NetworkOperatorKind kind) {
@@ -157,6 +175,7 @@ private:
     const std::string& m_file;
     std::vector<bool> m_isMade;
     std::string m_field;
+    std::int64_t m_products = 0;
 };
 
 /// The shape of what a window of that size leaves of the image.

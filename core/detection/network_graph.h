@@ -62,7 +62,8 @@ struct Padding {
 Padding paddingOf(bool same, int size, int filter, int stride);
 
 /// Checks that every tensor is made before it is used and has the shape that its operator gives it, and that no tensor
-/// is absurdly large: a graph that passes runs. Throws Error(BadInput) naming `file` and the operator.
+/// is absurdly large, nor all of them together, nor the work: a graph that passes runs, in seconds. Throws
+/// Error(BadInput) naming `file` and the operator.
 void checkGraph(const NetworkGraph& graph, const std::string& file);
 
 /// "1x56x56x24"

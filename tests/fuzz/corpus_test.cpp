@@ -58,7 +58,8 @@ TEST_P(Corpus, IsReadOrRefusedSoon) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryReader, Corpus,
-                         testing::Values(Target{"video", fuzz::readVideo}, Target{"network", fuzz::readNetwork},
+                         testing::Values(Target{"video", fuzz::readVideo}, Target{"video_index", fuzz::readIndex},
+                                         Target{"network", fuzz::runNetwork},
                                          Target{"flat_buffer", fuzz::readFlatBuffer},
                                          Target{"archive", fuzz::readArchive}, Target{"matlab", fuzz::readMatlab},
                                          Target{"hdf5", fuzz::readHdf5}, Target{"pickle", fuzz::readPickle}),

@@ -9,11 +9,15 @@ namespace fuzz {
 
 /// Indexes a video and reads pictures in and out of order, small ones and glances among them.
 void readVideo(std::string_view bytes);
+/// The kept index of a video, with that video, which it need not fit.
+void readIndex(std::string_view bytes);
 /// The network of a TensorFlow Lite file.
 void readNetwork(std::string_view bytes);
+/// The same, run once where it is a sound one.
+void runNetwork(std::string_view bytes);
 /// Any table of a FlatBuffers file: the bytes say which fields are followed.
 void readFlatBuffer(std::string_view bytes);
-/// The package of the hand detector.
+/// The package of the hand detector, packed with gzip or not yet.
 void readArchive(std::string_view bytes);
 /// Variables of a MATLAB file, with all that is in them.
 void readMatlab(std::string_view bytes);

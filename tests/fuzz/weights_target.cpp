@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <string>
+#include <vector>
+
+#include <zlib.h>
 
 #include "core/error.h"
 #include "core/io/detector/flat_buffer.h"
@@ -38,6 +42,21 @@ void walk(const core::FlatTable& table, int depth) {
     }
 }
 
+/// As gzip packs it: a damaged sum would hide what is in the archive.
+std::string packed(std::string_view bytes) {
+    z_stream stream{};
+    deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    std::string result(deflateBound(&stream, bytes.size()), '\0');
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    stream.next_out = reinterpret_cast<Bytef*>(result.data());
+    stream.avail_out = static_cast<uInt>(result.size());
+    deflate(&stream, Z_FINISH);
+    result.resize(stream.total_out);
+    deflateEnd(&stream);
+    return result;
+}
+
 } // namespace
 
 void readNetwork(std::string_view bytes) {
@@ -56,7 +75,7 @@ void readFlatBuffer(std::string_view bytes) {
 }
 
 void readArchive(std::string_view bytes) {
-    const MemoryFile file(bytes);
+    const MemoryFile file(bytes.starts_with("\x1f\x8b") ? std::string(bytes) : packed(bytes));
     try {
         core::readPackage(
             file.path(), [](const std::string& name) { return name.size() % 2 == 0; });

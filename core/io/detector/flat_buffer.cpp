@@ -72,6 +72,12 @@ std::size_t FlatTable::vector(int field, std::size_t elementSize, std::size_t& c
     return begin + 4;
 }
 
+std::size_t FlatTable::count(int field) const {
+    std::size_t count = 0;
+    vector(field, 1, count);
+    return count;
+}
+
 std::string_view FlatTable::bytes(int field) const {
     std::size_t count = 0;
     const std::size_t begin = vector(field, 1, count);

@@ -23,6 +23,8 @@ public:
     std::string_view bytes(int field) const;
     std::vector<int> integers(int field) const;
     std::vector<FlatTable> tables(int field) const;
+    /// How many elements a list has: in memory, tables take ten times the room that they take in the file.
+    std::size_t count(int field) const;
     bool has(int field) const { return place(field) != 0; }
     /// One table; an empty one (every field is left out) where it is left out.
     FlatTable table(int field) const;

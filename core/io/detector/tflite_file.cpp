@@ -16,7 +16,9 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kMostTensors = 10000, kMostOperators = 10000, kMostArguments = 16;
+constexpr std::size_t kMostTables = 10'000; ///< tensors, operators, ...
+constexpr std::size_t kMostArguments = 16;
+constexpr std::size_t kMostNameBytes = 200;
 constexpr std::size_t kMostConstantBytes = 200'000'000; ///< of all tensors together, though they may share them
 constexpr int kFloat32 = 0, kFloat16 = 1, kInt32 = 2;
 constexpr int kDequantize = 6;
@@ -56,15 +58,14 @@ public:
         , m_root(checkedRoot(bytes)) {}
 
     NetworkGraph read() {
-        const std::vector<FlatTable> subgraphs = m_root.tables(2);
+        const std::vector<FlatTable> subgraphs = tables(m_root, 2, "subgraphs");
         if (subgraphs.size() != 1)
             fail("subgraphs", "there must be one, there are " + std::to_string(subgraphs.size()));
-        readTensors(subgraphs[0].tables(0));
+        readTensors(tables(subgraphs[0], 0, "tensors"));
         m_graph.inputs = subgraphs[0].integers(1);
         m_graph.outputs = subgraphs[0].integers(2);
-        const std::vector<FlatTable> codes = m_root.tables(1), operators = subgraphs[0].tables(3);
-        if (operators.size() > kMostOperators)
-            fail("operators", "there are too many");
+        const std::vector<FlatTable> codes = tables(m_root, 1, "operator_codes"),
+                                     operators = tables(subgraphs[0], 3, "operators");
         for (std::size_t i = 0; i < operators.size(); ++i) {
             m_field = "operator " + std::to_string(i);
             const int code = operators[i].integer(0);
@@ -83,6 +84,13 @@ private:
         throw Error(code, m_file, field, detail);
     }
 
+    std::vector<FlatTable> tables(const FlatTable& parent, int field, const std::string& name) const {
+        if (parent.count(field) > kMostTables)
+            fail(name, "there are " + std::to_string(parent.count(field)) + ", at most " + std::to_string(kMostTables) +
+                           " are supported");
+        return parent.tables(field);
+    }
+
     FlatTable checkedRoot(std::string_view bytes) const {
         if (bytes.size() < 8 || bytes.substr(4, 4) != "TFL3")
             fail("", "not a TensorFlow Lite file");
@@ -94,13 +102,11 @@ private:
     }
 
     void readTensors(const std::vector<FlatTable>& tensors) {
-        if (tensors.size() > kMostTensors)
-            fail("tensors", "there are too many");
-        const std::vector<FlatTable> buffers = m_root.tables(4);
+        const std::vector<FlatTable> buffers = tables(m_root, 4, "buffers");
         for (std::size_t i = 0; i < tensors.size(); ++i) {
             const std::string field = "tensor " + std::to_string(i);
             NetworkTensor& tensor = m_graph.tensors.emplace_back();
-            tensor.name = tensors[i].bytes(3);
+            tensor.name = tensors[i].bytes(3).substr(0, kMostNameBytes);
             tensor.shape = tensors[i].integers(0);
             if (tensor.shape.size() > 4)
                 fail(field, "more than four dimensions");
@@ -116,17 +122,22 @@ private:
     }
 
     void readValues(std::string_view bytes, int type, const std::string& field, NetworkTensor& tensor) {
-        m_constantBytes += bytes.size();
-        if (m_constantBytes > kMostConstantBytes)
-            fail(field, "the constants are too large");
         if (type != kFloat32 && type != kFloat16 && type != kInt32)
             fail(field, "only numbers of type float32, float16 and int32 are supported", ErrorCode::Unsupported);
         if (bytes.size() % (type == kFloat16 ? 2 : 4) != 0)
             fail(field, "its buffer holds no whole number of values");
+        count(type == kFloat16 ? 2 * bytes.size() : bytes.size(), field);
         if (type == kInt32)
             tensor.integers = valuesOf<int>(bytes);
         else
             tensor.values = type == kFloat16 ? widened(bytes) : valuesOf<float>(bytes);
+    }
+
+    /// Tensors may share what lies in the file once, each with a copy in memory.
+    void count(std::size_t bytes, const std::string& field) {
+        m_constantBytes += bytes;
+        if (m_constantBytes > kMostConstantBytes)
+            fail(field, "the constants are too large");
     }
 
     /// The value of a constant of 16 bits is that of what DEQUANTIZE makes of it.
@@ -140,6 +151,7 @@ private:
         NetworkTensor& to = m_graph.tensors[static_cast<std::size_t>(step.outputs[0])];
         if (from.values.empty() || from.shape != to.shape || to.isConstant())
             fail(m_field, "DEQUANTIZE is supported for constants only", ErrorCode::Unsupported);
+        count(from.values.size() * sizeof(float), m_field);
         to.values = from.values;
     }
 

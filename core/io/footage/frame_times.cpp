@@ -12,6 +12,7 @@ constexpr double kRoundingSec = 0.00101; ///< containers that keep milliseconds
 constexpr double kJitter = 0.3;          ///< of a step
 constexpr double kSaneShare = 0.8;       ///< of the steps are equal
 constexpr std::size_t kAround = 3;       ///< frames on each side that tell a gap from jitter
+constexpr double kMostLost = 1e7;        ///< frames in all gaps: days; more is a clock that was set
 
 std::vector<double> stepsOf(const std::vector<double>& timesSec) {
     std::vector<double> steps;
@@ -42,7 +43,7 @@ double usualStep(const std::vector<double>& steps) {
 }
 
 /// Frames lost between i - 1 and i: how much later, in whole steps, the frames from i on are than those before.
-int lostBefore(std::size_t i, const std::vector<double>& timesSec, double stepSec) {
+double lostBefore(std::size_t i, const std::vector<double>& timesSec, double stepSec) {
     const auto lag = [&](std::size_t j) {
         return (timesSec[j] - timesSec[i - 1]) / stepSec - (static_cast<double>(j) - static_cast<double>(i - 1));
     };
@@ -51,7 +52,7 @@ int lostBefore(std::size_t i, const std::vector<double>& timesSec, double stepSe
         before = std::max(before, lag(j));
     for (std::size_t j = i; j < std::min(i + kAround + 1, timesSec.size()); ++j)
         after = std::min(after, lag(j));
-    return static_cast<int>(std::lround(after - before));
+    return std::round(after - before);
 }
 
 } // namespace
@@ -68,11 +69,20 @@ FrameTiming analyseTimes(const std::vector<double>& timesSec) {
     timing.isSane = increases && static_cast<double>(usual) >= kSaneShare * static_cast<double>(steps.size());
     if (!timing.isSane)
         return timing;
+    double allLost = 0;
     for (std::size_t i = 1; i < timesSec.size(); ++i) {
         if (steps[i - 1] <= 1.5 * timing.stepSec)
             continue;
-        if (const int lost = lostBefore(i, timesSec, timing.stepSec); lost > 0)
-            timing.gaps.push_back({static_cast<int>(i) - 1, lost});
+        const double lost = lostBefore(i, timesSec, timing.stepSec);
+        if (!(lost > 0))
+            continue;
+        allLost += lost;
+        if (allLost > kMostLost) {
+            timing.isSane = false;
+            timing.gaps.clear();
+            return timing;
+        }
+        timing.gaps.push_back({static_cast<int>(i) - 1, static_cast<int>(lost)});
     }
     return timing;
 }

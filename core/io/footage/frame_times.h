@@ -14,8 +14,8 @@ struct FrameGap {
 
 /// What the time stamps of a video say.
 struct FrameTiming {
-    /// The stamps increase and most steps are equal: gaps are lost frames, and frames can be mapped to instants by
-    /// time.
+    /// The stamps increase, most steps are equal, and at most ten million frames are lost: gaps are lost frames, and
+    /// frames can be mapped to instants by time.
     bool isSane = false;
     double stepSec = 0; ///< from frame to frame where none is lost; 0 = unknown
     std::vector<FrameGap> gaps;

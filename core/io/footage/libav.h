@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -11,8 +12,16 @@ extern "C" {
 
 namespace core {
 
+/// Pictures of 8192 x 8192 pixels are the largest that are read.
+inline constexpr std::int64_t kMostPixels = std::int64_t(1) << 26;
+
 struct LibavDeleter {
-    void operator()(AVFormatContext* container) const { avformat_close_input(&container); }
+    /// Closes the file, too, where we opened it.
+    void operator()(AVFormatContext* container) const {
+        AVIOContext* file = (container->flags & AVFMT_FLAG_CUSTOM_IO) != 0 ? container->pb : nullptr;
+        avformat_close_input(&container);
+        avio_closep(&file);
+    }
     void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
     void operator()(AVPacket* packet) const { av_packet_free(&packet); }
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }

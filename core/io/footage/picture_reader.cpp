@@ -190,8 +190,10 @@ void PictureReader::startAt(int packet) {
     m_hasEnded = false;
     m_isRunning = true;
     if (packet == 0 || !seekTo(packet)) {
-        m_demuxer.rewind();
         m_pending = nullptr;
+        m_isRunning = false; // if the file has gone
+        m_demuxer.rewind();
+        m_isRunning = true;
         m_nextPacket = 0;
         skipTo(packet);
     }

@@ -20,6 +20,7 @@ VideoDecoder::VideoDecoder(const AVStream& stream, const std::string& file, int 
     m_codec.reset(avcodec_alloc_context3(codec));
     int failed = avcodec_parameters_to_context(m_codec.get(), stream.codecpar);
     m_codec->thread_count = std::max(1, threads);
+    m_codec->max_pixels = kMostPixels;
     failed = failed < 0 ? failed : avcodec_open2(m_codec.get(), codec, nullptr);
     if (failed < 0)
         throw Error(ErrorCode::BadInput, file, "", "not a readable video (" + libavMessage(failed) + ")");

@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <string_view>
+#include <vector>
 
 #include "core/error.h"
 #include "core/io/files/content_hash.h"
@@ -23,6 +24,48 @@ void silenceLibrary() {
     std::call_once(once, [] { av_log_set_level(AV_LOG_QUIET); });
 }
 
+/// The file is opened here, and the library may open no other: a playlist that is named like a video would have it read
+/// whatever files it lists.
+ContainerPointer openContainer(const fs::path& file) {
+    AVIOContext* bytes = nullptr;
+    const std::string url = "file:" + file.string(); // never a protocol that a file's name spells
+    int failed = avio_open2(&bytes, url.c_str(), AVIO_FLAG_READ, nullptr, nullptr);
+    AVFormatContext* container = failed < 0 ? nullptr : avformat_alloc_context();
+    if (container != nullptr) {
+        container->pb = bytes;
+        AVDictionary* options = nullptr;
+        av_dict_set(&options, "protocol_whitelist", "none", 0);
+        failed = avformat_open_input(&container, url.c_str(), nullptr, &options);
+        av_dict_free(&options);
+    }
+    if (container == nullptr) {
+        avio_closep(&bytes);
+        throw notReadable(file, libavMessage(failed < 0 ? failed : AVERROR(ENOMEM)));
+    }
+    return ContainerPointer(container);
+}
+
+/// Decodes the beginning of each stream, as far as is needed to know it.
+int findStreams(AVFormatContext& container) {
+    std::vector<AVDictionary*> options(container.nb_streams, nullptr);
+    for (AVDictionary*& option : options)
+        av_dict_set_int(&option, "max_pixels", kMostPixels, 0);
+    const int result = avformat_find_stream_info(&container, options.empty() ? nullptr : options.data());
+    for (AVDictionary*& option : options)
+        av_dict_free(&option);
+    return result;
+}
+
+/// A header of a few bytes can ask for pictures that fill the memory.
+void requirePictureSizes(const AVFormatContext& container, const fs::path& file) {
+    for (unsigned s = 0; s < container.nb_streams; ++s) {
+        const AVCodecParameters& codec = *container.streams[s]->codecpar;
+        if (codec.codec_type == AVMEDIA_TYPE_VIDEO && std::int64_t(codec.width) * codec.height > kMostPixels)
+            throw notReadable(file, "pictures of " + std::to_string(codec.width) + " x " +
+                                        std::to_string(codec.height) + " are too large");
+    }
+}
+
 } // namespace
 
 VideoDemuxer::VideoDemuxer(fs::path file)
@@ -33,21 +76,20 @@ VideoDemuxer::VideoDemuxer(fs::path file)
 }
 
 void VideoDemuxer::open() {
-    m_container.reset();
-    AVFormatContext* container = nullptr;
-    const std::string url = "file:" + m_file.string(); // never a protocol that a file's name spells
-    if (const int failed = avformat_open_input(&container, url.c_str(), nullptr, nullptr); failed < 0)
-        throw notReadable(m_file, libavMessage(failed));
-    m_container.reset(container);
+    ContainerPointer container = openContainer(m_file);
     if (std::string_view(container->iformat->name) == "tty") // text drawn as pictures
         throw notReadable(m_file, "it is a text file");
-    if (const int failed = avformat_find_stream_info(container, nullptr); failed < 0)
+    requirePictureSizes(*container, m_file);
+    if (const int failed = findStreams(*container); failed < 0)
         throw notReadable(m_file, libavMessage(failed));
-    m_stream = av_find_best_stream(container, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
-    if (m_stream < 0)
+    requirePictureSizes(*container, m_file); // some are only told by the pictures
+    const int stream = av_find_best_stream(container.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    if (stream < 0)
         throw notReadable(m_file, "it has no video stream");
     for (unsigned s = 0; s < container->nb_streams; ++s)
-        container->streams[s]->discard = static_cast<int>(s) == m_stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
+        container->streams[s]->discard = static_cast<int>(s) == stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
+    m_stream = stream;
+    m_container = std::move(container); // the former one stays where the file cannot be opened again
 }
 
 const AVPacket* VideoDemuxer::next() {

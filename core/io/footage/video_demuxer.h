@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "core/io/footage/libav.h"
 #include "core/io/footage/video_index.h"
@@ -19,7 +18,7 @@ public:
     const AVStream& stream() const { return *m_container->streams[m_stream]; }
     /// The next packet of the video stream that holds anything; null at the end of the file.
     const AVPacket* next();
-    /// Back to the first packet.
+    /// Back to the first packet. Throws Error(BadInput) if the file cannot be opened any more; nothing changes then.
     void rewind();
     /// Goes to about where that packet is, or before. False if the container cannot; what comes next must be looked at
     /// in any case.

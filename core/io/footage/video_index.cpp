@@ -2,6 +2,8 @@
 #include "core/io/footage/video_index.h"
 
 #include <algorithm>
+#include <climits>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -58,17 +60,19 @@ public:
         std::memcpy(&value, m_bytes.data() + m_at, sizeof value);
         m_at += sizeof value;
     }
+    void get(bool& value) {
+        std::uint8_t byte = 0;
+        get(byte);
+        value = byte != 0;
+        m_isWhole = m_isWhole && byte <= 1;
+    }
+    /// Grows as values come: a wrong count takes no memory.
     template <typename Value>
     void get(std::vector<Value>& values) {
         std::uint64_t count = 0;
         get(count);
-        if (count > m_bytes.size()) { // each takes a byte at least
-            m_isWhole = false;
-            return;
-        }
-        values.resize(count);
-        for (Value& value : values)
-            get(value);
+        for (; count > 0 && m_isWhole; --count)
+            get(values.emplace_back());
     }
     void get(VideoPacket& packet) {
         get(packet.pts), get(packet.dts), get(packet.position), get(packet.size), get(packet.hash), get(packet.isKey),
@@ -89,15 +93,39 @@ void visit(Stream&& visitField, Index& index) {
     visitField(index.packets), visitField(index.packetOfPicture), visitField(index.timesSec);
 }
 
-/// Every number within the lists that it points into.
-bool isSound(const VideoIndex& index) {
+/// Pictures and packets name each other, or are not told apart at all.
+bool isConsistent(const VideoIndex& index) {
     const int packets = static_cast<int>(index.packets.size());
-    return packets > 0 && !index.packetOfPicture.empty() && index.size.width > 0 && index.size.height > 0 &&
-           std::all_of(index.packetOfPicture.begin(), index.packetOfPicture.end(),
-                       [&](int packet) { return packet >= 0 && packet < packets; }) &&
-           std::all_of(index.packets.begin(), index.packets.end(),
-                       [&](const VideoPacket& packet) { return packet.picture < index.pictures(); }) &&
-           (index.timesSec.empty() || index.timesSec.size() == index.packetOfPicture.size());
+    for (int picture = 0; picture < index.pictures(); ++picture) {
+        const int packet = index.packetOfPicture[static_cast<std::size_t>(picture)];
+        if (packet < 0 || packet >= packets ||
+            (index.isCounted ? packet != 0 : index.packets[static_cast<std::size_t>(packet)].picture != picture))
+            return false;
+    }
+    return std::all_of(index.packets.begin(), index.packets.end(), [&](const VideoPacket& packet) {
+        return packet.picture >= -1 && packet.picture < index.pictures();
+    });
+}
+
+/// None earlier than the one before.
+bool areTimes(const std::vector<double>& timesSec) {
+    for (std::size_t i = 0; i < timesSec.size(); ++i)
+        if (!std::isfinite(timesSec[i]) || (i > 0 && timesSec[i] < timesSec[i - 1]))
+            return false;
+    return true;
+}
+
+/// What indexing can yield: the index lies in the dataset's folder, and may come from a stranger.
+bool isSound(const VideoIndex& index) {
+    constexpr std::size_t kMost = INT_MAX;
+    constexpr int kLongest = 1 << 20; ///< pixels
+    return !index.packets.empty() && index.packets.size() < kMost && !index.packetOfPicture.empty() &&
+           index.packetOfPicture.size() < kMost && index.size.width > 0 && index.size.width < kLongest &&
+           index.size.height > 0 && index.size.height < kLongest && std::isfinite(index.framesPerSecond) &&
+           index.framesPerSecond >= 0 && index.rotationDegrees >= 0 && index.rotationDegrees < 360 &&
+           index.rotationDegrees % 90 == 0 && isConsistent(index) &&
+           (index.timesSec.empty() || index.timesSec.size() == index.packetOfPicture.size()) &&
+           areTimes(index.timesSec);
 }
 
 } // namespace
@@ -121,6 +149,10 @@ FileStamp stampOf(const fs::path& file) {
 }
 
 std::optional<VideoIndex> readVideoIndex(const fs::path& indexFile, const fs::path& video) {
+    constexpr std::uintmax_t kMostBytes = 1 << 30; // of a video of months
+    std::error_code missing;
+    if (const std::uintmax_t size = fs::file_size(indexFile, missing); missing || size > kMostBytes)
+        return std::nullopt;
     std::ifstream stream(indexFile, std::ios::binary);
     std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     std::uint64_t hash = 0;

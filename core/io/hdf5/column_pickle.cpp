@@ -1,17 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/hdf5/column_pickle.h"
 
+#include <algorithm>
 #include <map>
 
 namespace core {
 
 namespace {
 
+// A value may hold another one many times over, which holds a third one: a pickle of a hundred bytes can stand for more
+// than fits into any memory. The names of a table's columns come nowhere near these.
+constexpr int kDeepest = 8;                    ///< sequences in sequences
+constexpr std::size_t kMostBytes = 64'000'000; ///< of all values that are made, or copied
+
 /// A value on the stack of the pickle's little machine.
 struct Item {
     enum class Kind { Mark, Text, Sequence } kind = Kind::Text;
     std::string text;
     std::vector<Item> items;
+    int depth = 0;         ///< sequences in it
+    std::size_t bytes = 0; ///< of all that is in it
+
+    void add(Item item) {
+        depth = std::max(depth, item.depth + 1);
+        bytes += item.bytes;
+        items.push_back(std::move(item));
+    }
 };
 
 void appendUtf8(std::string& text, unsigned code) {
@@ -55,7 +69,7 @@ public:
             m_rest.remove_prefix(1);
             if (code == '.')
                 return m_stack.size() == 1 ? std::optional(m_stack.back()) : std::nullopt;
-            if (!step(code))
+            if (!step(code) || m_bytes > kMostBytes)
                 return std::nullopt;
         }
         return std::nullopt;
@@ -68,7 +82,19 @@ private:
         m_rest.remove_prefix(std::min(end + 1, m_rest.size()));
         return text;
     }
-    void pushText(std::string text) { m_stack.push_back({Item::Kind::Text, std::move(text), {}}); }
+    void push(Item::Kind kind, std::string text = "") {
+        const std::size_t bytes = sizeof(Item) + text.size();
+        m_stack.push_back({kind, std::move(text), {}, 0, bytes});
+        m_bytes += bytes;
+    }
+    void pushText(std::string text) { push(Item::Kind::Text, std::move(text)); }
+    /// A copy, if there is room for it.
+    bool copy(const Item& from, Item& to) {
+        m_bytes += from.bytes;
+        if (m_bytes <= kMostBytes)
+            to = from;
+        return m_bytes <= kMostBytes;
+    }
 
     /// Everything above the last mark becomes one list or tuple.
     bool collect() {
@@ -77,30 +103,31 @@ private:
             --at;
         if (at == 0)
             return false;
-        Item sequence{Item::Kind::Sequence, "", {m_stack.begin() + static_cast<std::ptrdiff_t>(at), m_stack.end()}};
+        Item sequence{Item::Kind::Sequence, "", {}, 0, sizeof(Item)};
+        for (std::size_t i = at; i < m_stack.size(); ++i)
+            sequence.add(std::move(m_stack[i]));
         m_stack.resize(at - 1);
         m_stack.push_back(std::move(sequence));
-        return true;
+        return m_stack.back().depth <= kDeepest;
     }
     bool append() {
         if (m_stack.size() < 2 || m_stack[m_stack.size() - 2].kind != Item::Kind::Sequence)
             return false;
         Item item = std::move(m_stack.back());
         m_stack.pop_back();
-        m_stack.back().items.push_back(std::move(item));
-        return true;
+        m_stack.back().add(std::move(item));
+        return m_stack.back().depth <= kDeepest;
     }
     bool recall() {
         const auto known = m_memo.find(std::string(line()));
         if (known == m_memo.end())
             return false;
-        m_stack.push_back(known->second);
-        return true;
+        return copy(known->second, m_stack.emplace_back());
     }
     bool step(char code) {
         switch (code) {
         case '(':
-            m_stack.push_back({Item::Kind::Mark, "", {}});
+            push(Item::Kind::Mark);
             return true;
         case 'l':
         case 't':
@@ -112,8 +139,7 @@ private:
         case 'p':
             if (m_stack.empty())
                 return false;
-            m_memo[std::string(line())] = m_stack.back();
-            return true;
+            return copy(m_stack.back(), m_memo[std::string(line())]);
         case 'V':
             pushText(unescaped(line()));
             return true;
@@ -138,6 +164,7 @@ private:
     std::string_view m_rest;
     std::vector<Item> m_stack;
     std::map<std::string, Item> m_memo;
+    std::size_t m_bytes = 0; ///< of all values that were made, or copied
 };
 
 } // namespace

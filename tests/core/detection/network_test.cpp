@@ -64,4 +64,38 @@ TEST(Network, RefusesGraphsThatDoNotFitTogether) {
     expectRefused([](auto& g) { g.operators.back().inputs.clear(); }, "inputs are missing");
 }
 
+/// `count` convolutions of 64 x 64 pixels by windows of 32 x 32, one after the other.
+core::NetworkGraph longWork(int count, int channels) {
+    core::NetworkGraph graph;
+    const auto add = [&](std::vector<int> shape, std::size_t values) {
+        graph.tensors.push_back({"", std::move(shape), std::vector<float>(values)});
+        return static_cast<int>(graph.tensors.size()) - 1;
+    };
+    const auto all = static_cast<std::size_t>(channels);
+    const int weights = add({channels, 32, 32, channels}, all * 32 * 32 * all), bias = add({channels}, all);
+    graph.inputs = {add({1, 64, 64, channels}, 0)};
+    for (int i = 0; i < count; ++i) {
+        core::NetworkOperator step;
+        step.kind = Kind::Convolution;
+        step.inputs = {static_cast<int>(graph.tensors.size()) - 1, weights, bias};
+        step.outputs = {add({1, 64, 64, channels}, 0)};
+        graph.operators.push_back(step);
+    }
+    graph.outputs = {static_cast<int>(graph.tensors.size()) - 1};
+    return graph;
+}
+
+TEST(Network, RefusesWorkWithoutEndThatIsMadeOfSmallParts) {
+    core::checkGraph(longWork(50, 16), "palm.tflite"); // 1.1e9 products each
+    const auto refused = [](const core::NetworkGraph& graph, const std::string& word) {
+        test::expectError([&] { core::checkGraph(graph, "palm.tflite"); }, core::ErrorCode::BadInput, "palm.tflite",
+                          word);
+    };
+    refused(longWork(100, 16), "takes too long");
+    core::NetworkGraph large = longWork(1, 1);
+    for (int i = 0; i < 9; ++i)
+        large.tensors.push_back({"", {1, 4096, 4096, 1}, {}});
+    refused(large, "too large together");
+}
+
 } // namespace

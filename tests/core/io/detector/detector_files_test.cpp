@@ -51,6 +51,39 @@ TEST(TfliteFile, RefusesWhatIsNotOne) {
                       "not a TensorFlow");
 }
 
+/// A file of these tensors, which have no other operators than to widen numbers of 16 bits.
+std::string tensorsOnly(const std::vector<test::FlatNode>& tensors, const std::vector<test::FlatNode>& buffers,
+                        const std::vector<test::FlatNode>& operators = {}) {
+    const test::FlatNode code{{{0, test::flatByte(6)}, {3, test::flatInt(6)}}}; // DEQUANTIZE
+    const test::FlatNode subgraph{{{0, test::flatTables(tensors)}, {3, test::flatTables(operators)}}};
+    return test::FlatWriter().write({{{0, test::flatInt(3)},
+                                      {1, test::flatTables({code})},
+                                      {2, test::flatTables({subgraph})},
+                                      {4, test::flatTables(buffers)}}},
+                                    "TFL3");
+}
+
+TEST(TfliteFile, TakesNoMemoryForWhatItSharesOrClaims) {
+    const auto refused = [](const std::string& bytes, const std::string& word) {
+        test::expectError([&] { core::parseTflite(bytes, "a.tflite"); }, ErrorCode::BadInput, "a.tflite", word);
+    };
+    // Each of the tensors would hold a copy of the buffer, 8 GB in all.
+    constexpr int kValues = 1 << 20;
+    const test::FlatNode buffer{{{0, test::flatBytes(std::string(2 * kValues, '\1'))}}};
+    const test::FlatNode half{{{0, test::flatInts({kValues})}, {1, test::flatByte(1)}, {2, test::flatInt(1)}}};
+    const test::FlatNode empty{{{0, test::flatInts({kValues})}, {2, test::flatInt(0)}}};
+    refused(tensorsOnly(std::vector<test::FlatNode>(2000, half), {{}, buffer}), "constants are too large");
+    std::vector<test::FlatNode> tensors(2000, empty), widenings;
+    tensors[0] = half;
+    for (int i = 1; i < 2000; ++i)
+        widenings.push_back({{{1, test::flatInts({0})}, {2, test::flatInts({i})}}});
+    refused(tensorsOnly(tensors, {{}, buffer}, widenings), "constants are too large");
+    refused(tensorsOnly(std::vector<test::FlatNode>(10'001), {{}}), "there are 10001");
+    core::NetworkGraph graph = test::networkOfEverything();
+    graph.tensors[0].name = std::string(500'000, 'n');
+    EXPECT_EQ(core::parseTflite(test::tfliteBytes(graph), "a.tflite").tensors[0].name, std::string(200, 'n'));
+}
+
 TEST(TfliteFile, NeverCrashesWhateverIsCutOffOrChanged) {
     const std::string bytes = test::tfliteBytes(test::networkOfEverything(), true);
     int refused = 0;

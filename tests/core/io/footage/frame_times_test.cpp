@@ -67,6 +67,19 @@ TEST(FrameTimes, ThatMakeNoSenseGiveNoGaps) {
     EXPECT_FALSE(core::analyseTimes({0, 1, 3.5, 4, 8, 9.7, 10, 13}).isSane) << "no step is usual";
 }
 
+TEST(FrameTimes, ThatClaimAGapOfBillionsOfFramesAreNotSane) {
+    const core::FrameTiming day = core::analyseTimes(times(20, 0.02, {{10, 4'320'000}}));
+    EXPECT_TRUE(day.isSane);
+    EXPECT_EQ(day.gaps, (Gaps{{9, 4'320'000}}));
+    for (const double last : {1e9, 1e18, 1e300}) {
+        std::vector<double> claimed = times(20, 1, {{5, 2}});
+        claimed.push_back(last);
+        const core::FrameTiming timing = core::analyseTimes(claimed);
+        EXPECT_FALSE(timing.isSane) << last;
+        EXPECT_TRUE(timing.gaps.empty()) << last;
+    }
+}
+
 TEST(FrameTimes, RatesAreThoseInUse) {
     EXPECT_EQ(core::roundedRate(0.04), 25);
     EXPECT_EQ(core::roundedRate(1 / 29.97002), 30 / 1.001);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/footage/video_file.h"
 
+#include <climits>
 #include <csignal>
+#include <cstring>
 #include <fstream>
+#include <functional>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "core/io/files/content_hash.h"
 #include "core/io/footage/video_indexer.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/recordings/numbered_video.h"
@@ -144,6 +149,80 @@ TEST_F(Video, KeepsItsIndexAndMakesADamagedOrStaleOneAnew) {
     encode("a.mp4", "-c:v mpeg4 -g 20", 44);
     EXPECT_FALSE(core::readVideoIndex(kept, file));
     EXPECT_EQ(core::VideoFile(file, kept).info().frames, 44);
+}
+
+TEST_F(Video, RefusesAnIndexThatIndexingCannotHaveMade) {
+    const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 20", 12), kept = m_folder / "a.videoindex";
+    const core::VideoIndex index = core::indexVideo(file);
+    const auto isKept = [&](const std::function<void(core::VideoIndex&)>& change) {
+        core::VideoIndex changed = index;
+        change(changed);
+        core::keepVideoIndex(changed, kept); // with the sum that belongs to it, as one who forges it would
+        return core::readVideoIndex(kept, file).has_value();
+    };
+    EXPECT_TRUE(isKept([](core::VideoIndex&) {}));
+    EXPECT_TRUE(isKept([](core::VideoIndex& it) { it.timesSec.clear(); }));
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(isKept([&](core::VideoIndex& it) { it.timesSec[3] = kNan; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.timesSec[3] = it.timesSec[5]; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.timesSec.pop_back(); }));
+    EXPECT_FALSE(isKept([&](core::VideoIndex& it) { it.framesPerSecond = kNan; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.framesPerSecond = -25; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.rotationDegrees = 45; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.size.width = INT_MAX; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.packetOfPicture[4] = 12; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { std::swap(it.packetOfPicture[4], it.packetOfPicture[5]); }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.packets[4].picture = -7; }));
+    EXPECT_FALSE(isKept([](core::VideoIndex& it) { it.isCounted = true; }));
+}
+
+TEST_F(Video, TakesNoMemoryForWhatAnIndexClaims) {
+    const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 20", 12), kept = m_folder / "a.videoindex";
+    core::keepVideoIndex(core::indexVideo(file), kept);
+    const std::string whole = test::readText(kept);
+    const std::size_t header = std::string("handlens-video-index-1\n").size() + 8 + 8 + 4 + 4 + 8 + 4 + 1;
+    for (const std::uint64_t count : {std::uint64_t(13), std::uint64_t(1'000'000'000), UINT64_MAX}) {
+        std::string claimed = whole.substr(0, whole.size() - 8);
+        std::memcpy(claimed.data() + header, &count, 8);
+        const std::uint64_t sum = core::contentHash(claimed.data(), claimed.size());
+        test::writeText(kept, claimed.append(reinterpret_cast<const char*>(&sum), 8));
+        EXPECT_FALSE(core::readVideoIndex(kept, file)) << count;
+    }
+}
+
+TEST_F(Video, OpensNoOtherFileThanItsOwn) {
+    const fs::path other = encode("other.ts", "-c:v mpeg2video -g 10", 20);
+    EXPECT_EQ(core::VideoFile(other, {}).info().frames, 20);
+    for (const char* list : {"ffconcat version 1.0\nfile other.ts\n",
+                             "#EXTM3U\n#EXT-X-VERSION:3\n#EXT-X-TARGETDURATION:10\n#EXTINF:0.8,\nother.ts\n"
+                             "#EXT-X-ENDLIST\n"}) {
+        const fs::path file = m_folder / "a.mp4";
+        test::writeText(file, list);
+        test::expectError([&] { core::VideoFile(file, {}); }, BadInput, "a.mp4", "not a readable video");
+    }
+}
+
+TEST_F(Video, RefusesPicturesThatWouldFillTheMemory) {
+    const fs::path file = encode("a.avi", "-c:v rawvideo -pix_fmt yuv420p", 3);
+    std::string bytes = test::readText(file);
+    const std::size_t format = bytes.find("strf") + 8; // BITMAPINFOHEADER: size, width, height
+    const std::int32_t size = 30'000;
+    std::memcpy(bytes.data() + format + 4, &size, 4);
+    std::memcpy(bytes.data() + format + 8, &size, 4);
+    test::writeText(file, bytes);
+    test::expectError([&] { core::VideoFile(file, {}); }, BadInput, "a.avi", "30000 x 30000 are too large");
+}
+
+TEST_F(Video, SaysSoWhenTheFileHasGoneMeanwhile) {
+    const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 60", 40);
+    core::VideoFile video(file, {});
+    video.setBudget(0); // one picture is kept
+    EXPECT_EQ(test::numberInPicture(video.read(30)), 30);
+    fs::rename(file, m_folder / "elsewhere.mp4");
+    for (int time = 0; time < 3; ++time)
+        test::expectError([&] { video.read(3); }, BadInput, "a.mp4", "not a readable video");
+    fs::rename(m_folder / "elsewhere.mp4", file);
+    EXPECT_EQ(test::numberInPicture(video.read(3)), 3);
 }
 
 TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {

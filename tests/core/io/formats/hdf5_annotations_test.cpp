@@ -51,6 +51,23 @@ TEST(ColumnPickle, HoldsTextsAndTuplesOfTexts) {
         EXPECT_FALSE(core::columnsOfPickle(wrong)) << wrong;
 }
 
+TEST(ColumnPickle, RefusesFewBytesThatStandForMoreThanAnyMemoryHolds) {
+    std::string nested = "Vname\np0\n"; // each tuple holds the one before it a hundred times
+    for (int level = 0; level < 7; ++level) {
+        nested += '(';
+        for (int i = 0; i < 100; ++i)
+            nested += "g" + std::to_string(level) + "\n";
+        nested += "tp" + std::to_string(level + 1) + "\n";
+    }
+    EXPECT_FALSE(core::columnsOfPickle("(" + nested + "l."));
+    std::string repeated = "(lp0\nV" + std::string(100'000, 'n') + "\np1\na"; // one long name, many times
+    for (int i = 0; i < 100'000; ++i)
+        repeated += "g1\na";
+    EXPECT_FALSE(core::columnsOfPickle(repeated + "."));
+    const std::size_t deep = 1'000'000; // freeing it would fill the stack of the program
+    EXPECT_FALSE(core::columnsOfPickle(std::string(deep, '(') + std::string(deep, 't') + "."));
+}
+
 struct TableRow {
     std::int64_t index;
     double values[3];
