@@ -4,7 +4,7 @@
 #include <QApplication>
 
 #include <gtest/gtest.h>
-#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/contour/rasteriser.h"
 #include "tests/support/camera_ring.h"
@@ -122,6 +122,45 @@ TEST(MeshLayer, ANewZoomIsDrawnAnewAndTheOldPictureStandsInMeanwhile) {
     view.setMeshLayers({});
     view.finishDrawing();
     EXPECT_FALSE(greenAt({541, 956}));
+}
+
+/// On the screen, at any zoom: what shows the mesh lies within the rasteriser's silhouette grown by a pixel, what does
+/// not lies outside the silhouette shrunk by one.
+TEST(MeshLayer, EdgeInTheViewIsTheRasterisersAtEveryZoom) {
+    const core::Camera camera = test::cameraRing(1)[0];
+    MeshLayer layer = test::ballLayer(Qt::green);
+    layer.opacity = 1;
+    CameraView view;
+    view.setCamera(camera);
+    view.resize(300, 420);
+    view.show();
+    view.setMeshLayers({layer});
+    for (const double scale : {0.15, 0.37, 1.0, 2.3, 6.7}) {
+        const double radiusPx = 200; // of the ball in the picture, about: its right edge is in view
+        view.lookAt({541 + (scale > 0.5 ? radiusPx : 0), 956}, scale);
+        view.finishDrawing();
+        const QImage shown = view.viewport()->grab().toImage();
+        // The image pixel whose upper left corner is the viewport's: centres of pixels are at integers.
+        const QPointF corner = view.viewportToImage({0, 0}) + QPointF(0.5, 0.5);
+        const cv::Mat mask = maskOf(
+            core::cropped(camera, {corner.x(), corner.y()}, {shown.width(), shown.height()}, view.scale()), layer);
+        cv::Mat grown, shrunk;
+        const cv::Mat cross = cv::getStructuringElement(cv::MORPH_CROSS, {3, 3});
+        cv::dilate(mask, grown, cross);
+        cv::erode(mask, shrunk, cross);
+        int wrong = 0;
+        for (int y = 1; y + 1 < shown.height(); ++y) {
+            for (int x = 1; x + 1 < shown.width(); ++x) {
+                const QColor pixel = shown.pixelColor(x, y);
+                const bool isMesh = pixel.green() > pixel.red() + 40;
+                wrong += isMesh ? grown.at<unsigned char>(y, x) == 0 : shrunk.at<unsigned char>(y, x) != 0;
+            }
+        }
+        EXPECT_EQ(wrong, 0) << scale;
+        const int covered = cv::countNonZero(mask);
+        EXPECT_GT(covered, 500) << scale;
+        EXPECT_LT(covered, 0.95 * shown.width() * shown.height()) << scale << ": an edge is in view";
+    }
 }
 
 /// What a person compares: the lit mesh with its method's chip, curve and table row.
