@@ -17,25 +17,11 @@ inline const core::JointId kIndex{core::Side::Left, "index_mcp"};
 inline const core::JointId kWrist{core::Side::Right, "wrist"};
 
 /// Writes a manual mark of `point` into every camera that sees it, with normal noise from `random` per axis.
-inline void clickEverywhere(core::AnnotationSet& set, const std::vector<core::Camera>& cameras, int frame,
-                            const std::string& rater, const core::JointId& joint, const Eigen::Vector3d& point,
-                            double sigmaPx = 0, std::mt19937_64* random = nullptr) {
-    for (const core::Camera& camera : cameras) {
-        auto px = core::project(camera, point);
-        if (!px)
-            continue;
-        if (random && sigmaPx > 0) {
-            std::normal_distribution<double> normal(0, sigmaPx);
-            px->x() += normal(*random);
-            px->y() += normal(*random);
-        }
-        set.marks[{frame, rater, joint, camera.name}] = {*px, core::Placement::Manual, core::MarkState::Visible};
-    }
-}
+void clickEverywhere(core::AnnotationSet& set, const std::vector<core::Camera>& cameras, int frame,
+                     const std::string& rater, const core::JointId& joint, const Eigen::Vector3d& point,
+                     double sigmaPx = 0, std::mt19937_64* random = nullptr);
 
 /// Seeded by its name, so that every test draws its own, always the same numbers.
-inline std::mt19937_64 randomFor(const std::string& name) {
-    return std::mt19937_64(std::hash<std::string>{}(name));
-}
+std::mt19937_64 randomFor(const std::string& name);
 
 } // namespace test

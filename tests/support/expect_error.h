@@ -27,21 +27,11 @@ void expectError(Call&& call, core::ErrorCode code, const std::string& file, con
     }
 }
 
-inline void writeText(const std::filesystem::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary) << text;
-}
+void writeText(const std::filesystem::path& file, const std::string& text);
 
-inline std::string readText(const std::filesystem::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
+std::string readText(const std::filesystem::path& file);
 
 /// `text` with its first `what` replaced; fails the test if there is none.
-inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    const std::size_t at = text.find(what);
-    EXPECT_NE(at, std::string::npos) << what;
-    return at == std::string::npos ? text : text.replace(at, what.size(), by);
-}
+std::string replaced(std::string text, const std::string& what, const std::string& by);
 
 } // namespace test

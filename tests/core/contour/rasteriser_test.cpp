@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/contour/triangle_scan.h"
+#include "tests/support/shapes/solids.h"
 #include "tests/support/two_finger_hand.h"
 
 namespace {

@@ -11,6 +11,7 @@
 
 #include "core/contour/oriented_contour.h"
 #include "core/contour/rasteriser.h"
+#include "tests/support/shapes/solids.h"
 #include "tests/support/two_finger_hand.h"
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "core/contour/rasteriser.h"
 #include "core/fitting/method_name.h"
 #include "core/fitting/pose_estimator.h"
 #include "core/io/import/tzionas_import.h"

@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+// The precompiled headers of the window need one source file.
