@@ -8,7 +8,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/fitting/fit_result.h"
-#include "core/fitting/known_joints.h"
+#include "core/fitting/joint_problem.h"
 #include "core/fitting/method.h"
 #include "core/geometry/camera.h"
 #include "core/hand/hand_model.h"

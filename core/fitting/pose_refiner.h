@@ -12,7 +12,7 @@
 #include "core/contour/visible_rim.h"
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
-#include "core/fitting/known_joints.h"
+#include "core/fitting/joint_problem.h"
 #include "core/fitting/rim_matches.h"
 #include "core/hand/skinned_surface.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/fitting/known_joints.h"
+#include "core/fitting/joint_problem.h"
 
 #include <gtest/gtest.h>
 
