@@ -2113,6 +2113,17 @@
         <source>Save the iterations as a film</source>
         <translation>Iterationen als Film speichern</translation>
     </message>
+    <message>
+        <source>Bringing the hands to the corrected joint</source>
+        <translation>Hände werden zum korrigierten Gelenk gebracht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of frame %1 follow the corrected joint.</source>
+        <translation>
+            <numerusform>%n Marke von Bild %1 folgt dem korrigierten Gelenk.</numerusform>
+            <numerusform>%n Marken von Bild %1 folgen dem korrigierten Gelenk.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>
@@ -5413,6 +5424,10 @@
             <numerusform>, noch %n min</numerusform>
             <numerusform>, noch %n min</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>saving</source>
+        <translation>wird gespeichert</translation>
     </message>
 </context>
 <context>

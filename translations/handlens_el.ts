@@ -2113,6 +2113,17 @@
         <source>Save the iterations as a film</source>
         <translation>Αποθήκευση επαναλήψεων ως βίντεο</translation>
     </message>
+    <message>
+        <source>Bringing the hands to the corrected joint</source>
+        <translation>Προσαρμογή των χεριών στη διορθωμένη άρθρωση</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of frame %1 follow the corrected joint.</source>
+        <translation>
+            <numerusform>%n σημάδι του καρέ %1 ακολουθεί τη διορθωμένη άρθρωση.</numerusform>
+            <numerusform>%n σημάδια του καρέ %1 ακολουθούν τη διορθωμένη άρθρωση.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>
@@ -5413,6 +5424,10 @@
             <numerusform>, απομένει %n λεπτό</numerusform>
             <numerusform>, απομένουν %n λεπτά</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>saving</source>
+        <translation>αποθήκευση…</translation>
     </message>
 </context>
 <context>

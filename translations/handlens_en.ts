@@ -83,6 +83,13 @@
             <numerusform>%n marks around frame %1 are proposed anew.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n mark(s) of frame %1 follow the corrected joint.</source>
+        <translation>
+            <numerusform>%n mark of frame %1 follows the corrected joint.</numerusform>
+            <numerusform>%n marks of frame %1 follow the corrected joint.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::NewDatasetWindow</name>

@@ -2102,6 +2102,16 @@
         <source>Save the iterations as a film</source>
         <translation>将迭代过程存为影片</translation>
     </message>
+    <message>
+        <source>Bringing the hands to the corrected joint</source>
+        <translation>正在使双手符合已更正的关节</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n mark(s) of frame %1 follow the corrected joint.</source>
+        <translation>
+            <numerusform>第 %1 帧的 %n 个标记已随更正的关节更新。</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>
@@ -5345,6 +5355,10 @@
         <translation>
             <numerusform>，剩余 %n 分钟</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>saving</source>
+        <translation>正在保存</translation>
     </message>
 </context>
 <context>

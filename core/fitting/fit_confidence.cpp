@@ -223,11 +223,17 @@ FitConfidence judgeFit(PoseRefiner& refiner, const HandPoses& start, const HandP
     confidence.rivalMm = rivalMm;
     confidence.pointsPerSample = evidence.pointsPerSample;
     const FittingHands& hands = refiner.hands();
+    const KnownJoints& known = refiner.knownJoints();
     for (std::size_t h = 0; h < hands.models.size(); ++h) {
         const Eigen::MatrixXd& precision = hands.changePrecision[h];
-        const Eigen::MatrixXd covariance = poseCovariance(
-            evidence.equations[h].hessian, std::max(kLeastSigmaMm, evidence.sigmaMm),
-            kModelErrorFactor * evidence.pointsPerSample, precision, changeScale(precision, start[h], poses[h]));
+        const double sigmaMm = std::max(kLeastSigmaMm, evidence.sigmaMm);
+        const double pointsPerSample = kModelErrorFactor * evidence.pointsPerSample;
+        Eigen::MatrixXd hessian = evidence.equations[h].hessian;
+        if (h < known.size() && !known[h].empty())
+            hessian += sigmaMm * sigmaMm * pointsPerSample *
+                       knownJointEquations(hands.models[h].skeleton, known[h], poses[h]).hessian;
+        const Eigen::MatrixXd covariance =
+            poseCovariance(hessian, sigmaMm, pointsPerSample, precision, changeScale(precision, start[h], poses[h]));
         confidence.jointCovarianceMm2.push_back(jointCovariances(hands.models[h].skeleton, poses[h], covariance));
     }
     confidence.systematic = systematicPart(hands, poses, evidence.residuals, evidence.pointsPerSample);

@@ -88,8 +88,8 @@ PoseEstimator::PoseEstimator(PoseEstimator&&) noexcept = default;
 PoseEstimator& PoseEstimator::operator=(PoseEstimator&&) noexcept = default;
 
 FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses& start, const Method& method,
-                             std::stop_token stop, const FitProgress& progress, int threads,
-                             const FitExtras& extras) const {
+                             std::stop_token stop, const FitProgress& progress, int threads, const FitExtras& extras,
+                             const KnownJoints& known) const {
     checkInput(m_impl->hands.models, m_impl->cameras, masks, start);
     const Stopwatch total;
     FitResult result;
@@ -103,6 +103,7 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
     }
     PoseRefiner refiner(m_impl->hands, m_impl->cameras, targets, start, threads, result.profile);
     refiner.recordMatches(extras.matches);
+    refiner.pullTo(known);
     if (method.forearm == Forearm::Cut)
         refiner.cutForearms(start);
     FitAttempt attempt;

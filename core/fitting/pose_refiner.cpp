@@ -28,6 +28,12 @@ constexpr double kLimitPull = 1e4; ///< mm^2 per rad^2
 constexpr double kAngleFloor = 20; ///< mm^2 per rad^2: holds what no camera sees
 constexpr double kRigidFloor = 1e-3;
 
+/// What a known joint's squared Mahalanobis distance weighs in the equations of the outlines: the variance of an
+/// outline times the rim points that err together.
+constexpr double kKnownJointMm2 = 10;
+/// And in the mean distance of the outlines: a joint that is 10 mm off as much as a finger that is in a wrong place.
+constexpr double kKnownJointPx = 0.002;
+
 constexpr float kCoarseCellPx = 4;
 constexpr float kCoarseOutwardPx = 4;
 
@@ -226,6 +232,11 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
         addFingerChange(precision, settings.motionPrior * equations.count,
                         (poses[hand] - m_start[hand]).tail(precision.rows()), hessian, gradient);
     }
+    if (hand < m_known.size() && !m_known[hand].empty()) {
+        const KnownJointEquations known = knownJointEquations(skeleton, m_known[hand], poses[hand]);
+        hessian += kKnownJointMm2 * known.hessian.topLeftCorner(size, size);
+        gradient += kKnownJointMm2 * known.gradient.head(size);
+    }
     Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
     step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
     return step;
@@ -278,7 +289,7 @@ double PoseRefiner::silhouetteDifferencePx(const HandPoses& poses, float cellPx)
     for (const View& view : m_views)
         area += view.silhouettes.differencePx2;
     const double length = outlineLengthPx();
-    return length > 0 ? area / length : 0;
+    return (length > 0 ? area / length : 0) + kKnownJointPx * knownJointMisfit(m_hands.models, m_known, poses);
 }
 
 double PoseRefiner::deepDifferencePx(const HandPoses& poses, int depthPx) {

@@ -12,6 +12,7 @@
 #include "core/contour/visible_rim.h"
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
+#include "core/fitting/joint_problem.h"
 #include "core/fitting/rim_matches.h"
 #include "core/hand/skinned_surface.h"
 
@@ -63,6 +64,11 @@ public:
     const FittingHands& hands() const { return m_hands; }
     /// Whether the masks hold specks, as a threshold in noisy pictures makes them.
     bool isNoisy() const { return !m_targets.empty() && m_targets.front().isSpeckled; }
+
+    /// From now on, iterations pull the hands to these joints as well, and a pose that misses them counts as one that
+    /// explains the masks worse.
+    void pullTo(KnownJoints known) { m_known = std::move(known); }
+    const KnownJoints& knownJoints() const { return m_known; }
 
     /// From now on, leaves out what lies beyond the cut of each hand whose silhouettes go on there: rim, contour and
     /// area. That a hand has a forearm is decided here, once, from the pixels beyond the model's end in `poses` that no
@@ -146,6 +152,7 @@ private:
     int m_threads;
     FitProfile& m_profile;
     std::optional<IterationSettings> m_lastSettings;
+    KnownJoints m_known;
     std::vector<View> m_views;
     std::vector<ForearmCut> m_cuts;                               ///< per hand
     std::vector<double> m_sleeveMm;                               ///< per hand: how far its cut was moved

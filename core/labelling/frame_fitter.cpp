@@ -110,7 +110,7 @@ std::vector<cv::Mat> FrameFitter::silhouettes(const FrameEvidence& evidence, con
 }
 
 FrameFit FrameFitter::bySilhouettes(const FrameEvidence& evidence, const HandPoses& start, int rounds, FitSource source,
-                                    std::stop_token stop) const {
+                                    std::stop_token stop, const KnownJoints& known) const {
     FrameFit result;
     result.source = source;
     result.hands.resize(m_hands.size());
@@ -119,13 +119,16 @@ FrameFit FrameFitter::bySilhouettes(const FrameEvidence& evidence, const HandPos
         return result;
     static const Method method = parseMethod("best");
     HandPoses poses;
-    for (const std::size_t h : present)
+    KnownJoints knownOfPresent;
+    for (const std::size_t h : present) {
         poses.push_back(start[h]);
+        knownOfPresent.push_back(h < known.size() ? known[h] : std::vector<JointTarget>());
+    }
     HandPoses all = start;
     FitResult fit;
     for (int round = 0; round < (evidence.masks.empty() ? rounds : 1) && !stop.stop_requested(); ++round) {
         fit = estimatorOf(start).fit(silhouettes(evidence, all), poses, method, stop, {}, m_threads,
-                                     {.confidence = true});
+                                     {.confidence = true}, knownOfPresent);
         poses = fit.poses;
         for (std::size_t i = 0; i < present.size(); ++i)
             all[present[i]] = poses[i];

@@ -66,8 +66,9 @@ public:
 
     /// The poses that explain the silhouettes by `best`, from `start` (empty poses: hands that are not there).
     /// `rounds`: how often silhouettes are made, each time from the poses of the round before; 1 where they are given.
+    /// `known`: joints that are known beside them, per hand, mm.
     FrameFit bySilhouettes(const FrameEvidence& evidence, const HandPoses& start, int rounds, FitSource source,
-                           std::stop_token stop = {}) const;
+                           std::stop_token stop = {}, const KnownJoints& known = {}) const;
 
     /// The silhouettes of hands in these poses: those that are given, else made of the pictures (silhouettesByModel).
     std::vector<cv::Mat> silhouettes(const FrameEvidence& evidence, const HandPoses& poses) const;

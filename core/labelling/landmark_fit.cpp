@@ -37,21 +37,21 @@ std::vector<double> squaredDistances(const Skeleton& skeleton, const std::vector
     return squared;
 }
 
-/// The cost of a pose: outlying targets count by the logarithm of their distance.
-double robustCost(const std::vector<double>& squared) {
+/// The cost of a pose: outlying targets count by the logarithm of their distance, certain ones as they are.
+double robustCost(const std::vector<double>& squared, std::size_t certain) {
     constexpr double kScale = 3 * kCauchySigmas * kCauchySigmas;
     double cost = 0;
-    for (const double value : squared)
-        cost += kScale * std::log1p(value / kScale);
+    for (std::size_t i = 0; i < squared.size(); ++i)
+        cost += i < certain ? squared[i] : kScale * std::log1p(squared[i] / kScale);
     return cost;
 }
 
 /// Targets whose covariance is wider the farther they were off.
 std::vector<JointTarget> reweighed(std::vector<JointTarget> targets, const std::vector<double>& squared,
-                                   double modelSigmaMm) {
+                                   const LandmarkFitOptions& options) {
     constexpr double kScale = 3 * kCauchySigmas * kCauchySigmas;
-    const Eigen::Matrix3d model = modelSigmaMm * modelSigmaMm * Eigen::Matrix3d::Identity();
-    for (std::size_t i = 0; i < targets.size(); ++i)
+    const Eigen::Matrix3d model = options.modelSigmaMm * options.modelSigmaMm * Eigen::Matrix3d::Identity();
+    for (std::size_t i = options.certain; i < targets.size(); ++i)
         targets[i].covariance = (1 + squared[i] / kScale) * (targets[i].covariance + model) - model;
     return targets;
 }
@@ -70,8 +70,7 @@ std::optional<Pose> robustFit(const Skeleton& skeleton, const std::vector<JointT
         if (!fit)
             return std::nullopt;
         pose = fit->pose;
-        weighed =
-            reweighed(targets, squaredDistances(skeleton, targets, *pose, options.modelSigmaMm), options.modelSigmaMm);
+        weighed = reweighed(targets, squaredDistances(skeleton, targets, *pose, options.modelSigmaMm), options);
     }
     return pose;
 }
@@ -82,8 +81,7 @@ std::vector<Eigen::Matrix3d> covariancesAt(const Skeleton& skeleton, const std::
     JointProblemOptions problemOptions;
     problemOptions.modelSigmaMm = options.modelSigmaMm;
     problemOptions.priorSigmaRad = options.priorSigmaRad;
-    const auto weighed =
-        reweighed(targets, squaredDistances(skeleton, targets, pose, options.modelSigmaMm), options.modelSigmaMm);
+    const auto weighed = reweighed(targets, squaredDistances(skeleton, targets, pose, options.modelSigmaMm), options);
     const JointProblem problem(skeleton, weighed, pose, problemOptions);
     Eigen::MatrixXd hessian;
     Eigen::VectorXd gradient;
@@ -153,7 +151,7 @@ std::optional<LandmarkFit> fitToTargets(const HandModel& hand, const std::vector
         if (!pose)
             continue;
         const auto squared = squaredDistances(hand.skeleton, targets, *pose, options.modelSigmaMm);
-        const double cost = robustCost(squared);
+        const double cost = robustCost(squared, options.certain);
         if (cost >= leastCost)
             continue;
         leastCost = cost;

@@ -18,6 +18,7 @@ struct LandmarkFitOptions {
     bool areJoints = false;
     double modelSigmaMm = 2;    ///< how far the model's joints are from the person's
     double priorSigmaRad = 0.6; ///< how far angles are expected from those of a start
+    std::size_t certain = 0;    ///< of fitToTargets: so many first targets are never taken for outliers
 };
 
 /// The joints of a model that landmarks stand for, by name, the detector's mean error taken off. A model without a

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/annotation/reconstruction.h"
 #include "core/labelling/landmark_fit.h"
 #include "core/labelling/pass_plan.h"
 #include "core/subject/calibration_unit.h"
@@ -17,74 +18,125 @@ namespace {
 
 constexpr double kStepShare = 0.8; ///< of the last step: hands slow down
 
-/// The joints of one hand that are known, in the calibration's unit: the person's, and the labels' where it has none.
-std::vector<JointTarget> targetsOf(const HandModel& hand, const CorrectedFrame& corrected) {
-    std::vector<JointTarget> targets;
+constexpr double kGuessSigmaMm = 3;        ///< of a joint that the person has left as a program has it
+constexpr double kWrongFingerSigmaMm = 15; ///< of one on a finger that the person has corrected
+constexpr double kModelSigmaMm = 1;        ///< how far the measured hand's joints are from the person's
+constexpr double kSameDoubt = 0.1;         ///< doubts that are so near say nothing of which fit is better
+
+/// What is known of a hand's joints, mm: those that the person has placed, and those that programs have.
+struct HandTargets {
+    std::vector<JointTarget> placed, guessed;
+};
+
+/// The finger that a bone belongs to: the child of the root that it hangs on; 0 for the root.
+int fingerOf(const Skeleton& skeleton, int bone) {
+    while (bone > 0 && skeleton.bones[static_cast<std::size_t>(bone)].parent > 0)
+        bone = skeleton.bones[static_cast<std::size_t>(bone)].parent;
+    return bone;
+}
+
+HandTargets targetsOf(const HandModel& hand, const CorrectedFrame& corrected) {
+    HandTargets targets;
     for (std::size_t b = 0; b < hand.skeleton.bones.size(); ++b) {
-        const std::string& name = hand.skeleton.bones[b].name;
-        const auto placed = corrected.joints.find(JointId{hand.side, name});
-        if (placed != corrected.joints.end()) {
-            targets.push_back({static_cast<int>(b), placed->second.pointInWorld, placed->second.covariance});
-            continue;
-        }
-        for (const AutoHand& label : corrected.labels)
-            for (const AutoJoint& joint : label.joints)
-                if (label.side == hand.side && joint.name == name)
-                    targets.push_back({static_cast<int>(b), joint.pointInWorld, joint.covariance});
+        const JointId id{hand.side, hand.skeleton.bones[b].name};
+        const auto placed = corrected.joints.find(id);
+        const auto guess = corrected.guesses.find(id);
+        if (placed != corrected.joints.end())
+            targets.placed.push_back({static_cast<int>(b), placed->second.pointInWorld, placed->second.covariance});
+        else if (guess != corrected.guesses.end())
+            targets.guessed.push_back({static_cast<int>(b), guess->second, Eigen::Matrix3d::Zero()});
     }
     return targets;
 }
 
-std::vector<JointTarget> inMm(std::vector<JointTarget> targets, double unitMm) {
-    for (JointTarget& target : targets) {
+/// All of them, those that were placed first.
+std::vector<JointTarget> joined(const HandTargets& targets) {
+    std::vector<JointTarget> all = targets.placed;
+    all.insert(all.end(), targets.guessed.begin(), targets.guessed.end());
+    return all;
+}
+
+/// In mm, and as certain as they are: a guess on a finger with a placed joint says little.
+HandTargets inMm(HandTargets targets, const Skeleton& skeleton, double unitMm) {
+    for (JointTarget& target : targets.placed) {
         target.pointInWorld *= unitMm;
         target.covariance *= unitMm * unitMm;
+    }
+    for (JointTarget& target : targets.guessed) {
+        const int finger = fingerOf(skeleton, target.bone);
+        const bool isWrong =
+            finger > 0 && std::any_of(targets.placed.begin(), targets.placed.end(),
+                                      [&](const auto& one) { return fingerOf(skeleton, one.bone) == finger; });
+        const double sigmaMm = isWrong ? kWrongFingerSigmaMm : kGuessSigmaMm;
+        target.pointInWorld *= unitMm;
+        target.covariance = sigmaMm * sigmaMm * Eigen::Matrix3d::Identity();
     }
     return targets;
 }
 
 /// Whether joints that a person has placed are elsewhere in a fit, beyond what clicks and models leave open.
-bool contradicts(const FrameFit& fit, const std::vector<HandModel>& hands, const CorrectedFrame& corrected,
-                 double unitMm) {
+bool contradicts(const FrameFit& fit, const std::vector<HandModel>& hands, const KnownJoints& placed) {
     constexpr double kModelMm = 4, kSigmas = 3;
     for (std::size_t h = 0; h < hands.size(); ++h) {
         if (fit.hands[h].pose.size() == 0)
             continue;
         const auto joints = jointPositions(hands[h].skeleton, fit.hands[h].pose);
-        for (std::size_t b = 0; b < joints.size(); ++b) {
-            const auto placed = corrected.joints.find(JointId{hands[h].side, hands[h].skeleton.bones[b].name});
-            if (placed == corrected.joints.end())
-                continue;
-            const double sigmaMm = unitMm * std::sqrt(placed->second.covariance.trace());
-            if ((joints[b] - unitMm * placed->second.pointInWorld).norm() > kModelMm + kSigmas * sigmaMm)
+        for (const JointTarget& target : placed[h])
+            if ((joints[static_cast<std::size_t>(target.bone)] - target.pointInWorld).norm() >
+                kModelMm + kSigmas * std::sqrt(target.covariance.trace()))
                 return true;
-        }
     }
     return false;
 }
 
-/// Of the corrected frame, from its joints and then from its silhouettes; the joints alone if these contradict, or if
-/// there are too few views of them.
-FrameFit correctedFit(const FrameFitter& fitter, const std::vector<std::vector<JointTarget>>& targets,
-                      const FrameEvidence& evidence, const CorrectedFrame& corrected, double unitMm, double leastDoubt,
-                      const std::stop_token& stop) {
+double doubtBefore(const CorrectedFrame& corrected, int frame) {
+    const auto found = corrected.doubts.find(frame);
+    return found == corrected.doubts.end() ? 1 : found->second;
+}
+
+/// Of the corrected frame, from its joints and then from its silhouettes; the joints alone if these contradict or are
+/// in doubt, or if there are too few views of them; then its doubt is `doubtByJoints`.
+FrameFit correctedFit(const FrameFitter& fitter, const std::vector<HandTargets>& targets, const FrameEvidence& evidence,
+                      double doubtByJoints, double mostDoubt, const std::stop_token& stop) {
     FrameFit fit;
     fit.source = FitSource::Correction;
     fit.hands.resize(targets.size());
-    LandmarkFitOptions options;
-    options.modelSigmaMm = 1;
+    KnownJoints placed;
     for (std::size_t h = 0; h < targets.size(); ++h) {
         const HandModel& hand = fitter.hands()[h];
-        if (auto found = fitToTargets(hand, targets[h], usualStarts(hand.skeleton), options))
-            fit.hands[h] = {std::move(found->pose), std::move(found->jointCovarianceMm2), 0};
+        LandmarkFitOptions options;
+        options.modelSigmaMm = kModelSigmaMm;
+        options.certain = targets[h].placed.size();
+        placed.push_back(targets[h].placed);
+        if (auto found = fitToTargets(hand, joined(targets[h]), usualStarts(hand.skeleton), options))
+            fit.hands[h] = {std::move(found->pose), std::move(found->jointCovarianceMm2), doubtByJoints};
     }
     if (fit.isEmpty() || !evidence.showsPoses())
         return fit;
-    FrameFit refined = fitter.bySilhouettes(evidence, fit.poses(), 2, FitSource::Correction, stop);
-    return refined.doubt() < leastDoubt && !contradicts(refined, fitter.hands(), corrected, unitMm) ? refined : fit;
+    FrameFit refined = fitter.bySilhouettes(evidence, fit.poses(), 2, FitSource::Correction, stop, placed);
+    return refined.doubt() < mostDoubt && !contradicts(refined, fitter.hands(), placed) ? refined : fit;
 }
 
 } // namespace
+
+CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
+                              const std::string& rater) {
+    CorrectedFrame corrected;
+    corrected.frame = frame;
+    for (auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {{}, false, std::nullopt}))
+        if (joint.hasPoint() && !joint.isAccepted)
+            corrected.joints.emplace(id, *joint.result.point);
+        else if (joint.hasPoint())
+            corrected.guesses.emplace(id, joint.result.point->pointInWorld);
+        else if (joint.proposal && joint.manualViews == 0)
+            corrected.guesses.emplace(id, *joint.proposal);
+    for (const auto& [key, mark] : set.marks)
+        if (key.rater == rater && (mark.isProposal() || mark.isAcceptedGuess())) {
+            double& doubt = corrected.doubts.try_emplace(key.frame, 0).first->second;
+            doubt = std::max(doubt, 1 - mark.likelihood.value_or(0));
+        }
+    return corrected;
+}
 
 PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                    const CorrectedFrame& corrected, const std::vector<int>& frames, const std::vector<int>& reviewed,
@@ -92,20 +144,26 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
                    const PassSink& sink) {
     PassResult result;
     SubjectFrame known;
+    std::vector<HandTargets> targets;
     for (const HandModel& hand : hands) {
         result.hands.push_back(withTips(hand));
-        known.targets.push_back(targetsOf(result.hands.back(), corrected));
+        targets.push_back(targetsOf(result.hands.back(), corrected));
+        known.targets.push_back(joined(targets.back()));
     }
     result.unitMm = unitMmOf(annotatedOverModelLength(result.hands, {known}));
-    std::vector<std::vector<JointTarget>> targets;
-    for (const auto& list : known.targets)
-        targets.push_back(inMm(list, result.unitMm));
+    for (std::size_t h = 0; h < targets.size(); ++h)
+        targets[h] = inMm(targets[h], result.hands[h].skeleton, result.unitMm);
     std::vector<Camera> metric = cameras;
     for (Camera& camera : metric)
         camera.cameraFromWorld.translation *= result.unitMm;
     const FrameFitter fitter(result.hands, metric, options.threads);
-    const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), corrected, result.unitMm,
-                                        options.leastDoubt, stop);
+    const auto mostDoubt = [&](int frame) {
+        return std::max(options.leastDoubt, doubtBefore(corrected, frame) + kSameDoubt);
+    };
+    const double doubtByJoints =
+        corrected.doubts.contains(corrected.frame) ? doubtBefore(corrected, corrected.frame) : 0;
+    const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), doubtByJoints,
+                                        mostDoubt(corrected.frame), stop);
     if (start.isEmpty() || stop.stop_requested())
         return result;
     int done = 0;
@@ -129,7 +187,7 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
                 break;
             FrameFit fit = fitter.bySilhouettes(evidence, predictedPoses(last.poses(), before, kStepShare), 1,
                                                 FitSource::Tracking, stop);
-            if (stop.stop_requested() || fit.doubt() >= options.leastDoubt)
+            if (stop.stop_requested() || fit.doubt() >= mostDoubt(*next))
                 break;
             keep(*next, fit);
             before = last.poses();

@@ -5,7 +5,7 @@
 // handlens_first_pass_trial DATASET SEQUENCE [--rig exact|studio|casual] [--scale S] [--girth MM] [--cameras N|--views
 // I,I]
 //        [--clutter] [--blur FRAMES] [--defocus PX] [--aside SHARE] [--first F] [--every N] [--frames N] [--seed N]
-//        [--key-every N] [--same-hands] [--review MM]
+//        [--key-every N] [--same-hands] [--review MM] [--looks N] [--no-refit]
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,6 +30,7 @@ struct Arguments {
     trial::RecordingOptions recording;
     core::PassOptions pass;
     double reviewMm = 0; ///< until the mean error is below; 0: no review
+    trial::ReviewerOptions reviewer;
 };
 
 const char* valueOf(int argc, char** argv, const char* option, const char* otherwise) {
@@ -48,7 +49,7 @@ Arguments parsed(int argc, char** argv) {
     const auto number = [&](const char* option, const char* otherwise) {
         return std::atof(valueOf(argc, argv, option, otherwise));
     };
-    Arguments result{argv[1], argv[2], {}, {}, number("--review", "0")};
+    Arguments result{argv[1], argv[2], {}, {}, number("--review", "0"), {}};
     trial::RecordingOptions& recording = result.recording;
     const std::string rig = valueOf(argc, argv, "--rig", "exact");
     recording.imperfection.rig = rig == "studio"   ? core::kStudioRig
@@ -75,6 +76,8 @@ Arguments parsed(int argc, char** argv) {
     result.pass.keyEveryFrames = static_cast<int>(number("--key-every", "10"));
     result.pass.measureHands = !has(argc, argv, "--same-hands");
     result.pass.threads = 2;
+    result.reviewer.looksPerFrame = static_cast<int>(number("--looks", "1"));
+    result.reviewer.refits = !has(argc, argv, "--no-refit");
     return result;
 }
 
@@ -189,7 +192,7 @@ void printErrors(const Errors& errors, std::size_t frames) {
 }
 
 void review(trial::Recording& recording, core::PassResult pass, const Arguments& arguments) {
-    trial::SimulatedReviewer reviewer(recording, std::move(pass), arguments.pass);
+    trial::SimulatedReviewer reviewer(recording, std::move(pass), arguments.pass, arguments.reviewer);
     const double before = reviewer.errorMm();
     std::printf("review,looks,frame,act,clicks,frame before mm,frame after mm,all mm\n");
     while (reviewer.errorMm() >= arguments.reviewMm) {

@@ -157,12 +157,14 @@ void SimulatedReviewer::correct(int frame, const core::JointId& joint) {
     look(frame);
 }
 
-core::CorrectedFrame SimulatedReviewer::corrected(int frame) const {
-    core::CorrectedFrame corrected{frame, {}};
-    for (auto& [id, joint] : core::reconstructFrame(m_set, m_recording.dataset().cameras, frame, kRater, kQuick))
-        if (joint.hasPoint())
-            corrected.joints.emplace(id, *joint.result.point);
-    return corrected;
+/// As the window does while a person corrects a frame: what is not placed follows what is.
+void SimulatedReviewer::refit(int frame) {
+    const auto& cameras = m_recording.dataset().cameras;
+    const core::PassResult result =
+        core::retrack(m_pass.hands, cameras, core::correctedFrame(m_set, cameras, frame, kRater), {frame}, {},
+                      m_recording, m_passOptions);
+    takeLabels(core::autoLabels(result, cameras));
+    look(frame);
 }
 
 void SimulatedReviewer::follow(int frame) {
@@ -173,9 +175,10 @@ void SimulatedReviewer::follow(int frame) {
         else if (other != frame)
             waiting.push_back(other);
     std::sort(waiting.begin(), waiting.end());
-    core::PassResult result = core::retrack(m_pass.hands, m_recording.dataset().cameras, corrected(frame), waiting,
-                                            reviewed, m_recording, m_passOptions);
-    core::AutoLabels labels = core::autoLabels(result, m_recording.dataset().cameras);
+    const auto& cameras = m_recording.dataset().cameras;
+    core::PassResult result = core::retrack(m_pass.hands, cameras, core::correctedFrame(m_set, cameras, frame, kRater),
+                                            waiting, reviewed, m_recording, m_passOptions);
+    core::AutoLabels labels = core::autoLabels(result, cameras);
     labels.erase(frame); // it is the person's
     takeLabels(labels);
 }
@@ -188,14 +191,25 @@ bool SimulatedReviewer::reviewOne() {
     m_last = order.front().frame;
     const auto why = std::find_if(frames.begin(), frames.end(),
                                   [this](const core::ProposedFrame& frame) { return frame.frame == m_last; });
-    const auto joints = jointsToCorrect(*why);
-    m_act = joints.empty() ? "accepted" : core::jointLabel(joints.front());
-    for (const core::JointId& joint : joints)
-        correct(m_last, joint);
+    core::ProposedFrame doubtful = *why;
+    m_act = "accepted";
+    bool isCorrected = false;
+    for (int look = 0; look < m_options.looksPerFrame; ++look) {
+        const auto joints = jointsToCorrect(doubtful);
+        if (joints.empty())
+            break;
+        m_act = (isCorrected ? m_act + " + " : "") + core::jointLabel(joints.front());
+        isCorrected = true;
+        for (const core::JointId& joint : joints)
+            correct(m_last, joint);
+        if (m_options.refits)
+            refit(m_last);
+        doubtful.joint = joints.front(); // it is right now: another one if it is plainly wrong
+    }
     m_done.insert(m_last);
     apply(core::acceptProposalsEdit(m_set, m_recording.dataset().cameras, m_last, kRater));
     ++m_reviewed;
-    if (!joints.empty())
+    if (isCorrected)
         follow(m_last);
     return true;
 }

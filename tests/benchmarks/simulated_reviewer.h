@@ -18,6 +18,8 @@ struct ReviewerOptions {
     double clickPx = 1.5;     ///< standard deviation of a click per axis
     double seenPx = 5;        ///< a joint that is drawn so far off in some view is seen to be wrong
     double surenessMm = 1.25; ///< a corrected joint gets clicks in further views until it is as certain
+    int looksPerFrame = 1; ///< joints of a frame that are corrected one after the other, as long as one is seen wrong
+    bool refits = true;    ///< the frame's other joints follow a corrected one, as in the window
     std::uint64_t seed = 14;
 };
 
@@ -49,7 +51,7 @@ private:
     void correct(int frame, const core::JointId& joint);
     void click(int frame, const core::JointId& joint, const std::string& camera);
     void follow(int frame);
-    core::CorrectedFrame corrected(int frame) const;
+    void refit(int frame);
     std::optional<Eigen::Vector3d> pointOf(int frame, const core::JointId& joint) const;
 
     Recording& m_recording;

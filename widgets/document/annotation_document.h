@@ -2,6 +2,8 @@
 #pragma once
 
 #include <deque>
+#include <exception>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -9,22 +11,31 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QThreadPool>
 #include <QTimer>
 #include <QUndoStack>
 
 #include "core/annotation/annotation_set.h"
 #include "core/annotation/edit.h"
 #include "core/io/store/annotation_store.h"
+#include "widgets/document/edit_slices.h"
 #include "widgets/document/edit_target.h"
 
 namespace widgets {
 
 /// The annotations of the open sequence, their history and their file. Every edit is in the file before push() returns;
 /// the history of an earlier run can be undone and redone as if it had been made now. It knows no view and no model.
+///
+/// An edit of more than kMostAtOnce marks (a first pass, an import, and taking such a step back) holds nothing up: it
+/// reaches annotations() slice by slice as the event loop turns, each with its changed(), and the file by one
+/// transaction on another thread. Until that is done (hasUnsaved, isBusy) what is pushed is applied at once and gets
+/// into the file after it; a process that ends in between leaves the file as it was before. Closing waits for the file.
 class AnnotationDocument : public QObject, private EditTarget {
     Q_OBJECT
 
 public:
+    static constexpr std::size_t kMostAtOnce = 2000; ///< marks of an edit that is made at once
+
     explicit AnnotationDocument(QObject* parent = nullptr);
     ~AnnotationDocument() override;
 
@@ -53,21 +64,27 @@ public:
     const std::string& rater() const override { return m_rater; }
     void setRater(const std::string& rater);
 
-    /// Makes an edit: one undo step, in the file at once. Empty edits do nothing; a read-only document refuses and says
-    /// so.
-    void push(const core::Edit& edit);
+    /// Makes an edit: one undo step, in the file at once (large ones soon). Empty edits do nothing; a read-only
+    /// document refuses and says so.
+    void push(core::Edit edit);
     /// Joins an edit to the newest step (a row of nudges); a new step if there is none to join or `joins` is another
     /// one's.
-    void amend(const core::Edit& edit, int joins);
+    void amend(core::Edit edit, int joins);
 
     /// Shows an edit of the set as it is shown now without making it (a drag under way); it adds to the preview that is
     /// there. push(), undo and redo end it.
-    void preview(const core::Edit& edit);
+    void preview(core::Edit edit);
     void clearPreview();
+    bool hasPreview() const { return !m_preview.empty(); }
 
-    /// True while something that was done is not in the file yet, because writing failed; it is tried again.
+    /// True while something that was done is not in the file yet: a large edit is being written, or writing failed and
+    /// is tried again.
     bool hasUnsaved() const { return !m_pending.empty(); }
-    /// Tries at once; true if everything is in the file now.
+    /// True while a large edit reaches annotations() slice by slice.
+    bool isApplying() const { return m_slices.has_value(); }
+    /// True while that, or its writing, is under way.
+    bool isBusy() const { return m_slices.has_value() || m_writing; }
+    /// Tries at once and waits; true if everything is in the file now.
     bool saveNow();
     QDateTime lastSaved() const { return m_lastSaved; }
     /// Frame of the newest edit, if there is one.
@@ -90,24 +107,47 @@ signals:
     void raterChanged();
     /// Everything done so far is in the file.
     void saved();
+    /// A large edit gets under way, or is done.
+    void busyChanged();
     void saveFailed(const QString& message);
     /// An edit was not made, and why.
     void refused(const QString& message);
 
 private:
-    enum class Direction { Forward, Back };
+    /// What is to be done to the file.
+    struct StoreWork {
+        StoreCall call;
+        bool isLarge = false;
+    };
+    /// How large work ended; written by its thread.
+    struct Outcome {
+        std::exception_ptr problem;
+    };
 
     void restoreHistory(const core::AnnotationHistory& history);
     void applyToSet(const core::Edit& edit);
-    void perform(const core::Edit& edit, StoreCall call) override;
+    void perform(const std::shared_ptr<const core::Edit>& edit, EditDirection direction, StoreCall call) override;
+    void applySlices();
+    void finishSlices();
+    /// What a new edit starts from is in the set, and it starts from there.
+    core::Edit rebased(core::Edit edit);
     void writePending();
+    void writeLarge();
+    void endLarge();
+    void settle();
 
     std::unique_ptr<core::AnnotationStore> m_store;
     core::AnnotationSet m_set;
     core::Edit m_preview;
     QUndoStack m_undoStack;
     std::string m_rater = "annotator";
-    std::deque<StoreCall> m_pending;
+    std::deque<StoreWork> m_pending;
+    bool m_writing = false; ///< the first one, on m_writer: nobody else touches the store
+    std::shared_ptr<Outcome> m_outcome;
+    mutable QThreadPool m_writer;
+    mutable std::map<std::string, std::string> m_settings; ///< that were asked for or set
+    std::optional<EditSlices> m_slices;                    ///< of a large edit that is not all in the set yet
+    QTimer m_nextSlice;
     QTimer m_retry;
     QDateTime m_lastSaved;
     bool m_isOpen = false;

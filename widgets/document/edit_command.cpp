@@ -9,27 +9,27 @@ namespace widgets {
 EditCommand::EditCommand(EditTarget& target, core::Edit edit, int joins, bool amends)
     : QUndoCommand(editText(edit))
     , m_target(target)
-    , m_edit(std::move(edit))
+    , m_edit(std::make_shared<const core::Edit>(std::move(edit)))
     , m_joins(joins)
     , m_amends(amends) {}
 
 void EditCommand::undo() {
     m_target.perform(
-        core::inverse(m_edit), [](core::AnnotationStore& store) { store.undo(); });
+        m_edit, EditDirection::Back, [](core::AnnotationStore& store) { store.undo(); });
 }
 
 void EditCommand::redo() {
     if (!m_isFirst) {
-        m_target.perform(m_edit, [](core::AnnotationStore& store) { store.redo(); });
+        m_target.perform(m_edit, EditDirection::Forth, [](core::AnnotationStore& store) { store.redo(); });
         return;
     }
     m_isFirst = false;
-    m_target.perform(m_edit,
+    m_target.perform(m_edit, EditDirection::Forth,
                      [edit = m_edit, rater = m_target.rater(), amends = m_amends](core::AnnotationStore& store) {
                          if (amends)
-                             store.amend(edit, rater);
+                             store.amend(*edit, rater);
                          else
-                             store.commit(edit, rater);
+                             store.commit(*edit, rater);
                      });
 }
 
@@ -37,9 +37,9 @@ bool EditCommand::mergeWith(const QUndoCommand* other) {
     const auto& next = *static_cast<const EditCommand*>(other);
     if (!next.m_amends)
         return false;
-    m_edit = core::merged(m_edit, next.m_edit);
-    setText(editText(m_edit));
-    setObsolete(m_edit.empty());
+    m_edit = std::make_shared<const core::Edit>(core::merged(*m_edit, *next.m_edit));
+    setText(editText(*m_edit));
+    setObsolete(m_edit->empty());
     return true;
 }
 

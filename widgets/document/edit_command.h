@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include <QUndoCommand>
 
 #include "core/annotation/edit.h"
@@ -20,11 +22,11 @@ public:
     int id() const override { return m_joins; }
     bool mergeWith(const QUndoCommand* other) override;
 
-    const core::Edit& edit() const { return m_edit; }
+    const core::Edit& edit() const { return *m_edit; }
 
 private:
     EditTarget& m_target;
-    core::Edit m_edit;
+    std::shared_ptr<const core::Edit> m_edit; ///< shared with what is being written and applied: it may be large
     int m_joins;
     bool m_amends;
     bool m_isFirst = true;

@@ -6,7 +6,6 @@
 #include <set>
 #include <thread>
 
-#include "core/annotation/reconstruction.h"
 #include "core/io/demo/demo_dataset.h"
 #include "core/io/detector/detector_files.h"
 
@@ -41,14 +40,17 @@ FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token sto
     return {std::move(result.labels), result.isFinished};
 }
 
+/// The hands that frames are labelled anew with: measured ones if there are any of this dataset.
+std::vector<core::HandModel> handsFor(const core::Dataset& dataset, MeasuredHands& measured) {
+    const std::lock_guard lock(measured.mutex);
+    if (measured.dataset == dataset.folder && !measured.hands.empty())
+        return measured.hands;
+    return dataset.hands.empty() ? core::makeDemoHands() : dataset.hands;
+}
+
 /// The frames around a corrected one: those that wait for a look are followed into, up to those that were reviewed.
 core::AutoLabels followCorrected(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
                                  int frame, std::stop_token stop, MeasuredHands& measured) {
-    core::CorrectedFrame corrected{frame, {}};
-    for (auto& [id, joint] :
-         core::reconstructFrame(set, work.dataset->cameras, frame, rater, {{}, false, std::nullopt}))
-        if (joint.hasPoint())
-            corrected.joints.emplace(id, *joint.result.point);
     std::set<int> waiting, reviewed;
     for (const auto& [key, mark] : set.marks)
         if (key.rater == rater)
@@ -56,17 +58,20 @@ core::AutoLabels followCorrected(const FirstPassWork& work, const core::Annotati
     for (const int one : waiting)
         reviewed.erase(one);
     waiting.insert(frame);
-    std::vector<core::HandModel> hands = work.dataset->hands.empty() ? core::makeDemoHands() : work.dataset->hands;
-    {
-        const std::lock_guard lock(measured.mutex);
-        if (measured.dataset == work.dataset->folder && !measured.hands.empty())
-            hands = measured.hands;
-    }
-    core::AutoLabels labels =
-        core::retrackFrames(*work.dataset, work.sequence, hands, corrected, {waiting.begin(), waiting.end()},
-                            {reviewed.begin(), reviewed.end()}, optionsFor(work), stop);
+    core::AutoLabels labels = core::retrackFrames(*work.dataset, work.sequence, handsFor(*work.dataset, measured),
+                                                  core::correctedFrame(set, work.dataset->cameras, frame, rater),
+                                                  {waiting.begin(), waiting.end()}, {reviewed.begin(), reviewed.end()},
+                                                  optionsFor(work), stop);
     labels.erase(frame); // it is the person's
     return labels;
+}
+
+/// A frame that a person is correcting: what is not placed follows what is.
+core::AutoLabels refitCorrected(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                                int frame, std::stop_token stop, MeasuredHands& measured) {
+    return core::retrackFrames(*work.dataset, work.sequence, handsFor(*work.dataset, measured),
+                               core::correctedFrame(set, work.dataset->cameras, frame, rater), {frame}, {},
+                               optionsFor(work), stop);
 }
 
 } // namespace
@@ -82,6 +87,10 @@ FirstPassProgram detectorFirstPass() {
     program.follow = [measured](const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
                                 int frame, std::stop_token stop) {
         return followCorrected(work, set, rater, frame, stop, *measured);
+    };
+    program.refit = [measured](const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                               int frame, std::stop_token stop) {
+        return refitCorrected(work, set, rater, frame, stop, *measured);
     };
     return program;
 }

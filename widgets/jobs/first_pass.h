@@ -4,12 +4,14 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <set>
 #include <vector>
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
 
 #include "core/io/dataset/dataset.h"
 #include "core/io/detector/first_pass.h"
@@ -51,6 +53,10 @@ struct FirstPassProgram {
     std::function<core::AutoLabels(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
                                    int frame, std::stop_token stop)>
         follow = {};
+    /// Labels a frame that a person is correcting anew: what is not placed follows what is; empty: it cannot.
+    std::function<core::AutoLabels(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
+                                   int frame, std::stop_token stop)>
+        refit = {};
 };
 
 /// How a run of the first pass ended.
@@ -63,7 +69,9 @@ struct FirstPassResult {
 };
 
 /// Labels the frames of the open sequence without a click, in the background: proposals for the document's rater, one
-/// undo step a run. What is done is kept beside the annotations, and the next run goes on from there.
+/// undo step a run. What is done is kept beside the annotations, and the next run goes on from there. While a person
+/// corrects proposals, the other proposals of the frame follow: as soon as a joint has marks in two views, and not
+/// while something undone could be done again.
 class FirstPass : public QObject {
     Q_OBJECT
 
@@ -86,6 +94,8 @@ public:
     /// Proposes the frames around a corrected one anew, in the background, if the program can; one undo step.
     /// Frames that are corrected meanwhile follow.
     void followFrom(int frame);
+    /// Whether the proposals of a frame are being brought to a joint that was placed there.
+    bool isRefitting() const { return m_refitting.isRunning(); }
     bool isFollowing() const { return m_following.isRunning(); }
     bool isInstalling() const { return m_installing.isRunning(); }
 
@@ -95,12 +105,19 @@ signals:
     void finished(const widgets::FirstPassResult& result);
     /// The frames around a corrected one have new proposals.
     void followed(int frame, int proposed);
+    /// The other joints of a frame in which a joint was placed have new proposals.
+    void refitted(int frame, int proposed);
     void installed(const QString& title);
     void failed(const QString& message);
 
 private:
     void deliver(core::Edit edit, FirstPassResult result, const std::filesystem::path& journal);
+    void removeJournal();
     void followNext();
+    void noteTouched(const core::Edit& edit);
+    void noteCorrection(const core::Edit& edit);
+    void refit();
+    void forgetRefit();
     void forgetFollowing();
     FirstPassWork workOn(std::vector<int> frames) const;
 
@@ -109,7 +126,12 @@ private:
     Job m_job;
     Job m_installing;
     Job m_following;
+    Job m_refitting;
+    QTimer m_settling;            ///< a joint was placed: more clicks may follow
+    std::optional<int> m_toRefit; ///< frame
     std::deque<int> m_toFollow;
+    std::map<const Job*, std::set<core::MarkKey>> m_touched; ///< marks that changed since the job began
+    std::optional<std::filesystem::path> m_doneJournal;      ///< of a finished run that is not all in the file yet
     std::shared_ptr<const core::Dataset> m_dataset;
     std::optional<core::Sequence> m_sequence;
 };

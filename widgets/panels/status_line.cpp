@@ -80,8 +80,8 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     connect(m_stop, &QToolButton::clicked, this, &StatusLine::stopRequested);
     connect(m_notice, &QToolButton::clicked, this, &StatusLine::noticeClicked);
     connect(&m_reconstructions, &Reconstructions::changed, this, &StatusLine::refresh);
-    connect(&m_document, &AnnotationDocument::opened, this, &StatusLine::refreshSaved);
-    connect(&m_document, &AnnotationDocument::saved, this, &StatusLine::refreshSaved);
+    for (const auto news : {&AnnotationDocument::opened, &AnnotationDocument::saved, &AnnotationDocument::busyChanged})
+        connect(&m_document, news, this, &StatusLine::refreshSaved);
     connect(&m_document, &AnnotationDocument::saveFailed, this, &StatusLine::refreshSaved);
     hideWork();
     refresh();
@@ -138,7 +138,10 @@ void StatusLine::refresh() {
 void StatusLine::refreshSaved() {
     QPalette colours = palette();
     QString text;
-    if (m_document.isOpen() && m_document.hasUnsaved()) {
+    if (m_document.isBusy()) {
+        text = tr("saving");
+        colours.setColor(QPalette::WindowText, kPartialColour);
+    } else if (m_document.isOpen() && m_document.hasUnsaved()) {
         text = tr("NOT SAVED");
         colours.setColor(QPalette::WindowText, kBadColour);
     } else if (m_document.isOpen() && m_document.isReadOnly()) {

@@ -31,6 +31,10 @@ AnnotationCoverage::AnnotationCoverage(const AnnotationDocument& document, JobPo
     connect(&document, &AnnotationDocument::opened, this, &AnnotationCoverage::rebuild);
     connect(&document, &AnnotationDocument::raterChanged, this, &AnnotationCoverage::rebuild);
     connect(&document, &AnnotationDocument::changed, this, &AnnotationCoverage::update);
+    connect(&document, &AnnotationDocument::busyChanged, this, [this] {
+        if (m_isStale && !m_document.isApplying())
+            rebuild();
+    });
 }
 
 void AnnotationCoverage::setDataset(std::shared_ptr<const core::Dataset> dataset) {
@@ -59,6 +63,7 @@ void AnnotationCoverage::setBadRmsPx(double px) {
 
 void AnnotationCoverage::rebuild() {
     m_job.stop();
+    m_isStale = false;
     m_frames.clear();
     emit changed();
     if (!m_dataset || m_document.annotations().marks.empty())
@@ -81,6 +86,10 @@ void AnnotationCoverage::update(const core::Edit& edit) {
         touched.insert(change.key.frame);
     if (touched.empty())
         return;
+    if (m_document.isApplying()) { // a slice of a large edit: counted when all has come
+        m_isStale = true;
+        return;
+    }
     if (m_job.isRunning() || touched.size() > kFramesAtOnce) {
         rebuild();
         return;

@@ -51,6 +51,7 @@ private:
     core::PictureGaps m_gaps;
     core::ClickSigmas m_sigmas;
     FrameCoverage m_frames;
+    bool m_isStale = false; ///< a large edit is on its way
     double m_badRmsPx = 2.0;
 };
 

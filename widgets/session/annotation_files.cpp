@@ -105,13 +105,12 @@ void AnnotationFiles::finishImport(core::ImportMode mode) {
     if (!m_waiting)
         return;
     const WaitingImport import = *std::exchange(m_waiting, std::nullopt);
-    const core::Edit edit =
-        core::importEdit(m_document.annotations(), import.read->set, import.path.toStdString(), mode);
-    m_document.push(edit);
+    core::Edit edit = core::importEdit(m_document.annotations(), import.read->set, import.path.toStdString(), mode);
+    const auto marks = static_cast<int>(edit.marks.size()), notes = static_cast<int>(edit.notes.size());
+    m_document.push(std::move(edit));
     if (m_document.isReadOnly()) // and it has said so
         return;
-    emit imported(import.path, static_cast<int>(edit.marks.size()), static_cast<int>(edit.notes.size()),
-                  importNotesInWords(import.read->warnings).join(QLatin1Char('\n')));
+    emit imported(import.path, marks, notes, importNotesInWords(import.read->warnings).join(QLatin1Char('\n')));
 }
 
 void AnnotationFiles::cancelImport() {

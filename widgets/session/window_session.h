@@ -62,7 +62,9 @@ public:
     CalibrationChoice calibrations;
 
     /// True when no background work that a person waits for is running and all pictures of the frame have come.
-    bool isIdle() const { return pool.isIdle() && frames.isComplete() && !rig.isRefining() && review.isUpToDate(); }
+    bool isIdle() const {
+        return pool.isIdle() && frames.isComplete() && !rig.isRefining() && review.isUpToDate() && !document.isBusy();
+    }
 
 signals:
     /// A sequence is open and everything above knows it.

@@ -103,6 +103,8 @@ void announceFirstPass(MainWindow& window) {
                 line.showWork(MainWindow::tr("Installing the hand detector"), -1);
             else if (pass.isRunning())
                 line.showWork(MainWindow::tr("First pass"), 0);
+            else if (pass.isRefitting())
+                line.showWork(MainWindow::tr("Bringing the hands to the corrected joint"), -1);
             else if (pass.isFollowing())
                 line.showWork(MainWindow::tr("Following the hands from the corrected frame"), -1);
             else
@@ -121,9 +123,15 @@ void announceFirstPass(MainWindow& window) {
             if (result.proposed > 0 && window.workspaces().current() == widgets::Workspaces::Kind::Annotate)
                 showReview(window).setFormShown(false);
         });
-    QObject::connect(&pass, &widgets::FirstPass::followed, &window, [&window](int frame, int proposed) {
+    QObject::connect(
+        &pass, &widgets::FirstPass::followed, &window,
+        [&window](int frame, int proposed) {
+            window.statusLine().sayBriefly(
+                MainWindow::tr("%n mark(s) around frame %1 are proposed anew.", nullptr, proposed).arg(frame));
+        });
+    QObject::connect(&pass, &widgets::FirstPass::refitted, &window, [&window](int frame, int proposed) {
         window.statusLine().sayBriefly(
-            MainWindow::tr("%n mark(s) around frame %1 are proposed anew.", nullptr, proposed).arg(frame));
+            MainWindow::tr("%n mark(s) of frame %1 follow the corrected joint.", nullptr, proposed).arg(frame));
     });
     QObject::connect(&pass, &widgets::FirstPass::failed, &line, &widgets::StatusLine::sayBriefly);
 }

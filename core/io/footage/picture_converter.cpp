@@ -2,6 +2,7 @@
 #include "core/io/footage/picture_converter.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string_view>
 
 #include <opencv2/core.hpp>
@@ -19,9 +20,19 @@ namespace core {
 
 namespace {
 
+/// Libav takes numbers out of files as they are: they may be none of the enumeration's, and must not be read as such.
+template <typename Enumeration>
+int numberOf(const Enumeration& value) {
+    int number = 0;
+    static_assert(sizeof number == sizeof value);
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
 int colourSpace(const AVFrame& picture) {
-    if (picture.colorspace != AVCOL_SPC_UNSPECIFIED)
-        return picture.colorspace; // the library's table has the same numbers
+    const int space = numberOf(picture.colorspace);
+    if (space != AVCOL_SPC_UNSPECIFIED && space >= 0 && space < AVCOL_SPC_NB)
+        return space; // the library's table has the same numbers
     return picture.width > 1024 || picture.height >= 600 ? SWS_CS_ITU709 : SWS_CS_ITU601;
 }
 
@@ -30,7 +41,8 @@ bool isFullRange(const AVFrame& picture) {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(picture.format));
     const bool isYuv = (format->flags & AV_PIX_FMT_FLAG_RGB) == 0 && format->nb_components >= 3;
     const bool isJpeg = std::string_view(format->name).starts_with("yuvj");
-    return isYuv ? isJpeg || picture.color_range == AVCOL_RANGE_JPEG : picture.color_range != AVCOL_RANGE_MPEG;
+    const int range = numberOf(picture.color_range);
+    return isYuv ? isJpeg || range == AVCOL_RANGE_JPEG : range != AVCOL_RANGE_MPEG;
 }
 
 int shrunk(int length, int shrink) {

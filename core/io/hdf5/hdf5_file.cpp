@@ -61,13 +61,12 @@ std::optional<std::vector<std::string>> readTexts(hid_t fileType, hid_t space, s
     if (H5Tis_variable_str(fileType) > 0) {
         H5Tset_size(type, H5T_VARIABLE);
         std::vector<char*> pointers(count, nullptr);
-        if (count > 0 && read(type, pointers.data()) < 0)
-            return std::nullopt;
-        for (std::size_t i = 0; i < count; ++i)
+        const bool isRead = count == 0 || read(type, pointers.data()) >= 0;
+        for (std::size_t i = 0; i < count && isRead; ++i)
             texts[i] = pointers[i] ? pointers[i] : "";
-        if (count > 0)
+        if (count > 0) // also what was read before it failed
             H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
-        return texts;
+        return isRead ? std::optional(std::move(texts)) : std::nullopt;
     }
     const std::size_t length = H5Tget_size(fileType);
     if (length == 0 || length > kMostElementBytes || count > kMostElements / length)

@@ -182,4 +182,83 @@ TEST(Retracking, ThePersonsJointsCountMoreThanSilhouettes) {
     EXPECT_LT((joints[0] - wrist).norm(), 4);
 }
 
+/// A finger that a program has bent where it is straight, in four views: the person places one joint of it.
+class WrongFinger : public testing::Test {
+protected:
+    static constexpr int kFrame = 50;
+    WrongFinger() {
+        core::HandPoses wrong = scene.motion[kFrame];
+        const core::Skeleton& skeleton = scene.hands[0].skeleton;
+        for (std::size_t d = 0; d < skeleton.dofs.size(); ++d) {
+            const core::DegreeOfFreedom& dof = skeleton.dofs[d];
+            const std::string& name = skeleton.bones[static_cast<std::size_t>(dof.bone)].name;
+            if (name.starts_with("index") && dof.maxRad - dof.minRad > 1) {
+                double& angle = wrong[0][core::kRigidDofs + static_cast<Eigen::Index>(d)];
+                const double bent = -dof.minRad > dof.maxRad ? dof.minRad : dof.maxRad;
+                angle = std::abs(angle - 0.8 * bent) > 0.4 ? 0.8 * bent : 0;
+            }
+        }
+        corrected.frame = kFrame;
+        for (std::size_t h = 0; h < 2; ++h) {
+            const auto joints = core::jointPositions(scene.hands[h].skeleton, wrong[h]);
+            for (std::size_t b = 0; b < joints.size(); ++b)
+                corrected.guesses[{scene.hands[h].side, scene.hands[h].skeleton.bones[b].name}] = joints[b];
+        }
+    }
+    Eigen::Vector3d truth(int frame, const std::string& joint) const {
+        const core::Skeleton& skeleton = scene.hands[0].skeleton;
+        return core::jointPositions(
+            skeleton,
+            scene.motion[static_cast<std::size_t>(frame)][0])[static_cast<std::size_t>(skeleton.boneIndex(joint))];
+    }
+    void place(const std::string& joint) {
+        const core::JointId id{core::Side::Left, joint};
+        core::TriangulatedPoint point;
+        point.pointInWorld = truth(kFrame, joint);
+        point.covariance = 0.3 * Eigen::Matrix3d::Identity();
+        corrected.joints[id] = point;
+        corrected.guesses.erase(id);
+    }
+    /// Mean over the joints of the finger beyond the knuckle.
+    double errorMm(const core::PassResult& result, int frame) const {
+        const core::Skeleton& skeleton = result.hands[0].skeleton;
+        const auto joints = core::jointPositions(skeleton, result.fits.at(frame).hands[0].pose);
+        double sum = 0;
+        for (const char* name : {"index_pip", "index_dip"})
+            sum += (joints[static_cast<std::size_t>(skeleton.boneIndex(name))] - truth(frame, name)).norm() / 2;
+        return sum;
+    }
+    double guessErrorMm() const {
+        double sum = 0;
+        for (const char* name : {"index_pip", "index_dip"})
+            sum += (corrected.guesses.at({core::Side::Left, name}) - truth(kFrame, name)).norm() / 2;
+        return sum;
+    }
+
+    SimulatedPass scene{"wrong finger", 4};
+    core::CorrectedFrame corrected;
+};
+
+TEST_F(WrongFinger, FollowsTheOneJointOfItThatIsPlacedThereAndInTheNextFrames) {
+    ASSERT_GT(guessErrorMm(), 10);
+    place("index_dip");
+    const auto result =
+        core::retrack(scene.hands, scene.cameras, corrected, framesFrom(kFrame - 2, 5), {}, scene, options());
+    ASSERT_EQ(result.fits.size(), 5u);
+    for (const auto& [frame, fit] : result.fits)
+        EXPECT_LT(errorMm(result, frame), 3) << frame;
+}
+
+/// With two views no silhouettes are used: the joint alone says how the finger lies.
+TEST_F(WrongFinger, FollowsTheJointWithoutSilhouettes) {
+    place("index_dip");
+    SimulatedPass two("wrong finger", 2);
+    const auto result = core::retrack(two.hands, two.cameras, corrected, {kFrame}, {}, two, options());
+    EXPECT_LT(errorMm(result, kFrame), 6);
+    const core::Skeleton& skeleton = result.hands[0].skeleton;
+    const auto joints = core::jointPositions(skeleton, result.fits.at(kFrame).hands[0].pose);
+    EXPECT_LT((joints[static_cast<std::size_t>(skeleton.boneIndex("index_dip"))] - truth(kFrame, "index_dip")).norm(),
+              1.5);
+}
+
 } // namespace

@@ -27,6 +27,7 @@ struct FakeFirstPass {
     std::map<int, double> doubts{};         ///< of both hands in these frames; 0.05 in others
     std::function<void(int)> beforeFrame{}; ///< on the worker's thread
     std::vector<int> followed{};            ///< frames that were followed from
+    std::vector<int> refitted{};            ///< frames in which joints were placed
 };
 
 inline core::AutoHand madeUpLabel(core::Side side, int frame, double doubt) {
@@ -75,6 +76,13 @@ inline widgets::FirstPassProgram fakeFirstPass(const std::shared_ptr<FakeFirstPa
         fake->followed.push_back(frame);
         core::AutoLabels labels;
         labels[frame + 1].push_back(madeUpLabel(core::Side::Left, frame + 1, 0.01));
+        return labels;
+    };
+    program.refit = [fake](const widgets::FirstPassWork&, const core::AnnotationSet&, const std::string&, int frame,
+                           std::stop_token) {
+        fake->refitted.push_back(frame);
+        core::AutoLabels labels;
+        labels[frame].push_back(madeUpLabel(core::Side::Left, frame + 1, 0.02)); // 2 mm farther on
         return labels;
     };
     return program;

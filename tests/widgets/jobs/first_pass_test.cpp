@@ -4,6 +4,7 @@
 #include <atomic>
 #include <thread>
 
+#include <QElapsedTimer>
 #include <QSignalSpy>
 
 #include <gtest/gtest.h>
@@ -178,6 +179,80 @@ TEST_F(FirstPassTest, FollowsTheHandsFromACorrectedFrame) {
         [&] { return std::abs(core::markAt(document.annotations(), key)->likelihood.value() - 0.99) < 1e-9; }));
     EXPECT_EQ(fake->followed, (std::vector{0}));
     EXPECT_EQ(document.undoStack()->count(), 2);
+}
+
+class CorrectedFrame : public FirstPassTest {
+protected:
+    CorrectedFrame() {
+        pass->run({{0, 5}});
+        wait();
+    }
+    core::Mark markOf(const std::string& joint, const char* camera) const {
+        return core::markAt(document.annotations(), {5, "ann", {Side::Left, joint}, camera}).value();
+    }
+    void place(const char* camera) {
+        const core::MarkKey key{5, "ann", {Side::Left, "index_pip"}, camera};
+        const Eigen::Vector2d to = markOf("index_pip", camera).px + Eigen::Vector2d(9, 0);
+        document.push(core::placeEdit(document.annotations(), key, to));
+    }
+    /// Long enough for what should not happen.
+    void pause() {
+        QElapsedTimer clock;
+        clock.start();
+        test::waitUntil([&clock] { return clock.hasExpired(700); });
+    }
+};
+
+TEST_F(CorrectedFrame, OtherJointsFollowAJointThatIsPlacedInTwoViews) {
+    QSignalSpy refitted(pass.get(), &widgets::FirstPass::refitted);
+    const core::Mark before = markOf("index_tip", "cam3");
+    place("cam0");
+    pause();
+    EXPECT_TRUE(fake->refitted.empty()) << "one view does not place a joint";
+    place("cam2");
+    const core::Mark placed = markOf("index_pip", "cam2");
+    ASSERT_TRUE(test::waitUntil([&] { return refitted.count() == 1; }));
+    EXPECT_EQ(fake->refitted, (std::vector{5}));
+    const Eigen::Vector3d expected = test::madeUpHand(Side::Left, 6)[8].second;
+    EXPECT_EQ(markOf("index_tip", "cam3").px, *core::project(dataset->cameras[3], expected));
+    EXPECT_NE(markOf("index_tip", "cam3").px, before.px);
+    EXPECT_TRUE(markOf("index_tip", "cam3").isProposal()) << "a person still looks at it";
+    EXPECT_EQ(markOf("index_pip", "cam2"), placed);
+    EXPECT_EQ(document.undoStack()->count(), 4) << "the pass, two clicks, and what followed";
+    document.undoStack()->undo();
+    EXPECT_EQ(markOf("index_tip", "cam3"), before);
+}
+
+TEST_F(CorrectedFrame, NothingFollowsWhileAMarkIsDragged) {
+    place("cam0");
+    place("cam2");
+    const core::MarkKey dragged{5, "ann", {Side::Left, "wrist"}, "cam1"};
+    document.preview(core::placeEdit(document.annotations(), dragged, {30, 40}));
+    pause();
+    EXPECT_TRUE(fake->refitted.empty());
+    EXPECT_EQ(core::markAt(document.annotations(), dragged)->px, Eigen::Vector2d(30, 40));
+    document.clearPreview();
+    ASSERT_TRUE(test::waitUntil([this] { return fake->refitted.size() == 1; }));
+}
+
+TEST_F(CorrectedFrame, WhatWasUndoneStaysWithinReach) {
+    place("cam0");
+    place("cam2");
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    document.undoStack()->redo();
+    pause();
+    EXPECT_TRUE(fake->refitted.empty());
+    EXPECT_TRUE(document.undoStack()->canRedo());
+}
+
+TEST_F(CorrectedFrame, AFrameThatIsAcceptedStaysAsItIs) {
+    place("cam0");
+    place("cam2");
+    pass->followFrom(5);
+    ASSERT_TRUE(test::waitUntil([this] { return fake->followed.size() == 1; }));
+    pause();
+    EXPECT_TRUE(fake->refitted.empty());
 }
 
 } // namespace
