@@ -1092,16 +1092,16 @@
         <translation>Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen; ein schraffierter Unterarm zählt nicht</translation>
     </message>
     <message>
-        <source>Matches of the &amp;next finger</source>
-        <translation>Zuordnungen des &amp;nächsten Fingers</translation>
+        <source>Matches of the next finger</source>
+        <translation>Zuordnungen des nächsten Fingers</translation>
     </message>
     <message>
         <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
         <translation>Alle Zuordnungen nach Abstand, alle nach Finger, dann die eines Fingers oder der Handfläche nach der anderen</translation>
     </message>
     <message>
-        <source>S&amp;weep the setting</source>
-        <translation>Ein&amp;stellung durchlaufen</translation>
+        <source>Sweep the setting</source>
+        <translation>Einstellung durchlaufen</translation>
     </message>
     <message>
         <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>

@@ -1092,16 +1092,16 @@
         <translation>Σιλουέτες: κόκκινο φαίνεται αλλά δεν καλύπτεται, μπλε καλύπτεται αλλά δεν φαίνεται, διαγραμμισμένος πήχης δεν μετρά</translation>
     </message>
     <message>
-        <source>Matches of the &amp;next finger</source>
-        <translation>Αντιστοιχίες του ε&amp;πόμενου δαχτύλου</translation>
+        <source>Matches of the next finger</source>
+        <translation>Αντιστοιχίες του επόμενου δαχτύλου</translation>
     </message>
     <message>
         <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
         <translation>Όλες οι αντιστοιχίες κατά απόσταση, όλες κατά δάχτυλο, και μετά διαδοχικά ενός δαχτύλου ή της παλάμης</translation>
     </message>
     <message>
-        <source>S&amp;weep the setting</source>
-        <translation>&amp;Σάρωση της ρύθμισης</translation>
+        <source>Sweep the setting</source>
+        <translation>Σάρωση της ρύθμισης</translation>
     </message>
     <message>
         <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>

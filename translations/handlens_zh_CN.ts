@@ -1092,16 +1092,16 @@
         <translation>轮廓：红色为可见但未覆盖，蓝色为覆盖但不可见，画斜线的前臂不计入</translation>
     </message>
     <message>
-        <source>Matches of the &amp;next finger</source>
-        <translation>下一根手指的匹配(&amp;N)</translation>
+        <source>Matches of the next finger</source>
+        <translation>下一根手指的匹配</translation>
     </message>
     <message>
         <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
         <translation>先按距离显示全部匹配，再按手指显示全部，然后依次显示单根手指或手掌的匹配</translation>
     </message>
     <message>
-        <source>S&amp;weep the setting</source>
-        <translation>扫描该设置(&amp;W)</translation>
+        <source>Sweep the setting</source>
+        <translation>扫描该设置</translation>
     </message>
     <message>
         <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>
