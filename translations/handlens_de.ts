@@ -788,10 +788,6 @@
         <translation>&amp;Zuordnungen</translation>
     </message>
     <message>
-        <source>From rim points to their contour points, by distance; refused ones dashed</source>
-        <translation>Von Randpunkten zu ihren Konturpunkten, gefärbt nach Abstand; verworfene gestrichelt</translation>
-    </message>
-    <message>
         <source>&amp;Field</source>
         <translation>&amp;Feld</translation>
     </message>
@@ -914,10 +910,6 @@
     <message>
         <source>&amp;Difference</source>
         <translation>&amp;Differenz</translation>
-    </message>
-    <message>
-        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation>Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
@@ -1090,6 +1082,30 @@
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
         <translation>Fügt den gezeigten Ergebnissen hinzu, was die angekreuzten Verfahren daraus machen</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance or finger; a dash pattern for every reason to refuse one</source>
+        <translation>Von Randpunkten zu ihren Konturpunkten, nach Abstand oder Finger; je Grund einer Verwerfung ein Strichmuster</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen, a hatched forearm does not count</source>
+        <translation>Silhouetten: Rot ist gesehen, aber nicht bedeckt; Blau ist bedeckt, aber nicht gesehen; ein schraffierter Unterarm zählt nicht</translation>
+    </message>
+    <message>
+        <source>Matches of the next finger</source>
+        <translation>Zuordnungen des nächsten Fingers</translation>
+    </message>
+    <message>
+        <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
+        <translation>Alle Zuordnungen nach Abstand, alle nach Finger, dann die eines Fingers oder der Handfläche nach der anderen</translation>
+    </message>
+    <message>
+        <source>Sweep the setting</source>
+        <translation>Einstellung durchlaufen</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>
+        <translation>Passt mit einer Reihe von Werten der zuletzt geänderten Einstellung an und zeichnet den Fehler darüber; noch einmal hält an</translation>
     </message>
 </context>
 <context>
@@ -3851,6 +3867,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectCurves</name>
+    <message>
+        <source>rigid</source>
+        <translation>starr</translation>
+    </message>
+    <message>
+        <source>coarse mesh</source>
+        <translation>grobes Netz</translation>
+    </message>
+    <message>
+        <source>medium mesh</source>
+        <translation>mittleres Netz</translation>
+    </message>
+    <message>
+        <source>full mesh</source>
+        <translation>volles Netz</translation>
+    </message>
+    <message>
+        <source>Hands move as a whole, their fingers do not</source>
+        <translation>Die Hände bewegen sich als Ganzes, ihre Finger nicht</translation>
+    </message>
+    <message>
+        <source>All joints move, by a coarse mesh</source>
+        <translation>Alle Gelenke bewegen sich, mit grobem Netz</translation>
+    </message>
+    <message>
+        <source>All joints move, by a finer mesh</source>
+        <translation>Alle Gelenke bewegen sich, mit feinerem Netz</translation>
+    </message>
+    <message>
+        <source>All joints move, by the whole mesh</source>
+        <translation>Alle Gelenke bewegen sich, mit dem ganzen Netz</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
@@ -3867,6 +3918,14 @@
     <message>
         <source>failed</source>
         <translation>gescheitert</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view, without the forearm, which the fit leaves out</source>
+        <translation>IoU: Schnitt durch Vereinigung beider Silhouetten in dieser Ansicht, ohne den Unterarm, den die Anpassung auslässt</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view</source>
+        <translation>IoU: Schnitt durch Vereinigung beider Silhouetten in dieser Ansicht</translation>
     </message>
 </context>
 <context>
@@ -3922,6 +3981,30 @@
         <source>Point at a view to see what each method would match there; click to pin it.</source>
         <translation>Zeigen Sie auf eine Ansicht, um zu sehen, was jede Methode dort zuordnen würde; ein Klick heftet es an.</translation>
     </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>verworfen: %1</translation>
+    </message>
+    <message>
+        <source>Rim points and matches that are drawn</source>
+        <translation>Gezeichnete Randpunkte und Zuordnungen</translation>
+    </message>
+    <message>
+        <source>missed: seen, not covered</source>
+        <translation>fehlt: gesehen, nicht bedeckt</translation>
+    </message>
+    <message>
+        <source>extra: covered, not seen</source>
+        <translation>zu viel: bedeckt, nicht gesehen</translation>
+    </message>
+    <message>
+        <source>forearm: left out, as the fit does</source>
+        <translation>Unterarm: ausgelassen, wie in der Anpassung</translation>
+    </message>
+    <message>
+        <source>outline, by direction</source>
+        <translation>Umriss, nach Richtung</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -3972,6 +4055,10 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>Es gibt keine Referenz, an der der Fehler zu messen wäre.</translation>
+    </message>
+    <message>
+        <source>%1 (frame %2 from frame %3 is being fitted)</source>
+        <translation>%1 (Bild %2 aus Bild %3 wird angepasst)</translation>
     </message>
 </context>
 <context>
@@ -4038,6 +4125,10 @@
     <message>
         <source>kept</source>
         <translation>behalten</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4190,6 +4281,45 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>Öffnen Sie zuerst einen Datensatz.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MatchLook</name>
+    <message>
+        <source>thumb</source>
+        <translation>Daumen</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>Zeigefinger</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>Mittelfinger</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>Ringfinger</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>kleiner Finger</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>Handfläche</translation>
+    </message>
+    <message>
+        <source>All, by distance</source>
+        <translation>Alle, nach Abstand</translation>
+    </message>
+    <message>
+        <source>All, by finger</source>
+        <translation>Alle, nach Finger</translation>
+    </message>
+    <message>
+        <source>Only: %1</source>
+        <translation>Nur: %1</translation>
     </message>
 </context>
 <context>
@@ -5926,6 +6056,34 @@
     <message>
         <source>Fitting without each camera...</source>
         <translation>Anpassung ohne je eine Kamera...</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of this parameter, for every column that has it, and fills the curve; once more stops</source>
+        <translation>Passt mit einer Reihe von Werten dieser Größe an, für jede Spalte, die sie hat, und füllt die Kurve; noch einmal hält an</translation>
+    </message>
+    <message>
+        <source>%1: least error %2 mm at %3</source>
+        <translation>%1: kleinster Fehler %2 mm bei %3</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Sweep the noise</source>
+        <translation>Rauschen durchlaufen</translation>
+    </message>
+    <message>
+        <source>Sweep the cameras</source>
+        <translation>Kameras durchlaufen</translation>
+    </message>
+    <message>
+        <source>Sweep %1</source>
+        <translation>%1 durchlaufen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>%1 von %2 Anpassungen</translation>
     </message>
 </context>
 <context>

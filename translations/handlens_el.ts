@@ -788,10 +788,6 @@
         <translation>&amp;Αντιστοιχίες</translation>
     </message>
     <message>
-        <source>From rim points to their contour points, by distance; refused ones dashed</source>
-        <translation>Από σημεία χείλους στα σημεία περιγράμματός τους, ανά απόσταση· οι απορριφθείσες διακεκομμένες</translation>
-    </message>
-    <message>
         <source>&amp;Field</source>
         <translation>Π&amp;εδίο</translation>
     </message>
@@ -914,10 +910,6 @@
     <message>
         <source>&amp;Difference</source>
         <translation>&amp;Διαφορά</translation>
-    </message>
-    <message>
-        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation>Σιλουέτες: το κόκκινο φαίνεται αλλά δεν καλύπτεται, το μπλε καλύπτεται αλλά δεν φαίνεται</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
@@ -1090,6 +1082,30 @@
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
         <translation>Προσθέτει στα εμφανιζόμενα αποτελέσματα ό,τι βρίσκουν για αυτά οι επιλεγμένες μέθοδοι</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance or finger; a dash pattern for every reason to refuse one</source>
+        <translation>Από τα σημεία του χείλους στα σημεία του περιγράμματος, κατά απόσταση ή δάχτυλο· ένα μοτίβο γραμμής για κάθε λόγο απόρριψης</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen, a hatched forearm does not count</source>
+        <translation>Σιλουέτες: κόκκινο φαίνεται αλλά δεν καλύπτεται, μπλε καλύπτεται αλλά δεν φαίνεται, διαγραμμισμένος πήχης δεν μετρά</translation>
+    </message>
+    <message>
+        <source>Matches of the next finger</source>
+        <translation>Αντιστοιχίες του επόμενου δαχτύλου</translation>
+    </message>
+    <message>
+        <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
+        <translation>Όλες οι αντιστοιχίες κατά απόσταση, όλες κατά δάχτυλο, και μετά διαδοχικά ενός δαχτύλου ή της παλάμης</translation>
+    </message>
+    <message>
+        <source>Sweep the setting</source>
+        <translation>Σάρωση της ρύθμισης</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>
+        <translation>Προσαρμόζει για μια σειρά τιμών της ρύθμισης που άλλαξε τελευταία και σχεδιάζει το σφάλμα· ξανά για διακοπή</translation>
     </message>
 </context>
 <context>
@@ -3851,6 +3867,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectCurves</name>
+    <message>
+        <source>rigid</source>
+        <translation>άκαμπτα</translation>
+    </message>
+    <message>
+        <source>coarse mesh</source>
+        <translation>αδρό πλέγμα</translation>
+    </message>
+    <message>
+        <source>medium mesh</source>
+        <translation>μεσαίο πλέγμα</translation>
+    </message>
+    <message>
+        <source>full mesh</source>
+        <translation>πλήρες πλέγμα</translation>
+    </message>
+    <message>
+        <source>Hands move as a whole, their fingers do not</source>
+        <translation>Τα χέρια κινούνται ως σύνολο, τα δάχτυλά τους όχι</translation>
+    </message>
+    <message>
+        <source>All joints move, by a coarse mesh</source>
+        <translation>Κινούνται όλες οι αρθρώσεις, με αδρό πλέγμα</translation>
+    </message>
+    <message>
+        <source>All joints move, by a finer mesh</source>
+        <translation>Κινούνται όλες οι αρθρώσεις, με λεπτότερο πλέγμα</translation>
+    </message>
+    <message>
+        <source>All joints move, by the whole mesh</source>
+        <translation>Κινούνται όλες οι αρθρώσεις, με ολόκληρο το πλέγμα</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
@@ -3867,6 +3918,14 @@
     <message>
         <source>failed</source>
         <translation>απέτυχε</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view, without the forearm, which the fit leaves out</source>
+        <translation>IoU: τομή προς ένωση των δύο σιλουετών σε αυτή την όψη, χωρίς τον πήχη, τον οποίο παραλείπει η προσαρμογή</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view</source>
+        <translation>IoU: τομή προς ένωση των δύο σιλουετών σε αυτή την όψη</translation>
     </message>
 </context>
 <context>
@@ -3922,6 +3981,30 @@
         <source>Point at a view to see what each method would match there; click to pin it.</source>
         <translation>Δείξτε σε μια προβολή για να δείτε τι θα αντιστοίχιζε κάθε μέθοδος εκεί· κάντε κλικ για να καρφιτσωθεί.</translation>
     </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>απορρίφθηκε: %1</translation>
+    </message>
+    <message>
+        <source>Rim points and matches that are drawn</source>
+        <translation>Σημεία χείλους και αντιστοιχίες που σχεδιάζονται</translation>
+    </message>
+    <message>
+        <source>missed: seen, not covered</source>
+        <translation>λείπει: φαίνεται, δεν καλύπτεται</translation>
+    </message>
+    <message>
+        <source>extra: covered, not seen</source>
+        <translation>επιπλέον: καλύπτεται, δεν φαίνεται</translation>
+    </message>
+    <message>
+        <source>forearm: left out, as the fit does</source>
+        <translation>πήχης: παραλείπεται, όπως στην προσαρμογή</translation>
+    </message>
+    <message>
+        <source>outline, by direction</source>
+        <translation>περίγραμμα, κατά κατεύθυνση</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -3972,6 +4055,10 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>Δεν υπάρχει αναφορά για να μετρηθεί το σφάλμα.</translation>
+    </message>
+    <message>
+        <source>%1 (frame %2 from frame %3 is being fitted)</source>
+        <translation>%1 (προσαρμόζεται το καρέ %2 από το καρέ %3)</translation>
     </message>
 </context>
 <context>
@@ -4038,6 +4125,10 @@
     <message>
         <source>kept</source>
         <translation>κρατήθηκε</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -4190,6 +4281,45 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>Ανοίξτε πρώτα ένα σύνολο δεδομένων.</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MatchLook</name>
+    <message>
+        <source>thumb</source>
+        <translation>αντίχειρας</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>δείκτης</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>μέσος</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>παράμεσος</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>μικρός</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>παλάμη</translation>
+    </message>
+    <message>
+        <source>All, by distance</source>
+        <translation>Όλες, κατά απόσταση</translation>
+    </message>
+    <message>
+        <source>All, by finger</source>
+        <translation>Όλες, κατά δάχτυλο</translation>
+    </message>
+    <message>
+        <source>Only: %1</source>
+        <translation>Μόνο: %1</translation>
     </message>
 </context>
 <context>
@@ -5926,6 +6056,34 @@
     <message>
         <source>Fitting without each camera...</source>
         <translation>Προσαρμογή χωρίς κάθε κάμερα...</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of this parameter, for every column that has it, and fills the curve; once more stops</source>
+        <translation>Προσαρμόζει για μια σειρά τιμών αυτής της παραμέτρου, για κάθε στήλη που την έχει, και γεμίζει την καμπύλη· ξανά για διακοπή</translation>
+    </message>
+    <message>
+        <source>%1: least error %2 mm at %3</source>
+        <translation>%1: ελάχιστο σφάλμα %2 mm στο %3</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Διακοπή</translation>
+    </message>
+    <message>
+        <source>Sweep the noise</source>
+        <translation>Σάρωση του θορύβου</translation>
+    </message>
+    <message>
+        <source>Sweep the cameras</source>
+        <translation>Σάρωση των καμερών</translation>
+    </message>
+    <message>
+        <source>Sweep %1</source>
+        <translation>Σάρωση: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>%1 από %2 προσαρμογές</translation>
     </message>
 </context>
 <context>

@@ -788,10 +788,6 @@
         <translation>匹配(&amp;M)</translation>
     </message>
     <message>
-        <source>From rim points to their contour points, by distance; refused ones dashed</source>
-        <translation>从边缘点到其轮廓点，按距离着色；被拒绝的为虚线</translation>
-    </message>
-    <message>
         <source>&amp;Field</source>
         <translation>场(&amp;F)</translation>
     </message>
@@ -914,10 +910,6 @@
     <message>
         <source>&amp;Difference</source>
         <translation>差异(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Silhouettes: red is seen but not covered, blue is covered but not seen</source>
-        <translation>轮廓：红色可见但未覆盖，蓝色覆盖但不可见</translation>
     </message>
     <message>
         <source>&amp;Uncertainty</source>
@@ -1090,6 +1082,30 @@
     <message>
         <source>Adds what the ticked methods make of them to the results that are shown</source>
         <translation>将已勾选方法对这些配对的结果添加到所显示的结果中</translation>
+    </message>
+    <message>
+        <source>From rim points to their contour points, by distance or finger; a dash pattern for every reason to refuse one</source>
+        <translation>从边缘点到其轮廓点，按距离或手指着色；每种拒绝原因有各自的虚线样式</translation>
+    </message>
+    <message>
+        <source>Silhouettes: red is seen but not covered, blue is covered but not seen, a hatched forearm does not count</source>
+        <translation>轮廓：红色为可见但未覆盖，蓝色为覆盖但不可见，画斜线的前臂不计入</translation>
+    </message>
+    <message>
+        <source>Matches of the next finger</source>
+        <translation>下一根手指的匹配</translation>
+    </message>
+    <message>
+        <source>All matches by distance, all by finger, then those of one finger or the palm after the other</source>
+        <translation>先按距离显示全部匹配，再按手指显示全部，然后依次显示单根手指或手掌的匹配</translation>
+    </message>
+    <message>
+        <source>Sweep the setting</source>
+        <translation>扫描该设置</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of the setting that was changed last, and draws the error over it; once more stops</source>
+        <translation>用最后更改的设置的一系列取值进行拟合并绘制误差；再按一次停止</translation>
     </message>
 </context>
 <context>
@@ -3804,6 +3820,41 @@
     </message>
 </context>
 <context>
+    <name>widgets::InspectCurves</name>
+    <message>
+        <source>rigid</source>
+        <translation>刚性</translation>
+    </message>
+    <message>
+        <source>coarse mesh</source>
+        <translation>粗网格</translation>
+    </message>
+    <message>
+        <source>medium mesh</source>
+        <translation>中等网格</translation>
+    </message>
+    <message>
+        <source>full mesh</source>
+        <translation>完整网格</translation>
+    </message>
+    <message>
+        <source>Hands move as a whole, their fingers do not</source>
+        <translation>手整体移动，手指不动</translation>
+    </message>
+    <message>
+        <source>All joints move, by a coarse mesh</source>
+        <translation>所有关节移动，使用粗网格</translation>
+    </message>
+    <message>
+        <source>All joints move, by a finer mesh</source>
+        <translation>所有关节移动，使用较细网格</translation>
+    </message>
+    <message>
+        <source>All joints move, by the whole mesh</source>
+        <translation>所有关节移动，使用完整网格</translation>
+    </message>
+</context>
+<context>
     <name>widgets::InspectGrid</name>
     <message>
         <source>No picture at this instant.</source>
@@ -3820,6 +3871,14 @@
     <message>
         <source>failed</source>
         <translation>失败</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view, without the forearm, which the fit leaves out</source>
+        <translation>IoU：此视图中两个轮廓的交并比，不含拟合所忽略的前臂</translation>
+    </message>
+    <message>
+        <source>IoU: intersection over union of both silhouettes in this view</source>
+        <translation>IoU：此视图中两个轮廓的交并比</translation>
     </message>
 </context>
 <context>
@@ -3875,6 +3934,30 @@
         <source>Point at a view to see what each method would match there; click to pin it.</source>
         <translation>指向某个视图，查看各方法在该处会匹配什么；单击可固定。</translation>
     </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>拒绝：%1</translation>
+    </message>
+    <message>
+        <source>Rim points and matches that are drawn</source>
+        <translation>绘制的边缘点和匹配</translation>
+    </message>
+    <message>
+        <source>missed: seen, not covered</source>
+        <translation>漏：可见但未覆盖</translation>
+    </message>
+    <message>
+        <source>extra: covered, not seen</source>
+        <translation>多：覆盖但不可见</translation>
+    </message>
+    <message>
+        <source>forearm: left out, as the fit does</source>
+        <translation>前臂：与拟合一样忽略</translation>
+    </message>
+    <message>
+        <source>outline, by direction</source>
+        <translation>轮廓，按方向</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -3925,6 +4008,10 @@
     <message>
         <source>There is no reference to measure the error against.</source>
         <translation>没有可用于衡量误差的参照。</translation>
+    </message>
+    <message>
+        <source>%1 (frame %2 from frame %3 is being fitted)</source>
+        <translation>%1（正在从第 %3 帧拟合第 %2 帧）</translation>
     </message>
 </context>
 <context>
@@ -3991,6 +4078,10 @@
     <message>
         <source>kept</source>
         <translation>保留</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 <context>
@@ -4143,6 +4234,45 @@
     <message>
         <source>Open a dataset first.</source>
         <translation>请先打开数据集。</translation>
+    </message>
+</context>
+<context>
+    <name>widgets::MatchLook</name>
+    <message>
+        <source>thumb</source>
+        <translation>拇指</translation>
+    </message>
+    <message>
+        <source>index</source>
+        <translation>食指</translation>
+    </message>
+    <message>
+        <source>middle</source>
+        <translation>中指</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>无名指</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>小指</translation>
+    </message>
+    <message>
+        <source>palm</source>
+        <translation>手掌</translation>
+    </message>
+    <message>
+        <source>All, by distance</source>
+        <translation>全部，按距离</translation>
+    </message>
+    <message>
+        <source>All, by finger</source>
+        <translation>全部，按手指</translation>
+    </message>
+    <message>
+        <source>Only: %1</source>
+        <translation>仅：%1</translation>
     </message>
 </context>
 <context>
@@ -5854,6 +5984,34 @@
     <message>
         <source>Fitting without each camera...</source>
         <translation>正在依次去掉每台相机进行拟合...</translation>
+    </message>
+    <message>
+        <source>Fits at a row of values of this parameter, for every column that has it, and fills the curve; once more stops</source>
+        <translation>对具有该参数的每一列用一系列取值进行拟合并填充曲线；再按一次停止</translation>
+    </message>
+    <message>
+        <source>%1: least error %2 mm at %3</source>
+        <translation>%1：在 %3 处误差最小，为 %2 mm</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Sweep the noise</source>
+        <translation>扫描噪声</translation>
+    </message>
+    <message>
+        <source>Sweep the cameras</source>
+        <translation>扫描相机</translation>
+    </message>
+    <message>
+        <source>Sweep %1</source>
+        <translation>扫描 %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fits</source>
+        <translation>%1 / %2 次拟合</translation>
     </message>
 </context>
 <context>

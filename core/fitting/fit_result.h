@@ -33,8 +33,10 @@ struct FitIteration {
     double costMm2 = 0; ///< 1 / (2 N) sum of squared vertex-to-ray distances over the kept matches, before the step
     int matches = 0;    ///< kept
     int rejected = 0;
-    double stepMm = 0; ///< mean joint displacement of the step
-    HandPoses poses;   ///< after the step
+    double stepMm = 0;      ///< mean joint displacement of the step
+    bool rigidOnly = false; ///< only the six rigid degrees of freedom of each hand moved
+    int level = 0;          ///< of detail of the hands' surfaces, 0 is the coarsest
+    HandPoses poses;        ///< after the step
     /// What the step was solved from, at the pose before it; null unless the fit records its matches.
     std::shared_ptr<const IterationMatches> matchRecords;
 };

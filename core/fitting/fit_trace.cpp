@@ -3,6 +3,8 @@
 
 #include <limits>
 
+#include "core/hand/skeleton.h"
+
 namespace core {
 
 std::string_view matchVerdictName(MatchVerdict verdict) {
@@ -21,6 +23,23 @@ std::string_view matchVerdictName(MatchVerdict verdict) {
         return "forearm";
     }
     return "";
+}
+
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
+    return boneTransforms(hand.skeleton, pose).front() * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
+}
+
+std::vector<ConvexRegion> forearmRegions(const Camera& camera, const std::vector<HandModel>& hands,
+                                         const HandPoses& poses, const std::vector<std::optional<ForearmCut>>& cuts) {
+    std::vector<ConvexRegion> regions;
+    for (std::size_t h = 0; h < cuts.size() && h < hands.size() && h < poses.size(); ++h) {
+        if (!cuts[h] || poses[h].size() == 0)
+            continue;
+        ConvexRegion region = forearmRegion(camera, *cuts[h], worldFromRest(hands[h], poses[h]));
+        if (!region.empty())
+            regions.push_back(std::move(region));
+    }
+    return regions;
 }
 
 MatchGeometry matchGeometry(const MatchRecord& match, const OrientedContour& contour) {

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "core/contour/forearm.h"
 #include "core/fitting/fit_target.h"
+#include "core/hand/hand_model.h"
 
 namespace core {
 
@@ -26,6 +29,7 @@ std::string_view matchVerdictName(MatchVerdict verdict);
 /// One rim point p of the posed hands and the contour point q that the solver found for it.
 struct MatchRecord {
     static constexpr int kNoContourPoint = -1;
+    static constexpr std::uint8_t kNoBone = 255;
 
     Eigen::Vector2f rimPx;              ///< p
     float rimAngleRad = 0;              ///< phi(p), atan2 of the outward image normal
@@ -33,12 +37,14 @@ struct MatchRecord {
     float weight = 0;                   ///< of the squared distance in the step; 0 unless kept
     MatchVerdict verdict = MatchVerdict::Kept;
     std::uint8_t hand = 0;
+    std::uint8_t bone = kNoBone; ///< of the hand's skeleton: the one that moves p most
 };
 
 /// The matches of one iteration in one camera.
 struct CameraMatches {
     int camera = 0; ///< index into the cameras
     std::vector<MatchRecord> matches;
+    std::vector<ConvexRegion> leftOut; ///< of the picture: forearms, which take no part in the fit
 };
 /// Of all cameras that take part, in the order of FitTrace::targets.
 using IterationMatches = std::vector<CameraMatches>;
@@ -47,7 +53,17 @@ using IterationMatches = std::vector<CameraMatches>;
 struct FitTrace {
     std::vector<CameraTarget> targets;
     IterationMatches finalMatches;
+    /// Per hand, where its forearm was cut off in the end; no value for hands without one. Empty: none was looked for.
+    std::vector<std::optional<ForearmCut>> forearms;
 };
+
+/// How a pose moves the hand's root bone, from the rest pose into the world.
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose);
+
+/// Where the forearms of posed hands may be seen by a camera: those of hands with a cut, as far as they are in the
+/// picture. cuts: one per hand.
+std::vector<ConvexRegion> forearmRegions(const Camera& camera, const std::vector<HandModel>& hands,
+                                         const HandPoses& poses, const std::vector<std::optional<ForearmCut>>& cuts);
 
 /// A recorded match, spelled out: pixels, radians. Quantities of q are NaN where there is none.
 struct MatchGeometry {

@@ -122,6 +122,7 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
     result.termination = attempt.termination;
     if (extras.matches) {
         trace->finalMatches = refiner.matchesAt(result.poses);
+        trace->forearms = refiner.forearms();
         result.trace = std::move(trace);
     }
     return result;

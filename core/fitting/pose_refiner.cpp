@@ -46,8 +46,10 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
         hands.cuts.push_back(forearmCut(model));
         hands.changePrecision.push_back(fingerChangePrecision(model.skeleton, learntFingerMotion()));
         auto& levels = hands.levels.emplace_back();
-        for (int level = 0; level < kSurfaceLevels; ++level)
+        for (std::size_t level = 0; level < kSurfaceLevels; ++level) {
             levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
+            hands.boneOfVertex[level].push_back(strongestBones(levels[level]));
+        }
     }
     return hands;
 }
@@ -119,6 +121,7 @@ void PoseRefiner::extractRim(View& view, const CameraTarget& target, Detail deta
         options.outwardPx = kCoarseOutwardPx;
     }
     visibleRim(m_cameras[static_cast<std::size_t>(target.camera)], rimSources(detail), options, view.scratch, view.rim);
+    view.matched.boneOfVertex = m_hands.boneOfVertex[static_cast<std::size_t>(detail)];
     leaveOut(view.forearms, view.rim, view.matched);
     view.secondsRim += watch.seconds();
 }
@@ -135,7 +138,8 @@ std::shared_ptr<const IterationMatches> PoseRefiner::takeRecords() {
     auto records = std::make_shared<IterationMatches>();
     for (std::size_t v = 0; v < m_views.size(); ++v) {
         std::vector<MatchRecord>& found = m_views[v].matched.records;
-        records->push_back({m_targets[v].camera, std::vector<MatchRecord>(found.begin(), found.end())});
+        records->push_back(
+            {m_targets[v].camera, std::vector<MatchRecord>(found.begin(), found.end()), m_views[v].forearms});
         found.clear();
     }
     return records;
@@ -193,6 +197,8 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     for (const View& view : m_views)
         record.rejected += view.matched.rejected;
     record.costMm2 = record.matches ? squared / (2 * record.matches) : 0;
+    record.rigidOnly = settings.rigidOnly;
+    record.level = static_cast<int>(settings.detail);
     record.stepMm = meanJointDistanceMm(m_hands.models, before, poses);
     record.matchRecords = takeRecords();
     m_profile.solving += watch.seconds();
@@ -306,28 +312,21 @@ double PoseRefiner::deepDifferencePx(const HandPoses& poses, int depthPx) {
     return length > 0 ? area / length : 0;
 }
 
-namespace {
-
-RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
-    return boneTransforms(hand.skeleton, pose).front() * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
+std::vector<std::optional<ForearmCut>> PoseRefiner::forearms() const {
+    std::vector<std::optional<ForearmCut>> cuts(m_cuts.size());
+    for (std::size_t h = 0; h < m_cuts.size(); ++h)
+        if (hasForearm(h))
+            cuts[h] = m_cuts[h];
+    return cuts;
 }
-
-} // namespace
 
 void PoseRefiner::placeForearms(const HandPoses& poses) {
     if (std::none_of(m_hasForearm.begin(), m_hasForearm.end(), [](char has) { return has != 0; }))
         return;
-    for (std::size_t v = 0; v < m_views.size(); ++v) {
-        m_views[v].forearms.clear();
-        for (std::size_t h = 0; h < poses.size(); ++h) {
-            if (!hasForearm(h))
-                continue;
-            ConvexRegion region = forearmRegion(m_cameras[static_cast<std::size_t>(m_targets[v].camera)], m_cuts[h],
-                                                worldFromRest(m_hands.models[h], poses[h]));
-            if (!region.empty())
-                m_views[v].forearms.push_back(std::move(region));
-        }
-    }
+    const std::vector<std::optional<ForearmCut>> cuts = forearms();
+    for (std::size_t v = 0; v < m_views.size(); ++v)
+        m_views[v].forearms =
+            forearmRegions(m_cameras[static_cast<std::size_t>(m_targets[v].camera)], m_hands.models, poses, cuts);
 }
 
 void PoseRefiner::cutForearms(const HandPoses& poses) {

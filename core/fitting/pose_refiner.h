@@ -24,6 +24,8 @@ struct FittingHands {
     std::vector<std::array<SkinnedSurface, kSurfaceLevels>> levels; ///< per hand
     std::vector<ForearmCut> cuts;                                   ///< per hand
     std::vector<Eigen::MatrixXd> changePrecision;                   ///< per hand, see fingerChangePrecision
+    /// Per level and hand: of every vertex, the bone that moves it most.
+    std::array<std::vector<std::vector<std::uint8_t>>, kSurfaceLevels> boneOfVertex;
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
 
@@ -75,6 +77,8 @@ public:
     /// hand covers; silhouettes that end with the hands leave everything as it was.
     void cutForearms(const HandPoses& poses);
     bool hasForearm(std::size_t hand) const { return m_hasForearm[hand] != 0; }
+    /// Per hand, where its forearm is cut off; no value for hands without one.
+    std::vector<std::optional<ForearmCut>> forearms() const;
     /// Moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`: a sleeve begins
     /// there. True if one was moved. Hands without a forearm are left as they are.
     bool cutSleeves(const HandPoses& poses);

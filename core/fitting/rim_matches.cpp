@@ -8,15 +8,23 @@ namespace core {
 
 namespace {
 
-MatchRecord recordOf(const RimPoint& rim, int contourPoint, float weight, MatchVerdict verdict) {
-    MatchRecord record;
-    record.rimPx = rim.px;
-    record.rimAngleRad = std::atan2(rim.normalPx.y(), rim.normalPx.x());
-    record.contourPoint = contourPoint;
-    record.weight = weight;
-    record.verdict = verdict;
-    record.hand = static_cast<std::uint8_t>(rim.hand);
-    return record;
+std::uint8_t boneOf(const RimPoint& rim, const RimMatches& result) {
+    const auto hand = static_cast<std::size_t>(rim.hand);
+    const auto vertex = static_cast<std::size_t>(rim.t < 0.5f ? rim.vertexA : rim.vertexB);
+    const bool isKnown = hand < result.boneOfVertex.size() && vertex < result.boneOfVertex[hand].size();
+    return isKnown ? result.boneOfVertex[hand][vertex] : MatchRecord::kNoBone;
+}
+
+void record(const RimPoint& rim, int contourPoint, float weight, MatchVerdict verdict, RimMatches& result) {
+    MatchRecord made;
+    made.rimPx = rim.px;
+    made.rimAngleRad = std::atan2(rim.normalPx.y(), rim.normalPx.x());
+    made.contourPoint = contourPoint;
+    made.weight = weight;
+    made.verdict = verdict;
+    made.hand = static_cast<std::uint8_t>(rim.hand);
+    made.bone = boneOf(rim, result);
+    result.records.push_back(made);
 }
 
 RayCorrespondence correspondence(const RimPoint& rim, const CameraTarget& target, const WeightedMatch& match,
@@ -60,7 +68,7 @@ void addMatch(const CameraTarget& target, const IterationSettings& settings, con
     correspondences.push_back(correspondence(rim, target, match, settings));
     if (result.recording) {
         const auto weight = static_cast<float>(correspondences.back().weight);
-        result.records.push_back(recordOf(rim, match.index, weight, MatchVerdict::Kept));
+        record(rim, match.index, weight, MatchVerdict::Kept, result);
     }
 }
 
@@ -72,7 +80,7 @@ void explainRim(const CameraTarget& target, const MatchRule& rule, const RimPoin
         if (candidate.verdict == MatchVerdict::Kept)
             result.matches.push_back({candidate.index, candidate.weight});
         else
-            result.records.push_back(recordOf(rim, candidate.index, 0, candidate.verdict));
+            record(rim, candidate.index, 0, candidate.verdict, result);
 }
 
 /// The other direction: contour points that pull the nearest rim point.
@@ -97,6 +105,21 @@ void matchContour(const CameraTarget& target, const IterationSettings& settings,
 
 } // namespace
 
+std::vector<std::uint8_t> strongestBones(const SkinnedSurface& surface) {
+    std::vector<std::uint8_t> bones(surface.vertexCount(), MatchRecord::kNoBone);
+    for (std::size_t v = 0; v < bones.size(); ++v) {
+        float most = 0;
+        for (int k = surface.firstWeight[v]; k < surface.firstWeight[v + 1]; ++k) {
+            const auto entry = static_cast<std::size_t>(k);
+            if (surface.weightValue[entry] > most && surface.weightBone[entry] < MatchRecord::kNoBone) {
+                most = surface.weightValue[entry];
+                bones[v] = static_cast<std::uint8_t>(surface.weightBone[entry]);
+            }
+        }
+    }
+    return bones;
+}
+
 double acrossPx(const RimPoint& rim, const CameraTarget& target, int contourPoint) {
     return static_cast<double>(rim.normalPx.dot(contourPx(target, contourPoint) - rim.px));
 }
@@ -112,7 +135,7 @@ void leaveOut(std::span<const ConvexRegion> regions, std::vector<RimPoint>& rim,
         [&](const RimPoint& point) {
             const bool isOut = isInside(regions, point.px);
             if (isOut && result.recording)
-                result.records.push_back(recordOf(point, MatchRecord::kNoContourPoint, 0, MatchVerdict::Forearm));
+                record(point, MatchRecord::kNoContourPoint, 0, MatchVerdict::Forearm, result);
             return isOut;
         });
 }
@@ -131,7 +154,7 @@ void matchRim(const CameraTarget& target, const IterationSettings& settings, con
         std::erase_if(result.matches, [&](const WeightedMatch& match) {
             const bool isOut = isInside(leftOut, contourPx(target, match.index));
             if (isOut && result.recording)
-                result.records.push_back(recordOf(point, match.index, 0, MatchVerdict::Forearm));
+                record(point, match.index, 0, MatchVerdict::Forearm, result);
             return isOut;
         });
         if (result.matches.empty())

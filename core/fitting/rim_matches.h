@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -38,10 +39,15 @@ struct RimMatches {
     std::vector<std::vector<RayCorrespondence>> correspondences; ///< per hand
     int rejected = 0;                                            ///< rim points without a match
     bool recording = false;
+    /// If recording, per hand: of every vertex of the surface, the bone that moves it most.
+    std::span<const std::vector<std::uint8_t>> boneOfVertex;
     std::vector<MatchRecord> records; ///< if recording: what was kept and what was refused
     std::vector<WeightedMatch> matches;
     std::vector<MatchCandidate> candidates;
 };
+
+/// Of every vertex, the bone that moves it most.
+std::vector<std::uint8_t> strongestBones(const SkinnedSurface& surface);
 
 /// Removes what lies in a region that is left out, such as a forearm, from the rim; recorded as such.
 void leaveOut(std::span<const ConvexRegion> regions, std::vector<RimPoint>& rim, RimMatches& result);

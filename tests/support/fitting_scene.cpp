@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <opencv2/imgproc.hpp>
+
+#include "core/contour/forearm.h"
 #include "core/contour/rasteriser.h"
 
 namespace test {
@@ -51,6 +54,26 @@ std::vector<cv::Mat> FittingScene::seen(const core::HandPoses& poses) const {
 
 double FittingScene::errorMm(const core::HandPoses& poses) const {
     return core::meanJointDistanceMm(hands, truth, poses);
+}
+
+void drawForearms(const FittingScene& scene, std::vector<cv::Mat>& masks) {
+    for (std::size_t h = 0; h < scene.hands.size(); ++h) {
+        const core::ForearmCut cut = core::forearmCut(scene.hands[h]);
+        const core::Skeleton& skeleton = scene.hands[h].skeleton;
+        const core::RigidMotion motion = core::boneTransforms(skeleton, scene.truth[h]).front() *
+                                         core::inverse(skeleton.bones.front().worldFromBoneAtRest);
+        for (double along = 5; along < 250; along += 3) {
+            const Eigen::Vector3d centre = motion * (cut.centre + along * cut.direction);
+            for (std::size_t c = 0; c < masks.size(); ++c) {
+                const core::Camera& camera = scene.cameras[c];
+                const double depth = (camera.cameraFromWorld * centre).z();
+                const auto px = core::project(camera, centre);
+                if (px && depth > 50)
+                    cv::circle(masks[c], cv::Point(static_cast<int>(px->x()), static_cast<int>(px->y())),
+                               static_cast<int>(cut.radiusMm * camera.intrinsics(0, 0) / depth), cv::Scalar(255), -1);
+            }
+        }
+    }
 }
 
 } // namespace test

@@ -28,4 +28,7 @@ struct FittingScene {
     double errorMm(const core::HandPoses& poses) const;
 };
 
+/// A forearm of the wrist's width beyond the cut of every hand, where the hands are in truth.
+void drawForearms(const FittingScene& scene, std::vector<cv::Mat>& masks);
+
 } // namespace test

@@ -42,8 +42,14 @@ FitRunner::FitRunner(const AnnotationDocument& document, JobPool& pool, QObject*
     , m_job(pool) {
     connect(&m_job, &Job::started, this, &FitRunner::started);
     connect(&m_job, &Job::progressed, this, &FitRunner::progressed);
-    connect(&m_job, &Job::failed, this, &FitRunner::failed);
-    connect(&m_job, &Job::finished, this, &FitRunner::finished);
+    connect(&m_job, &Job::failed, this, [this](const QString& message) {
+        m_pending.reset();
+        emit failed(message);
+    });
+    connect(&m_job, &Job::finished, this, [this] {
+        m_pending.reset();
+        emit finished();
+    });
 }
 
 FitRunner::~FitRunner() = default;
@@ -51,6 +57,7 @@ FitRunner::~FitRunner() = default;
 void FitRunner::setSequence(std::shared_ptr<const core::Dataset> dataset, const core::Sequence* sequence,
                             std::shared_ptr<const core::Motion> motion) {
     m_job.stop();
+    m_pending.reset();
     if (dataset != m_dataset)
         m_estimator = std::make_shared<SharedEstimator>();
     m_dataset = std::move(dataset);
@@ -87,6 +94,7 @@ void FitRunner::run(const FitRequest& request) {
     const FitSource source{m_dataset,          m_sequence,
                            m_motion,           readsMarks ? m_document.annotations() : core::AnnotationSet(),
                            m_document.rater(), m_sigmas};
+    m_pending = request;
     start(request.methods, [request, source](FitOutcome& outcome) -> std::optional<FitRefusal> {
         auto prepared = prepareFitPair(source, request);
         if (const auto* refusal = std::get_if<FitRefusal>(&prepared))
@@ -110,6 +118,7 @@ void FitRunner::extend(const std::vector<std::string>& methods) {
     }
     if (missing.empty())
         return;
+    m_pending.reset();
     start(missing, [before = m_outcome, missing](FitOutcome& outcome) -> std::optional<FitRefusal> {
         outcome = *before;
         outcome.request.methods.insert(outcome.request.methods.end(), missing.begin(), missing.end());
@@ -125,6 +134,7 @@ void FitRunner::start(std::vector<std::string> methods, std::function<std::optio
         if (const std::optional<FitRefusal> refusal = prepare(*outcome))
             return [this, why = *refusal] {
                 m_job.stop();
+                m_pending.reset();
                 emit failed(fitRefusalText(why));
             };
         const core::PoseEstimator& poseEstimator = estimator->get(*dataset);

@@ -73,6 +73,8 @@ public:
     /// Ends early; finished() comes with what there is.
     void stop();
     bool isRunning() const { return m_job.isRunning(); }
+    /// The pair that is being fitted in the place of the outcome's; none while nothing is, or the outcome is extended.
+    const std::optional<FitRequest>& pending() const { return m_pending; }
     /// What the open sequence has to take silhouettes from.
     bool hasMotion() const { return m_motion && !m_motion->empty(); }
     bool hasMasks() const { return core::hasMasks(m_sequence); }
@@ -104,6 +106,7 @@ private:
     std::shared_ptr<const core::Motion> m_motion;
     std::shared_ptr<SharedEstimator> m_estimator;
     std::shared_ptr<const FitOutcome> m_outcome;
+    std::optional<FitRequest> m_pending;
     core::Sequence m_sequence;
     core::ClickSigmas m_sigmas;
 };

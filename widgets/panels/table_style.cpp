@@ -2,6 +2,7 @@
 #include "widgets/panels/table_style.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QTableView>
 
 namespace widgets {
@@ -22,6 +23,11 @@ void styleTable(QTableView& table) {
     header->setMinimumSectionSize(24);
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setSectionResizeMode(0, QHeaderView::Stretch);
+}
+
+int heightOfRows(const QTableView& table, int rows) {
+    return table.horizontalHeader()->sizeHint().height() + rows * table.verticalHeader()->defaultSectionSize() +
+           table.horizontalScrollBar()->sizeHint().height() + 2 * table.frameWidth();
 }
 
 } // namespace widgets

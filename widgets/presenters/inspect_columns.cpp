@@ -28,20 +28,29 @@ const MethodOutcome* fittedMethod(const FitOutcome& outcome, const std::string& 
     return nullptr;
 }
 
-/// What the silhouettes of the pair are, for columns that no method made: outlines and masks, no matches.
+bool hasForearm(const core::FitTrace& trace) {
+    return std::any_of(
+        trace.forearms.begin(), trace.forearms.end(), [](const auto& cut) { return cut.has_value(); });
+}
+
+/// What the silhouettes of the pair are, for columns that no method made: outlines, masks and where forearms are cut
+/// off, no matches.
 std::shared_ptr<const core::FitTrace> bareTrace(const FitOutcome& outcome) {
+    std::shared_ptr<core::FitTrace> bare;
     for (const MethodOutcome& method : outcome.methods) {
-        if (!method.result.trace)
-            continue;
-        auto bare = std::make_shared<core::FitTrace>();
-        for (const core::CameraTarget& target : method.result.trace->targets) {
-            bare->targets.push_back({target.camera, target.mask, target.maskBounds, target.contour, target.rayDirection,
-                                     target.centre, target.index, std::nullopt});
-            bare->finalMatches.push_back({target.camera, {}});
+        const auto& trace = method.result.trace;
+        if (trace && !bare) {
+            bare = std::make_shared<core::FitTrace>();
+            for (const core::CameraTarget& target : trace->targets) {
+                bare->targets.push_back({target.camera, target.mask, target.maskBounds, target.contour,
+                                         target.rayDirection, target.centre, target.index, std::nullopt});
+                bare->finalMatches.push_back({target.camera, {}, {}});
+            }
         }
-        return bare;
+        if (trace && !hasForearm(*bare))
+            bare->forearms = trace->forearms;
     }
-    return nullptr;
+    return bare;
 }
 
 MethodOutcome fixedColumn(std::string id, core::HandPoses poses, double errorMm,
@@ -133,11 +142,14 @@ bool InspectColumns::isAvailable(const InspectColumn& column) const {
     return false;
 }
 
-/// Columns of the pair before stay where they can; what was fitted anew comes behind them.
+/// Columns that the new pair has, too, keep their places; what is fitted anew comes behind them. Nothing of the pair
+/// before stays: methods that were not fitted on this one go, and so do settings that were tried.
 void InspectColumns::takeFits() {
     const std::shared_ptr<const FitOutcome> before = m_fitted;
     m_fitted = m_fits.outcome();
     const bool isExtended = before && m_fitted && isSamePair(*before, *m_fitted);
+    if (!isExtended)
+        m_previews.clear(); // of the pair before
     if (m_fitted && !isExtended) {
         std::erase_if(m_wanted, [this](const InspectColumn& column) { return !isAvailable(column); });
         m_posed.clear();

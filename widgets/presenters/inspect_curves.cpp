@@ -5,8 +5,41 @@
 #include <cmath>
 
 #include "widgets/presenters/inspect_columns.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
+
+namespace {
+
+constexpr LocalText curveWords{"widgets::InspectCurves"};
+
+PlotMark markOf(const core::FitIteration& step, double x) {
+    if (step.rigidOnly)
+        return {x, curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "rigid")),
+                curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "Hands move as a whole, their fingers do not"))};
+    switch (step.level) {
+    case 0:
+        return {x, curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "coarse mesh")),
+                curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "All joints move, by a coarse mesh"))};
+    case 1:
+        return {x, curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "medium mesh")),
+                curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "All joints move, by a finer mesh"))};
+    default:
+        return {x, curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "full mesh")),
+                curveWords(QT_TRANSLATE_NOOP("widgets::InspectCurves", "All joints move, by the whole mesh"))};
+    }
+}
+
+} // namespace
+
+std::vector<PlotMark> phaseMarks(const MethodOutcome& method) {
+    std::vector<PlotMark> marks;
+    const auto& history = method.result.history;
+    for (std::size_t i = 0; i < history.size(); ++i)
+        if (i == 0 || history[i].rigidOnly != history[i - 1].rigidOnly || history[i].level != history[i - 1].level)
+            marks.push_back(markOf(history[i], double(i)));
+    return marks;
+}
 
 InspectCurves inspectCurves(const FitOutcome& outcome) {
     InspectCurves curves;

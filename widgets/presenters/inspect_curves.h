@@ -15,4 +15,8 @@ struct InspectCurves {
 };
 InspectCurves inspectCurves(const FitOutcome& outcome);
 
+/// Where the phases of a method's schedule begin: what moved, and on which level of the mesh. None for a fixed pose,
+/// and for a method with one phase only the beginning of that.
+std::vector<PlotMark> phaseMarks(const MethodOutcome& method);
+
 } // namespace widgets

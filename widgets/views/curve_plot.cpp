@@ -50,6 +50,13 @@ void CurvePlot::setCurves(const std::vector<Curve>& curves) {
     contentChanged();
 }
 
+void CurvePlot::setMarks(const std::vector<PlotMark>& marks) {
+    if (marks == m_marks)
+        return;
+    m_marks = marks;
+    contentChanged();
+}
+
 void CurvePlot::setCursor(double x) {
     m_cursorX = x;
     contentChanged();
@@ -83,15 +90,42 @@ PlotFrame CurvePlot::axes() const {
 }
 
 void CurvePlot::paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const {
+    paintMarks(painter, frame, colours);
     paintCurves(painter, frame, colours);
-    std::vector<PlotLegendEntry> entries;
+    if (hasLegendAbove(frame.whole))
+        return;
     std::vector<QPointF> places;
-    for (const Curve& curve : m_curves) {
-        entries.push_back({curve.name, curve.colour, curve.dashed});
+    for (const Curve& curve : m_curves)
         for (const QPointF& p : curve.points)
             places.push_back(frame.place(p));
+    paintLegend(painter, frame, colours, legendAbove(), places);
+}
+
+std::vector<PlotLegendEntry> CurvePlot::legendAbove() const {
+    std::vector<PlotLegendEntry> entries;
+    for (const Curve& curve : m_curves)
+        entries.push_back({curve.name, curve.colour, curve.dashed});
+    return entries;
+}
+
+/// A name stands to the right of its line, where it ends before the next one's; the tool tip has all of them.
+void CurvePlot::paintMarks(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
+    const QFontMetricsF metrics(font());
+    QColor line = colours.color(QPalette::Text);
+    line.setAlphaF(0.45);
+    for (std::size_t i = 0; i < m_marks.size(); ++i) {
+        const double x = f.place({m_marks[i].x, f.y.min}).x();
+        if (x < f.plot.left() - 1 || x > f.plot.right() + 1)
+            continue;
+        painter.setPen(QPen(line, 1, Qt::DotLine));
+        painter.drawLine(QPointF(x, f.plot.top() - metrics.height()), QPointF(x, f.plot.bottom()));
+        const double end = i + 1 < m_marks.size() ? f.place({m_marks[i + 1].x, f.y.min}).x() : f.whole.right();
+        if (x + 3 + metrics.horizontalAdvance(m_marks[i].name) > end)
+            continue;
+        painter.setPen(colours.color(QPalette::PlaceholderText));
+        painter.drawText(QRectF(x + 3, f.plot.top() - metrics.height() - 1, end - x, metrics.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, m_marks[i].name);
     }
-    paintLegend(painter, frame, colours, entries, places);
 }
 
 void CurvePlot::paintCurves(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
@@ -177,6 +211,11 @@ void CurvePlot::mouseMoveEvent(QMouseEvent* event) {
     const PlotFrame f = frame(rect());
     const double position = (event->localPos().x() - f.plot.left()) / f.plot.width();
     m_hoverX = !m_curves.empty() && position >= 0 && position <= 1 ? valueOfPlace(f, event->localPos()) : kNone;
+    QString meaning;
+    for (const PlotMark& mark : m_marks)
+        if (mark.x <= m_hoverX)
+            meaning = mark.meaning;
+    setToolTip(meaning);
     update();
 }
 

@@ -20,6 +20,8 @@ namespace widgets {
 namespace {
 
 constexpr int kPlotSpacing = 6;
+constexpr double kLegendSample = 18; ///< length of the line before a name
+constexpr double kLegendShare = 0.3; ///< of the height, at most, for a legend above the plot
 
 /// Light paper colours for files: figures go into papers and slides.
 QPalette paperPalette() {
@@ -80,7 +82,10 @@ PlotFrame PlotCanvas::frame(const QRectF& area) const {
     for (const double v : result.yTicks)
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(plotNumber(v)));
     const double left = labelWidth + 2 * kPlotSpacing + (texts.yLabel.isEmpty() ? 0 : line);
-    const double top = kPlotSpacing + (texts.title.isEmpty() ? line / 2 : line + kPlotSpacing);
+    double top = kPlotSpacing + (texts.title.isEmpty() ? line / 2 : line + kPlotSpacing);
+    if (hasLegendAbove(area))
+        top += legendPlaces(legendAbove(), area).back().bottom();
+    top += linesAbove() * line;
     const double bottom = line + 1.5 * kPlotSpacing + (texts.xLabel.isEmpty() ? 0 : line);
     result.plot = area.adjusted(left, top, -2.5 * kPlotSpacing, -bottom);
     if (result.xTicks.empty())
@@ -124,18 +129,58 @@ void PlotCanvas::paintAxes(QPainter& painter, const PlotFrame& f, const QPalette
                      Qt::AlignLeft | Qt::AlignVCenter, texts.title);
 }
 
+/// Relative to the place where the legend begins.
+std::vector<QRectF> PlotCanvas::legendPlaces(const std::vector<PlotLegendEntry>& entries, const QRectF& area) const {
+    const QFontMetricsF metrics(font());
+    std::vector<QRectF> places;
+    double x = 0, y = 0;
+    for (const PlotLegendEntry& entry : entries) {
+        const double width = kLegendSample + kPlotSpacing + metrics.horizontalAdvance(entry.name);
+        if (x > 0 && x + width > area.width() - 4 * kPlotSpacing) {
+            x = 0;
+            y += metrics.height();
+        }
+        places.emplace_back(x, y, width, metrics.height());
+        x += width + 2.5 * kPlotSpacing;
+    }
+    return places;
+}
+
+bool PlotCanvas::hasLegendAbove(const QRectF& area) const {
+    const std::vector<QRectF> places = legendPlaces(legendAbove(), area);
+    return !places.empty() && places.back().bottom() <= kLegendShare * area.height();
+}
+
+void PlotCanvas::paintLegendAbove(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
+    if (!hasLegendAbove(f.whole))
+        return;
+    const std::vector<PlotLegendEntry> entries = legendAbove();
+    const std::vector<QRectF> places = legendPlaces(entries, f.whole);
+    const double line = QFontMetricsF(font()).height();
+    const double top = f.whole.top() + kPlotSpacing + (labels().title.isEmpty() ? 0 : line);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const QRectF place = places[i].translated(f.whole.left() + 2 * kPlotSpacing, top);
+        const QColor colour = plotColour(entries[i].colour, colours.color(QPalette::Base));
+        painter.setPen(QPen(colour, 2, entries[i].dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.drawLine(QPointF(place.left(), place.center().y()),
+                         QPointF(place.left() + kLegendSample, place.center().y()));
+        painter.setPen(colours.color(QPalette::Text));
+        painter.drawText(place.adjusted(kLegendSample + kPlotSpacing, 0, 2, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                         entries[i].name);
+    }
+}
+
 void PlotCanvas::paintLegend(QPainter& painter, const PlotFrame& f, const QPalette& colours,
                              const std::vector<PlotLegendEntry>& entries,
                              const std::vector<QPointF>& takenPlaces) const {
     const QFontMetricsF metrics(font());
-    constexpr double kSample = 18;
     double width = 0;
     for (const PlotLegendEntry& entry : entries)
         width = std::max(width, metrics.horizontalAdvance(entry.name));
     int taken[2][2] = {{0, 0}, {0, 0}}; // [right half][bottom half]
     for (const QPointF& place : takenPlaces)
         ++taken[place.x() > f.plot.center().x()][place.y() > f.plot.center().y()];
-    const QSizeF size(width + kSample + 3 * kPlotSpacing,
+    const QSizeF size(width + kLegendSample + 3 * kPlotSpacing,
                       metrics.height() * static_cast<double>(entries.size()) + kPlotSpacing);
     bool right = true, bottom = false;
     for (const auto& [r, b] : {std::pair(true, true), std::pair(false, false), std::pair(false, true)}) {
@@ -158,9 +203,9 @@ void PlotCanvas::paintLegend(QPainter& painter, const PlotFrame& f, const QPalet
         painter.setPen(QPen(colour, 2, entry.dashed ? Qt::DashLine : Qt::SolidLine));
         const double middle = y + metrics.height() / 2;
         painter.drawLine(QPointF(box.left() + kPlotSpacing, middle),
-                         QPointF(box.left() + kPlotSpacing + kSample, middle));
+                         QPointF(box.left() + kPlotSpacing + kLegendSample, middle));
         painter.setPen(colours.color(QPalette::Text));
-        painter.drawText(QRectF(box.left() + 2 * kPlotSpacing + kSample, y, width + 2, metrics.height()),
+        painter.drawText(QRectF(box.left() + 2 * kPlotSpacing + kLegendSample, y, width + 2, metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, entry.name);
         y += metrics.height();
     }
@@ -189,6 +234,7 @@ void PlotCanvas::paint(QPainter& painter, const QRectF& area, const QPalette& co
     }
     const PlotFrame f = frame(area);
     paintAxes(painter, f, colours);
+    paintLegendAbove(painter, f, colours);
     paintContent(painter, f, colours);
 }
 

@@ -75,6 +75,11 @@ protected:
     virtual PlotLabels labels() const = 0;
     /// What the axes cover; ticks and places are added.
     virtual PlotFrame axes() const = 0;
+    /// Stands above the plot, side by side, where the entries leave room enough for the plot; else the content has to
+    /// draw a legend.
+    virtual std::vector<PlotLegendEntry> legendAbove() const { return {}; }
+    /// Lines of text that the content draws between that legend and the plot.
+    virtual int linesAbove() const { return 0; }
     virtual void paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const = 0;
     /// What is under the pointer, drawn over the rest, on the screen alone.
     virtual void paintPointed(QPainter&, const PlotFrame&) const {}
@@ -84,6 +89,8 @@ protected:
     PlotFrame frame(const QRectF& area) const;
     /// Something else is to be drawn.
     void contentChanged();
+    /// Whether legendAbove() stands there.
+    bool hasLegendAbove(const QRectF& area) const;
     /// In the corner where the fewest of the places lie that are taken.
     void paintLegend(QPainter& painter, const PlotFrame& frame, const QPalette& colours,
                      const std::vector<PlotLegendEntry>& entries, const std::vector<QPointF>& takenPlaces) const;
@@ -97,6 +104,8 @@ protected:
 private:
     void paint(QPainter& painter, const QRectF& area, const QPalette& colours) const;
     void paintAxes(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    void paintLegendAbove(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    std::vector<QRectF> legendPlaces(const std::vector<PlotLegendEntry>& entries, const QRectF& area) const;
 
     QPixmap m_drawn; ///< on the screen; null if it must be drawn again
 };

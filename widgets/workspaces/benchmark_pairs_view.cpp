@@ -22,6 +22,7 @@ namespace widgets {
 
 namespace {
 
+constexpr int kLeastRows = 6;     ///< in sight, however small the window is
 constexpr int kMeasuredRows = 30; ///< by which a column's width is chosen
 
 /// The selected cells as lines that spreadsheets take.
@@ -74,6 +75,7 @@ void BenchmarkPairsView::makeTable() {
     m_table->setObjectName(QStringLiteral("benchmarkPairs"));
     m_table->setModel(m_model);
     styleTable(*m_table);
+    m_table->setMinimumHeight(heightOfRows(*m_table, kLeastRows));
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setFocusPolicy(Qt::NoFocus);

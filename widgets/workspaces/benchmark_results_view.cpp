@@ -19,6 +19,7 @@ namespace widgets {
 namespace {
 
 constexpr double kCurveMaxMm = 10;
+constexpr int kSummaryRows = 9; ///< that are always in sight, if there are as many
 
 } // namespace
 
@@ -41,7 +42,7 @@ BenchmarkResultsView::BenchmarkResultsView(QWidget* parent)
     rows->addWidget(m_summaryTable);
     rows->addWidget(makePictures());
     rows->addWidget(m_pairs);
-    rows->setStretchFactor(0, 1);
+    rows->setStretchFactor(0, 0); // as high as its rows
     rows->setStretchFactor(1, 3);
     rows->setStretchFactor(2, 2);
     rows->setChildrenCollapsible(false);
@@ -114,6 +115,7 @@ void BenchmarkResultsView::setResults(std::shared_ptr<const core::BenchmarkResul
     m_digest = std::move(digest);
     m_summary->setDigest(m_digest);
     m_pairs->setTable(m_digest ? std::shared_ptr<const core::PairTable>(m_digest, &m_digest->table) : nullptr);
+    m_summaryTable->setMinimumHeight(heightOfRows(*m_summaryTable, std::min(kSummaryRows, m_summary->rowCount())));
     m_summaryTable->setVisible(m_results != nullptr);
     m_pairs->setVisible(m_results != nullptr);
     m_pictures->tabBar()->setVisible(m_results != nullptr);

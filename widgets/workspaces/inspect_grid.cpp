@@ -123,7 +123,7 @@ void InspectGrid::layOut() {
     for (const int camera : m_rowCameras)
         cameras.insert(cameras.end(), m_columns.count(),
                        m_datasets.dataset()->cameras[static_cast<std::size_t>(camera)]);
-    m_grid->setFixedColumns(static_cast<int>(m_columns.count()));
+    m_grid->setFixedColumns(m_columns.count() == 1 ? CameraGrid::kPacked : static_cast<int>(m_columns.count()));
     m_grid->setCameras(cameras);
     for (int index = 0; index < m_grid->count(); ++index) {
         const auto camera = static_cast<std::size_t>(cameraOf(index));
@@ -193,6 +193,11 @@ void InspectGrid::showTitles() {
         ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
                         method.failure.isEmpty() ? error : tr("failed"), false};
         title.colour = m_columns.colour(column);
+        if (!std::isnan(m_overlays->iou(index)))
+            title.tip = m_overlays->isWithoutForearm(index)
+                            ? tr("IoU: intersection over union of both silhouettes in this view, without the forearm, "
+                                 "which the fit leaves out")
+                            : tr("IoU: intersection over union of both silhouettes in this view");
         view->setTitle(title);
         if (!method.failure.isEmpty())
             view->setMessage(method.failure);

@@ -11,9 +11,9 @@
 #include "widgets/document/shown_cameras.h"
 #include "widgets/jobs/frame_loader.h"
 #include "widgets/panels/compare/column_wipe.h"
+#include "widgets/presenters/inspect/inspect_overlays.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/presenters/inspect_columns.h"
-#include "widgets/presenters/inspect_overlays.h"
-#include "widgets/presenters/inspected_poses.h"
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/camera/camera_grid.h"
 

@@ -5,12 +5,14 @@
 #include <optional>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QSlider>
 #include <QWidget>
 
+#include "widgets/presenters/inspect/inspect_overlays.h"
 #include "widgets/presenters/inspect/inspect_probe.h"
-#include "widgets/presenters/inspect_overlays.h"
+#include "widgets/views/legend_strip.h"
 
 namespace widgets {
 
@@ -26,16 +28,20 @@ public:
     /// What is matched at the pointer; none shows how to ask.
     void showProbe(const std::optional<InspectProbe>& probe);
     void clearProbe();
+    /// What the tip of the choice of matches says, beside its key.
+    void setMatchTip(const QString& tip) { m_matches->setToolTip(tip); }
+    const LegendStrip& legend() const { return *m_legend; }
 
 private:
     void addBox(InspectLayer layer);
+    void makeMatchChoice();
     void showState();
     void showLegend();
 
     InspectOverlays& m_overlays;
     std::map<InspectLayer, QCheckBox*> m_boxes;
-    QLabel* m_scale;
-    QLabel* m_legend;
+    QComboBox* m_matches; ///< which of them are drawn
+    LegendStrip* m_legend;
     QSlider* m_direction;
     QLabel* m_directionText;
     QLabel* m_probe;

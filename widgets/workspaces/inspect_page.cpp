@@ -42,7 +42,7 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_cameraChoice(new CameraChoice(this))
     , m_layerBar(new InspectLayerBar(*m_views->overlays(), this))
     , m_jointMarks(new InspectJointMarks(*m_columns, *m_views->overlays(), *m_views->grid(), this))
-    , m_probePin(new InspectProbePin(*m_columns, *m_views, this))
+    , m_probePin(new InspectProbePin(*m_columns, *m_views, m_probeTargets, this))
     , m_joints(new InspectJointErrors(*m_columns, *m_jointMarks, this))
     , m_errors(new CurvePlot(this))
     , m_costs(new CurvePlot(this)) {
@@ -50,7 +50,9 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     connect(&fits, &FitRunner::started, this, &InspectPage::showHint);
     connect(&fits, &FitRunner::failed, this, &InspectPage::showHint);
     connect(&fits, &FitRunner::finished, this, &InspectPage::showHint);
+    connect(&fits, &FitRunner::cleared, this, &InspectPage::showHint);
     connect(m_columns, &InspectColumns::changed, this, &InspectPage::takeColumns);
+    connect(m_columns, &InspectColumns::currentChanged, this, &InspectPage::showPhases);
     connect(m_fit, &QPushButton::clicked, this, &InspectPage::fitRequested);
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), m_views, &InspectGrid::setRows);
@@ -177,10 +179,10 @@ void InspectPage::takeColumns() {
         if (!isKept || wasAtEnd)
             m_slider->setValue(lastIteration());
     }
+    if (!isKept)
+        m_probeTargets.clear();
     m_shown = outcome;
     m_slider->setEnabled(outcome != nullptr);
-    m_heading->setText(outcome ? tr("Frame %1 from frame %2").arg(outcome->request.test).arg(outcome->request.start)
-                               : QString());
     m_pages->setCurrentIndex(outcome ? 1 : 0);
     m_posed.reset();
     if (const auto& dataset = m_datasets.dataset()) {
@@ -204,6 +206,15 @@ void InspectPage::showHint() {
     const bool running = m_fits.isRunning();
     m_hint->setText(running ? tr("Fitting...") : tr("Fit the current frame to see the methods side by side."));
     m_fit->setEnabled(!running);
+    const auto& pending = m_fits.pending();
+    m_heading->setText(
+        pending && m_shown
+            ? tr("%1 (frame %2 from frame %3 is being fitted)").arg(heading()).arg(pending->test).arg(pending->start)
+            : heading());
+}
+
+QString InspectPage::heading() const {
+    return m_shown ? tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start) : QString();
 }
 
 void InspectPage::showPoses() {
@@ -233,21 +244,14 @@ void InspectPage::showPoses() {
     });
 }
 
-ShownMatches InspectPage::matches(const QString& method, int camera) const {
-    if (const auto& outcome = m_columns->outcome())
-        for (const MethodOutcome& candidate : outcome->methods)
-            if (QString::fromStdString(candidate.method) == method)
-                return shownMatches(candidate, camera, iteration());
-    return {};
-}
-
 void InspectPage::showProbe(int view, QPointF px) {
     const auto& outcome = m_columns->outcome();
     const int camera = m_views->cameraOf(view);
     if (!outcome || camera < 0)
         return;
     const MethodOutcome& method = outcome->methods[m_views->columnOf(view)];
-    m_layerBar->showProbe(inspectProbe(method, shownMatches(method, camera, iteration()), px));
+    m_layerBar->showProbe(inspectProbe(method, shownMatches(method, camera, iteration()), px,
+                                       m_datasets.dataset()->hands, m_probeTargets));
 }
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
@@ -272,6 +276,15 @@ void InspectPage::showCurves() {
     const InspectCurves curves = outcome ? inspectCurves(*outcome) : InspectCurves();
     m_errors->setCurves(curves.errors);
     m_costs->setCurves(curves.costs);
+    showPhases();
+}
+
+void InspectPage::showPhases() {
+    const auto& outcome = m_columns->outcome();
+    const std::size_t column = m_columns->current();
+    const bool isThere = outcome && column < outcome->methods.size();
+    for (CurvePlot* plot : {m_errors, m_costs})
+        plot->setMarks(isThere ? phaseMarks(outcome->methods[column]) : std::vector<PlotMark>{});
 }
 
 } // namespace widgets

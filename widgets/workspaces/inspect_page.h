@@ -16,8 +16,8 @@
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/panels/compare/camera_choice.h"
 #include "widgets/panels/compare/column_bar.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/presenters/inspect_columns.h"
-#include "widgets/presenters/inspected_poses.h"
 #include "widgets/session/dataset_session.h"
 #include "widgets/views/curve_plot.h"
 #include "widgets/views/message_bar.h"
@@ -45,7 +45,7 @@ public:
     void setIteration(int iteration);
     int lastIteration() const;
     /// Which pair is shown, and which iteration, in words; empty without a fit.
-    QString heading() const { return m_heading->text(); }
+    QString heading() const;
     QString iterationText() const { return m_iterationText->text(); }
     /// How the meshes are drawn, and whether the start pose and the recorded silhouette are.
     void setLook(const LayerLook& look, bool startShown, bool recordedShown);
@@ -65,8 +65,6 @@ public:
     void setRows(int rows) { m_rows->setValue(rows); }
     InspectProbePin* probePin() const { return m_probePin; }
     ColumnBar* columnBar() const { return m_columnBar; }
-    /// Of a method of the fit, in a camera, at the iteration that is shown.
-    ShownMatches matches(const QString& method, int camera) const;
 
 signals:
     /// Other poses are shown: another pair, another iteration, or none.
@@ -86,6 +84,7 @@ private:
     void takeColumns();
     void showPoses();
     void showCurves();
+    void showPhases();
     void showProbe(int view, QPointF px);
 
     const FitRunner& m_fits;
@@ -106,6 +105,7 @@ private:
     CameraChoice* m_cameraChoice;
     InspectLayerBar* m_layerBar;
     InspectJointMarks* m_jointMarks;
+    ProbeTargets m_probeTargets;
     InspectProbePin* m_probePin;
     InspectJointErrors* m_joints;
     CurvePlot* m_errors;

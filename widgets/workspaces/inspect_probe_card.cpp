@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/panels/state_colours.h"
+#include "widgets/text/edit_text.h"
 
 namespace widgets {
 
@@ -62,9 +63,12 @@ InspectProbeCard::InspectProbeCard(QWidget* parent)
 }
 
 void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& probe) {
-    m_heading->setText(
+    QString heading =
         tr("%1 (%2, %3), direction %4")
-            .arg(camera, numberOrDash(probe.px.x(), 1), numberOrDash(probe.px.y(), 1), degreesText(probe.angleRad)));
+            .arg(camera, numberOrDash(probe.px.x(), 1), numberOrDash(probe.px.y(), 1), degreesText(probe.angleRad));
+    if (probe.rim)
+        heading = tr("%1: %2").arg(jointText(*probe.rim), heading);
+    m_heading->setText(heading);
     QString table =
         QStringLiteral("<table cellspacing=\"0\">") +
         htmlRow({tr("Method"), tr("Nearest"), tr("px"), tr("Direction"), tr("Bin"), tr("Cost"), QString()}, "th");

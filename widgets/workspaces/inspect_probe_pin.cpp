@@ -13,10 +13,11 @@ const QColor kKept(0xFF, 0xE0, 0x66), kRefused(0xFF, 0x5A, 0x5A);
 
 } // namespace
 
-InspectProbePin::InspectProbePin(InspectColumns& columns, InspectGrid& views, QObject* parent)
+InspectProbePin::InspectProbePin(InspectColumns& columns, InspectGrid& views, ProbeTargets& targets, QObject* parent)
     : QObject(parent)
     , m_columns(columns)
     , m_views(views)
+    , m_targets(targets)
     , m_card(new InspectProbeCard(&views)) {
     connect(m_card, &InspectProbeCard::closed, this, &InspectProbePin::unpin);
     connect(&views, &InspectGrid::pointClicked, this, &InspectProbePin::pin);
@@ -67,7 +68,8 @@ void InspectProbePin::refresh() {
         return;
     const MethodOutcome& method = scene.outcome->methods[pinned];
     const auto& cameras = scene.dataset->cameras;
-    if (const auto probe = inspectProbe(method, shownMatches(method, m_pin->camera, scene.iteration), m_pin->px))
+    if (const auto probe = inspectProbe(method, shownMatches(method, m_pin->camera, scene.iteration), m_pin->px,
+                                        scene.dataset->hands, m_targets))
         m_card->showProbe(QString::fromStdString(cameras[static_cast<std::size_t>(m_pin->camera)].name), *probe);
 }
 

@@ -17,7 +17,7 @@ class InspectProbePin : public QObject {
     Q_OBJECT
 
 public:
-    InspectProbePin(InspectColumns& columns, InspectGrid& views, QObject* parent = nullptr);
+    InspectProbePin(InspectColumns& columns, InspectGrid& views, ProbeTargets& targets, QObject* parent = nullptr);
 
     /// The same point once more takes the pin away.
     void pin(int view, QPointF px);
@@ -35,6 +35,7 @@ private:
 
     InspectColumns& m_columns;
     InspectGrid& m_views;
+    ProbeTargets& m_targets;
     InspectProbeCard* m_card;
     std::optional<Pin> m_pin;
 };

@@ -128,6 +128,10 @@ void bindSettings(MainWindow& window) {
     bindFitted(
         window, "compare.addSettings", [panel] { panel->addColumn(); });
     bindFitted(window, "compare.resetSettings", [panel] { panel->goBack(); });
+    bindFitted(window, "compare.sweep", [&spaces, panel] {
+        spaces.raisePanel(panel);
+        panel->sweepOrStop();
+    });
     bindFitted(window, "compare.measureCameras", [&spaces, panel] {
         spaces.raisePanel(panel);
         panel->measureCameras();

@@ -79,6 +79,28 @@ void bindLayers(MainWindow& window) {
     }
 }
 
+void bindMatches(MainWindow& window) {
+    widgets::InspectPage* page = window.workspaces().inspectPage();
+    const QString name = id("compare.nextMatches");
+    const auto showTip = [&window, page, name] {
+        page->layerBar()->setMatchTip(window.actions().action(name)->toolTip());
+    };
+    showTip();
+    QObject::connect(&window.actions(), &Actions::shortcutsChanged, &window, showTip);
+    window.actions().bind(name, [&window, page] {
+        window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
+        widgets::InspectOverlays* overlays = page->overlays();
+        const bool isShown =
+            overlays->isShown(widgets::InspectLayer::Matches) || overlays->isShown(widgets::InspectLayer::Rim);
+        if (!isShown) {
+            overlays->setShown(widgets::InspectLayer::Matches, true);
+            return;
+        }
+        const auto next = static_cast<std::size_t>(overlays->matchChoice()) + 1;
+        overlays->setMatchChoice(widgets::kMatchChoices[next % widgets::kMatchChoices.size()]);
+    });
+}
+
 void askForMasks(MainWindow& window) {
     const auto& dataset = window.session().opened.dataset();
     if (!dataset)
@@ -204,6 +226,7 @@ void bindPanelActions(MainWindow& window) {
     bindPanels(window);
     bindIterations(window);
     bindLayers(window);
+    bindMatches(window);
     bindComparing(window);
     QObject::connect(
         window.workspaces().jointsPanel(), &widgets::JointsPanel::listMenuRequested, &window,

@@ -10,6 +10,7 @@
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
+#include "widgets/panels/compare/what_if_sweep.h"
 #include "widgets/text/error_text.h"
 #include "widgets/text/method_text.h"
 
@@ -154,6 +155,14 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
             panel->form()->setValue(key.toStdString(), to.toDouble());
         else
             throw notPossible("set", QStringLiteral("the method has no option \"%1\"").arg(key));
+    }
+    if (step.contains(QLatin1String("sweep"))) {
+        const std::string key = textField(step, "sweep").toStdString();
+        const bool isOfPair = key == widgets::kNoiseKey || key == widgets::kCamerasKey;
+        if (!isOfPair && !panel->form()->hasOption(key))
+            throw notPossible("sweep",
+                              QStringLiteral("the method has no option \"%1\"").arg(QString::fromStdString(key)));
+        panel->sweep(key);
     }
     if (!waitFor(window, [&] { return !panel->isRunning() && window.session().pool.isIdle(); }))
         throw notPossible("do", QStringLiteral("no answer in time"));

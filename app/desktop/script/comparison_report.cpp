@@ -15,7 +15,7 @@
 #include "core/io/files/text_file.h"
 #include "core/text/html_text.h"
 #include "core/text/shell_text.h"
-#include "widgets/presenters/inspected_poses.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/text/edit_text.h"
 #include "widgets/text/local_text.h"
 

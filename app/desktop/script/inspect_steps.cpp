@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/desktop/script/inspect_steps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +12,6 @@
 #include "app/desktop/script/idle_wait.h"
 #include "app/desktop/script/step_fields.h"
 #include "core/error.h"
-#include "core/fitting/method_name.h"
 #include "widgets/text/error_text.h"
 #include "widgets/text/local_text.h"
 #include "widgets/views/picture_export.h"
@@ -48,21 +48,38 @@ widgets::InspectPage& fittedPage(MainWindow& window) {
     return *window.workspaces().inspectPage();
 }
 
-/// The matches that a step's "method" and "camera" mean.
-widgets::ShownMatches matchesOf(MainWindow& window, const QJsonObject& step) {
+/// What a step's "method" and "camera" mean.
+struct MatchesOfStep {
+    const widgets::MethodOutcome* method = nullptr;
+    widgets::ShownMatches shown;
+};
+MatchesOfStep matchesOf(MainWindow& window, const QJsonObject& step) {
     const widgets::InspectPage& page = fittedPage(window);
     const QString method = textField(step, "method"), camera = textField(step, "camera");
-    const auto& outcome = *window.session().fits.outcome();
-    const bool isFitted = std::any_of(outcome.methods.begin(), outcome.methods.end(), [&](const auto& candidate) {
+    const auto isMethod = [&](const widgets::MethodOutcome& candidate) {
         return QString::fromStdString(candidate.method) == method;
-    });
-    if (!isFitted)
+    };
+    const auto& fitted = window.session().fits.outcome()->methods;
+    if (std::none_of(fitted.begin(), fitted.end(), isMethod))
         throw impossible("method", QStringLiteral("\"%1\" was not fitted").arg(method));
     const auto& cameras = window.session().opened.dataset()->cameras;
-    for (std::size_t c = 0; c < cameras.size(); ++c)
-        if (QString::fromStdString(cameras[c].name) == camera)
-            return page.matches(method, static_cast<int>(c));
+    for (std::size_t c = 0; c < cameras.size(); ++c) {
+        if (QString::fromStdString(cameras[c].name) != camera)
+            continue;
+        const auto& columns = page.columns()->outcome()->methods;
+        const auto column = std::find_if(columns.begin(), columns.end(), isMethod);
+        if (column == columns.end())
+            return {};
+        return {&*column, widgets::shownMatches(*column, static_cast<int>(c), page.iteration())};
+    }
     throw impossible("camera", QStringLiteral("unknown camera \"%1\"").arg(camera));
+}
+
+/// Adds "hand" and "bone": what moves the rim point most.
+void addBone(const core::MatchRecord& match, const std::vector<core::HandModel>& hands, QJsonObject& row) {
+    const auto bone = widgets::rimBone(match, hands);
+    row[QStringLiteral("hand")] = bone ? QJsonValue(widgets::toQString(core::sideName(bone->hand))) : QJsonValue();
+    row[QStringLiteral("bone")] = bone ? QJsonValue(QString::fromStdString(bone->joint)) : QJsonValue();
 }
 
 /// Pins the probe in the view of a method and a camera.
@@ -101,12 +118,21 @@ QJsonObject showLayer(MainWindow& window, const QJsonObject& step) {
     const QJsonValue on = step.value(QLatin1String("on"));
     if (!on.isBool())
         throw impossible("on", QStringLiteral("expected true or false"));
-    fittedPage(window).overlays()->setShown(*layer, on.toBool());
+    widgets::InspectOverlays* overlays = fittedPage(window).overlays();
+    if (step.contains(QLatin1String("of"))) {
+        const auto choice = widgets::matchChoiceOf(textField(step, "of"));
+        if (!choice)
+            throw impossible("of", QStringLiteral("expected distance, finger, thumb, index, middle, ring, little or "
+                                                  "palm"));
+        overlays->setMatchChoice(*choice);
+    }
+    overlays->setShown(*layer, on.toBool());
     return {};
 }
 
 QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
-    const widgets::ShownMatches shown = matchesOf(window, step);
+    const widgets::ShownMatches shown = matchesOf(window, step).shown;
+    const auto& hands = window.session().opened.dataset()->hands;
     QJsonArray matches;
     for (std::size_t i = 0; shown.matches && i < shown.matches->size(); ++i) {
         const core::MatchRecord& match = (*shown.matches)[i];
@@ -120,6 +146,7 @@ QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
         row[QStringLiteral("weight")] = static_cast<double>(match.weight);
         row[QStringLiteral("kept")] = match.verdict == core::MatchVerdict::Kept;
         row[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(match.verdict));
+        addBone(match, hands, row);
         matches.append(row);
     }
     return {{QStringLiteral("method"), textField(step, "method")},
@@ -129,27 +156,22 @@ QJsonObject printMatches(MainWindow& window, const QJsonObject& step) {
 }
 
 QJsonObject probeAt(MainWindow& window, const QJsonObject& step) {
-    const widgets::ShownMatches shown = matchesOf(window, step);
+    const MatchesOfStep of = matchesOf(window, step);
     const QPointF px = pointField(step, "px");
-    const std::optional<float> angle = widgets::rimAngleAt(shown, px);
-    if (!shown.target || !angle)
+    const auto row = of.method ? widgets::ownProbeRow(*of.method, of.shown, px) : std::nullopt;
+    if (!row)
         throw impossible("camera", QStringLiteral("the method has no rim points there"));
-    const core::MatchRule rule = core::matchRule(core::parseMethod(textField(step, "method").toStdString()));
-    const Eigen::Vector2f p(static_cast<float>(px.x()), static_cast<float>(px.y()));
-    const core::ContourProbe probe = core::probeContour(*shown.target, rule, p, *angle);
     QJsonObject answer;
-    const bool isFound = probe.contourPoint >= 0;
     answer[QStringLiteral("nearest")] =
-        isFound ? pointOrNull(core::contourPx(*shown.target, probe.contourPoint)) : QJsonValue();
-    answer[QStringLiteral("distancePx")] = numberOrNull(probe.distancePx);
-    answer[QStringLiteral("phiDeg")] = degrees(*angle);
-    answer[QStringLiteral("contourPhiDeg")] =
-        isFound ? QJsonValue(degrees(shown.target->contour.angleRad[static_cast<std::size_t>(probe.contourPoint)]))
-                : QJsonValue();
-    answer[QStringLiteral("bin")] = probe.bin;
-    answer[QStringLiteral("cost")] = numberOrNull(probe.cost);
-    answer[QStringLiteral("kept")] = isFound && probe.verdict == core::MatchVerdict::Kept;
-    answer[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(probe.verdict));
+        row->found() ? QJsonValue(QJsonArray{row->contourPx.x(), row->contourPx.y()}) : QJsonValue();
+    answer[QStringLiteral("distancePx")] = numberOrNull(row->probe.distancePx);
+    answer[QStringLiteral("phiDeg")] = degrees(row->rimAngleRad);
+    answer[QStringLiteral("contourPhiDeg")] = row->found() ? QJsonValue(degrees(row->contourAngleRad)) : QJsonValue();
+    answer[QStringLiteral("bin")] = row->probe.bin;
+    answer[QStringLiteral("cost")] = numberOrNull(row->probe.cost);
+    answer[QStringLiteral("kept")] = row->kept();
+    answer[QStringLiteral("reason")] = widgets::toQString(core::matchVerdictName(row->probe.verdict));
+    addBone(*widgets::nearestRimPoint(of.shown, px), window.session().opened.dataset()->hands, answer);
     if (step.value(QLatin1String("pin")).toBool())
         pinProbe(window, textField(step, "method"), textField(step, "camera"), px);
     return answer;

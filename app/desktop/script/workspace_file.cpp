@@ -48,6 +48,7 @@ Workspace currentWorkspace(MainWindow& window) {
         if (page.overlays()->isShown(layer))
             workspace.layers.push_back(widgets::inspectLayerId(layer).toStdString());
     workspace.fieldDirectionDeg = page.overlays()->fieldAngleRad() * 180 / std::numbers::pi;
+    workspace.matches = widgets::matchChoiceId(page.overlays()->matchChoice()).toStdString();
     addColumns(window, workspace);
     return workspace;
 }
@@ -65,6 +66,7 @@ Workspace readWorkspace(const std::filesystem::path& file) {
     workspace.rows = document.value("rows", workspace.rows);
     workspace.layers = document.value("layers", workspace.layers);
     workspace.fieldDirectionDeg = document.value("fieldDirectionDeg", 0.0);
+    workspace.matches = document.value("matches", workspace.matches);
     workspace.columns = document.value("columns", workspace.columns);
     workspace.cameras = document.value("cameras", workspace.cameras);
     for (const nlohmann::json& hidden : document.value("hidden", nlohmann::json::array()))
@@ -94,6 +96,7 @@ void writeWorkspace(const std::filesystem::path& file, const Workspace& workspac
                                {"rows", workspace.rows},
                                {"layers", workspace.layers},
                                {"fieldDirectionDeg", workspace.fieldDirectionDeg},
+                               {"matches", workspace.matches},
                                {"columns", workspace.columns},
                                {"cameras", workspace.cameras},
                                {"hidden", hidden},

@@ -21,6 +21,7 @@ struct Workspace {
     int rows = 2;
     std::vector<std::string> layers; ///< ids of InspectLayer
     double fieldDirectionDeg = 0;
+    std::string matches = "distance"; ///< id of MatchChoice
     std::vector<std::string> columns; ///< ids of columns, from left to right; empty: the methods
     std::vector<std::string> cameras; ///< of the rows; empty: `rows` of them from `camera` on
     struct Hidden {

@@ -108,6 +108,8 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
     restoreColumns(window, workspace);
     window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
     page->setIteration(workspace.iteration);
+    page->overlays()->setMatchChoice(
+        widgets::matchChoiceOf(QString::fromStdString(workspace.matches)).value_or(widgets::MatchChoice::ByDistance));
     page->overlays()->setFieldAngleRad(workspace.fieldDirectionDeg * std::numbers::pi / 180);
     for (const widgets::InspectLayer layer : widgets::kInspectLayers) {
         const std::string id = widgets::inspectLayerId(layer).toStdString();

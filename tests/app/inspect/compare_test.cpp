@@ -44,6 +44,16 @@ protected:
     widgets::InspectPage& page() { return *window->workspaces().inspectPage(); }
     widgets::InspectColumns& columns() { return *page().columns(); }
     widgets::WhatIfPanel& panel() { return *window->workspaces().whatIfPanel(); }
+    /// Of the views: their height, and how many stand in the first row.
+    struct CameraGridGeometry {
+        int height = 0, rowLength = 0;
+    };
+    CameraGridGeometry geometry() {
+        CameraGridGeometry found{page().grid()->view(0)->height(), 0};
+        for (const widgets::CameraView* view : page().grid()->views())
+            found.rowLength += view->y() == page().grid()->view(0)->y() ? 1 : 0;
+        return found;
+    }
     /// What a view shows on screen, with what lies over it.
     QImage screen(int view) { return page().grid()->view(view)->viewport()->grab().toImage(); }
 };
@@ -101,6 +111,38 @@ TEST_F(CompareTest, ColumnsChangePlacesByDragAndByKeysAndGo) {
     EXPECT_EQ(ids(), (Ids{"ch", "dch-quant", "truth"}));
     fit("\"best\"");
     EXPECT_EQ(ids(), (Ids{"truth", "best"})) << "what the new pair has, stays";
+}
+
+TEST_F(CompareTest, NothingOfThePairBeforeStaysInTheColumnsOfAnother) {
+    fit("\"ch\",\"dch-thres\"");
+    show("\"start\",\"ch\",\"dch-thres\",\"dch-thres:tau=45\"");
+    run(R"({"do":"whatIf","method":"ch","set":"gate","to":8})");
+    ASSERT_TRUE(columns().isPreview(1));
+    ASSERT_EQ(panel().points().count("ch"), 1u);
+    run("{\"do\":\"fit\",\"start\":1,\"test\":6,\"methods\":[\"ch\",\"dch-thres\"]}\n");
+    EXPECT_EQ(ids(), (Ids{"start", "ch", "dch-thres"})) << "what was not fitted on this pair is gone";
+    const auto& fitted = *session().fits.outcome();
+    const auto& shown = *columns().outcome();
+    EXPECT_EQ(shown.methods[0].errorMm, fitted.initialErrorMm);
+    for (std::size_t method = 0; method < fitted.methods.size(); ++method) {
+        EXPECT_FALSE(columns().isPreview(method + 1));
+        EXPECT_EQ(shown.methods[method + 1].method, fitted.methods[method].method);
+        EXPECT_EQ(shown.methods[method + 1].errorMm, fitted.methods[method].errorMm);
+        EXPECT_TRUE(shown.methods[method + 1].result.poses == fitted.methods[method].result.poses);
+    }
+    EXPECT_TRUE(panel().points().empty()) << "the curve was of the pair before";
+}
+
+TEST_F(CompareTest, OneColumnOfManyCamerasIsAGridOfLargerViews) {
+    fit("\"ch\",\"dch-thres\"");
+    run(R"({"do":"columns","cameras":["cam0","cam1","cam2","cam3","cam4","cam5","cam6","cam7"]})");
+    const CameraGridGeometry strips = geometry();
+    show("\"ch\"");
+    ASSERT_EQ(page().grid()->count(), 8);
+    EXPECT_GT(geometry().height, 2 * strips.height);
+    EXPECT_GT(geometry().rowLength, 1);
+    for (int view = 0; view < 8; ++view)
+        EXPECT_EQ(page().grid()->view(view)->camera().name, "cam" + std::to_string(view));
 }
 
 TEST_F(CompareTest, RowsAreTheCamerasThatAreChosen) {
@@ -230,6 +272,46 @@ TEST_F(CompareTest, NoisierOutlinesMakeOtherFits) {
     EXPECT_NE(points[0][1], points[1][1]);
     panel().goBack();
     EXPECT_EQ(run(R"({"do":"whatIf","set":"outlines","to":1.5})")[0]["points"]["ch"], points) << "by the same seed";
+}
+
+TEST_F(CompareTest, ASweepFillsTheCurveOfEveryColumnThatHasTheSetting) {
+    fit("\"dch-thres\",\"ch\",\"dch-thres:noise=0\"");
+    const json points = run(R"({"do":"whatIf","method":"dch-thres","sweep":"tau"})")[0]["points"];
+    for (const char* method : {"dch-thres", "dch-thres:noise=0"}) {
+        std::vector<double> taus;
+        for (const json& point : points[method])
+            taus.push_back(point[0]);
+        EXPECT_EQ(taus, (std::vector<double>{5, 11.25, 22.5, 45, 90, 180})) << method;
+    }
+    EXPECT_FALSE(points.contains("ch")) << "it has no tau";
+    EXPECT_EQ(points["dch-thres"][2][1], errorOf("dch-thres")) << "known before";
+    for (std::size_t column = 0; column < 3; ++column)
+        EXPECT_FALSE(columns().isPreview(column)) << "the views stay as they are";
+    EXPECT_FALSE(panel().isSweeping());
+    show("\"dch-thres:tau=45\",\"dch-thres:tau=180\"");
+    EXPECT_EQ(points["dch-thres"][3][1], errorOf("dch-thres:tau=45")) << "as the command line would";
+    EXPECT_EQ(points["dch-thres"][5][1], errorOf("dch-thres:tau=180"));
+}
+
+TEST_F(CompareTest, ASweepIsOnePressAndAnotherStopsIt) {
+    fit("\"dch-quant\"");
+    EXPECT_EQ(panel().sweptKey(), "bins") << "its first number";
+    QAction* sweep = window->actions().action(QStringLiteral("compare.sweep"));
+    sweep->trigger();
+    EXPECT_TRUE(panel().isSweeping());
+    sweep->trigger();
+    EXPECT_FALSE(panel().isSweeping());
+    app::waitUntilIdle(*window);
+    EXPECT_FALSE(panel().isRunning());
+    EXPECT_LT(panel().points().at("dch-quant").size(), 4u);
+    trigger("compare.sweep");
+    EXPECT_EQ(panel().points().at("dch-quant").size(), 4u);
+    run(R"({"do":"whatIf","set":"outlines","to":0.25})");
+    EXPECT_EQ(panel().sweptKey(), "outlines") << "what was changed last";
+    run(R"({"do":"whatIf","sweep":"cameras"})");
+    const auto& byCameras = panel().points().at("dch-quant");
+    EXPECT_EQ(byCameras.size(), 7u) << "two to eight";
+    EXPECT_EQ(play(R"({"do":"whatIf","sweep":"lambda"})"), 1);
 }
 
 TEST_F(CompareTest, TheWrittenMethodIsTakenOrRefusedInOneSentence) {

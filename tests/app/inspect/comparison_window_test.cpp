@@ -8,13 +8,15 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QHeaderView>
+#include <QTableView>
 
 #include "app/desktop/script/workspace_file.h"
 #include "core/io/benchmark/benchmark_folder.h"
 #include "core/io/files/text_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/presenters/inspect/inspect_scene_lines.h"
-#include "widgets/presenters/inspect_uncertainty.h"
+#include "widgets/presenters/inspect/inspect_uncertainty.h"
 
 namespace {
 
@@ -208,6 +210,20 @@ TEST_F(ComparisonWindow, ScriptsOpenResultsFilterThemAndInspectAPair) {
     ASSERT_TRUE(session().fits.outcome());
     EXPECT_EQ(session().fits.outcome()->request.start, 4);
     EXPECT_EQ(session().fits.outcome()->request.test, 7);
+}
+
+TEST_F(ComparisonWindow, TablesOfABenchmarkShowTheirRowsInASmallWindow) {
+    writeResults();
+    run("{\"do\":\"results\",\"open\":\"" + (folder / "results").string() + "\"}\n");
+    window->workspaces().setCurrent(widgets::Workspaces::Kind::Benchmark);
+    ASSERT_TRUE(app::waitUntilIdle(*window));
+    QCoreApplication::processEvents();
+    ASSERT_LE(window->height(), 768);
+    const auto* summary = window->findChild<QTableView*>(QStringLiteral("benchmarkSummary"));
+    const auto* pairs = window->findChild<QTableView*>(QStringLiteral("benchmarkPairs"));
+    const QRect last = summary->visualRect(summary->model()->index(summary->model()->rowCount() - 1, 0));
+    EXPECT_TRUE(summary->viewport()->rect().contains(last.adjusted(0, 0, -1, 0)));
+    EXPECT_GE(pairs->viewport()->height(), 6 * pairs->verticalHeader()->defaultSectionSize());
 }
 
 } // namespace

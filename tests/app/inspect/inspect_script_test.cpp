@@ -2,11 +2,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <set>
 
 #include <QTest>
 
 #include <nlohmann/json.hpp>
 
+#include "app/desktop/script/workspace_file.h"
 #include "app/desktop/script/workspace_player.h"
 #include "core/distance/circular_distance.h"
 #include "core/distance/orientation_bins.h"
@@ -194,6 +196,64 @@ TEST_F(InspectScript, AWorkspaceFileBringsTheSameViewsBack) {
     app::Workspace lost = saved;
     lost.camera = "cam77";
     EXPECT_THROW(app::restoreWorkspace(*window, lost), core::Error);
+}
+
+TEST_F(InspectScript, MatchesAndProbesSayWhichBoneOfTheHand) {
+    fit("\"ch\"");
+    const json found = matches("ch", 2);
+    std::set<std::string> bones;
+    for (const json& match : found) {
+        EXPECT_TRUE(match["hand"] == "left" || match["hand"] == "right");
+        bones.insert(match["bone"].get<std::string>());
+    }
+    EXPECT_EQ(bones, (std::set<std::string>{"forearm", "index_mcp"})) << "the palm and the finger";
+    const json& some = found[found.size() / 2];
+    const json probe = run(json{{"do", "probe"}, {"camera", "cam0"}, {"px", some["p"]}, {"method", "ch"}}.dump())[0];
+    for (const char* field : {"hand", "bone", "phiDeg", "contourPhiDeg"})
+        EXPECT_EQ(probe[field], some[field]) << field;
+    EXPECT_EQ(probe["nearest"], some["q"]);
+}
+
+TEST_F(InspectScript, TheMatchesOfOneFingerAreDrawnAlone) {
+    fit("\"ch\"");
+    run("{\"do\":\"iteration\",\"to\":2}\n{\"do\":\"layer\",\"id\":\"matches\",\"on\":true}\n");
+    const widgets::CameraView* view = window->workspaces().inspectPage()->grid()->view(0);
+    const std::size_t all = view->shapes().lines.size();
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":true,\"of\":\"index\"}\n");
+    std::size_t index = 0;
+    for (const json& match : matches("ch", 2))
+        index += match["bone"] == "index_mcp" ? 1 : 0;
+    EXPECT_EQ(view->shapes().lines.size(), index);
+    EXPECT_LT(index, all);
+    EXPECT_GT(index, 0u);
+    window->actions().action(QStringLiteral("compare.nextMatches"))->trigger();
+    app::waitUntilIdle(*window);
+    EXPECT_TRUE(view->shapes().lines.empty()) << "these hands have no middle finger";
+    const std::string file = run("{\"do\":\"workspace\",\"path\":\"w.json\"}\n")[0]["path"];
+    EXPECT_EQ(app::readWorkspace(file).matches, "middle");
+    EXPECT_EQ(play("{\"do\":\"layer\",\"id\":\"matches\",\"on\":true,\"of\":\"toe\"}\n"), 1);
+}
+
+TEST_F(InspectScript, CurvesHaveMarksWhereThePhasesOfTheCurrentColumnBegin) {
+    fit("\"dch-thres\",\"dch-thres:schedule=paper\"");
+    const widgets::InspectPage& page = *window->workspaces().inspectPage();
+    page.columns()->setCurrent(0);
+    const auto& history = session().fits.outcome()->methods[0].result.history;
+    const auto& marks = page.errorPlot()->marks();
+    ASSERT_GE(marks.size(), 2u);
+    EXPECT_EQ(marks[0].x, 0);
+    EXPECT_EQ(marks[0].name, QStringLiteral("rigid"));
+    EXPECT_EQ(marks[1].name, QStringLiteral("medium mesh"));
+    const auto first = static_cast<std::size_t>(marks[1].x); // that moves fingers
+    ASSERT_LT(first, history.size());
+    for (std::size_t i = 0; i <= first; ++i) {
+        const auto& before = i == 0 ? session().fits.outcome()->startPoses : history[i - 1].poses;
+        const bool fingersStay = before[0].tail(before[0].size() - 6) == history[i].poses[0].tail(before[0].size() - 6);
+        EXPECT_EQ(fingersStay, i < first) << i;
+    }
+    EXPECT_EQ(page.costPlot()->marks(), marks);
+    page.columns()->setCurrent(1);
+    EXPECT_EQ(page.errorPlot()->marks().size(), 1u) << "the paper's schedule has one phase";
 }
 
 } // namespace

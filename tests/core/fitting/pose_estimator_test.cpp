@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 #include <opencv2/imgproc.hpp>
 
-#include "core/contour/forearm.h"
 #include "core/error.h"
 #include "core/fitting/method_name.h"
 #include "tests/support/fitting_scene.h"
@@ -63,29 +62,8 @@ TEST_F(Estimator, EveryMethodFindsThePose) {
     }
 }
 
-/// A forearm of the wrist's width beyond the cut of every hand.
-void drawForearms(const test::FittingScene& scene, std::vector<cv::Mat>& masks) {
-    for (std::size_t h = 0; h < scene.hands.size(); ++h) {
-        const core::ForearmCut cut = core::forearmCut(scene.hands[h]);
-        const core::Skeleton& skeleton = scene.hands[h].skeleton;
-        const core::RigidMotion motion = core::boneTransforms(skeleton, scene.truth[h]).front() *
-                                         core::inverse(skeleton.bones.front().worldFromBoneAtRest);
-        for (double along = 5; along < 250; along += 3) {
-            const Eigen::Vector3d centre = motion * (cut.centre + along * cut.direction);
-            for (std::size_t c = 0; c < masks.size(); ++c) {
-                const core::Camera& camera = scene.cameras[c];
-                const double depth = (camera.cameraFromWorld * centre).z();
-                const auto px = core::project(camera, centre);
-                if (px && depth > 50)
-                    cv::circle(masks[c], cv::Point(static_cast<int>(px->x()), static_cast<int>(px->y())),
-                               static_cast<int>(cut.radiusMm * camera.intrinsics(0, 0) / depth), cv::Scalar(255), -1);
-            }
-        }
-    }
-}
-
 TEST_F(Estimator, ForearmsDrawTheHandsAwayOnlyIfTheyAreNotCut) {
-    drawForearms(m_scene, m_scene.masks);
+    test::drawForearms(m_scene, m_scene.masks);
     for (const char* const method : {"best", "dch-thres"}) {
         const double cut = m_scene.errorMm(fit(method).poses);
         const double ignored = m_scene.errorMm(fit(std::string(method) + ":forearm=ignore").poses);

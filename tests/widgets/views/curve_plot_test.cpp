@@ -70,6 +70,46 @@ TEST_F(CurvePlotTest, ARisingCurveRises) {
     EXPECT_GT(heightAt(150), 0);
 }
 
+/// Columns of the picture that have the colour of a curve.
+int columnsWith(const QImage& image, const QColor& colour) {
+    int columns = 0;
+    for (int x = 0; x < image.width(); ++x)
+        columns += countNear(image.copy(x, 0, 1, image.height()), colour) > 0 ? 1 : 0;
+    return columns;
+}
+
+TEST_F(CurvePlotTest, TheLegendLiesOverNoCurve) {
+    CurvePlotSettings settings;
+    settings.yMax = 10;
+    plot.setSettings(settings);
+    std::vector<Curve> curves{line(Qt::red, 1, 1), line(Qt::blue, 5, 5), line(Qt::magenta, 9, 9)};
+    const auto below = [&] { return plot.grab().toImage().copy(0, 65, 420, 195); }; // the legend
+    plot.setCurves({curves[0]});
+    const int wide = columnsWith(below(), Qt::red);
+    ASSERT_GT(wide, 300);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+        curves[i].name = QStringLiteral("a method with a long name %1").arg(i);
+    plot.setCurves(curves);
+    const QImage image = below();
+    for (const QColor& colour : {QColor(Qt::red), QColor(Qt::blue), QColor(Qt::magenta)})
+        EXPECT_EQ(columnsWith(image, colour), wide) << colour.name().toStdString() << ": all of the curve";
+}
+
+TEST_F(CurvePlotTest, MarksAreLinesWithNamesAboveThePlot) {
+    plot.setCurves({line(Qt::red, 0, 5)});
+    const QImage plain = plot.grab().toImage();
+    plot.setMarks({{0, QStringLiteral("first"), QStringLiteral("what is first")},
+                   {6, QStringLiteral("second"), QStringLiteral("what is second")}});
+    const QImage marked = plot.grab().toImage();
+    EXPECT_NE(plain, marked);
+    test::moveTo(&plot, {150, 150});
+    EXPECT_EQ(plot.toolTip(), QStringLiteral("what is first"));
+    test::moveTo(&plot, {380, 150});
+    EXPECT_EQ(plot.toolTip(), QStringLiteral("what is second"));
+    plot.setMarks({});
+    EXPECT_EQ(plot.grab().toImage().copy(0, 0, 100, 260), plain.copy(0, 0, 100, 260));
+}
+
 TEST_F(CurvePlotTest, AClickTellsItsX) {
     CurvePlotSettings settings;
     settings.xMin = 0;

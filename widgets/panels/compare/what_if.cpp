@@ -65,8 +65,9 @@ void WhatIf::startNext() {
         FitOutcome pair;
         static_cast<FitPair&>(pair) = *outcome;
         pair.masks = masksOf(*outcome, trial.what);
-        auto found = std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
-                                                               context.stop, threads, {}, !trial.isLive));
+        auto found =
+            std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
+                                                      context.stop, threads, {}, !trial.isLive && trial.curve.empty()));
         return Job::Delivery([this, trial, found] { emit this->found(trial, *found); });
     });
 }

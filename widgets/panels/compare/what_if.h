@@ -24,10 +24,11 @@ struct WhatIfCase {
 struct WhatIfTrial {
     std::string method; ///< as core::parseMethod reads it
     WhatIfCase what;
-    std::string column;  ///< whose place it takes; empty for none
-    std::string key;     ///< the parameter that is explored
-    double x = 0;        ///< its value
-    bool isLive = false; ///< the real-time variant, which answers first and is not judged
+    std::string column;     ///< whose place it takes; empty for none
+    std::string key;        ///< the parameter that is explored
+    double x = 0;           ///< its value
+    bool isLive = false;    ///< the real-time variant, which answers first and is not judged
+    std::string curve = {}; ///< one of a row of values: a point of that curve, not judged; empty for none
 };
 
 /// Fits the open pair again and again while a parameter is dragged. One fit at a time, in the background: the one that

@@ -46,6 +46,11 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     , m_cameraGrid(new QGridLayout)
     , m_measure(makeButton(tr("What does each camera add?"), QStringLiteral("camera-video"),
                            tr("Fits without each camera in turn: how much the error grows stands beside it"), this))
+    , m_sweep(makeButton({}, QStringLiteral("office-chart-line"),
+                         tr("Fits at a row of values of this parameter, for every column that has it, and fills the "
+                            "curve; once more stops"),
+                         this))
+    , m_progress(new QProgressBar(this))
     , m_apply(makeButton(tr("Use"), QStringLiteral("dialog-ok-apply"), tr("Gives the column these settings"), this))
     , m_add(makeButton(tr("Add as another column"), QStringLiteral("list-add"),
                        tr("Keeps the column, and shows these settings beside it"), this))
@@ -53,8 +58,13 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     , m_answer(new QLabel(this))
     , m_plot(new CurvePlot(this)) {
     build();
-    connect(&columns, &InspectColumns::changed, this, &WhatIfPanel::takeColumns);
-    connect(&columns, &InspectColumns::currentChanged, this, [this] { showColumn(m_columns.current()); });
+    connectParts();
+    takeColumns();
+}
+
+void WhatIfPanel::connectParts() {
+    connect(&m_columns, &InspectColumns::changed, this, &WhatIfPanel::takeColumns);
+    connect(&m_columns, &InspectColumns::currentChanged, this, [this] { showColumn(m_columns.current()); });
     connect(m_column, qOverload<int>(&QComboBox::currentIndexChanged), this, &WhatIfPanel::takeColumns);
     connect(m_line, &QLineEdit::editingFinished, this, [this] {
         if (m_line->isModified())
@@ -69,19 +79,26 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
         explore("outlines");
     });
     connect(&m_runner, &WhatIf::found, this, &WhatIfPanel::take);
-    connect(&m_runner, &WhatIf::failed, m_answer, &QLabel::setText);
+    connect(
+        &m_runner, &WhatIf::failed, this,
+        [this](const QString& message) {
+            m_isSweeping = false;
+            showSweep();
+            m_answer->setText(message);
+        });
     connect(&m_runner, &WhatIf::finished, this, [this] {
+        endSweep();
         const auto most = std::max_element(m_without.begin(), m_without.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         if (m_key.empty() && most != m_without.end())
             m_answer->setText(tr("The error grows most without %1.")
                                   .arg(m_cameras[static_cast<std::size_t>(most->first)]->objectName()));
     });
+    connect(m_sweep, &QPushButton::clicked, this, &WhatIfPanel::sweepOrStop);
     connect(m_measure, &QPushButton::clicked, this, &WhatIfPanel::measureCameras);
     connect(m_apply, &QPushButton::clicked, this, &WhatIfPanel::apply);
     connect(m_add, &QPushButton::clicked, this, &WhatIfPanel::addColumn);
     connect(m_back, &QPushButton::clicked, this, &WhatIfPanel::goBack);
-    takeColumns();
 }
 
 void WhatIfPanel::build() {
@@ -111,11 +128,23 @@ void WhatIfPanel::build() {
     column->addWidget(m_line);
     column->addWidget(m_problem);
     column->addWidget(m_plot); // in sight while a setting below it is dragged
+    column->addLayout(makeSweepRow());
     column->addWidget(m_answer);
     column->addWidget(m_form);
     column->addLayout(makeButtons());
     column->addLayout(makeSilhouettes());
     column->addStretch(1);
+}
+
+QLayout* WhatIfPanel::makeSweepRow() {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpacing);
+    m_progress->setTextVisible(true);
+    m_progress->hide();
+    row->addWidget(m_sweep);
+    row->addWidget(m_progress, 1);
+    row->addStretch(0);
+    return row;
 }
 
 QLayout* WhatIfPanel::makeButtons() {

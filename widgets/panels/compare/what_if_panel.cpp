@@ -10,6 +10,7 @@
 #include "core/fitting/method_name.h"
 #include "core/fitting/method_options.h"
 #include "core/text/number_text.h"
+#include "widgets/panels/compare/what_if_sweep.h"
 #include "widgets/text/local_text.h"
 #include "widgets/text/method_text.h"
 #include "widgets/views/joint_colours.h"
@@ -19,8 +20,6 @@ namespace widgets {
 
 namespace {
 
-constexpr const char* kCamerasKey = "cameras";
-constexpr const char* kNoiseKey = "outlines";
 constexpr const char* kLive = "best:live=1";
 constexpr const char* kWithoutKey = "without"; ///< a camera, whose index is the place
 
@@ -90,10 +89,14 @@ void WhatIfPanel::takeColumns() {
             m_next.clear();
         makeCameraBoxes();
     }
-    if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base) {
-        m_base = chosen;
+    const bool isOther = m_fits.outcome() && !(m_pair && isSamePair(*m_pair, *m_fits.outcome()));
+    if (m_fits.outcome())
+        m_pair = m_fits.outcome();
+    if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base || isOther) {
+        m_base = chosen; // of another pair, nothing stays
         goBack();
     }
+    showSweep();
 }
 
 void WhatIfPanel::makeCameraBoxes() {
@@ -226,6 +229,8 @@ void WhatIfPanel::explore(const std::string& key) {
     }
     if (key != m_key)
         startCurve(key);
+    m_isSweeping = false; // what waits is forgotten
+    showSweep();
     m_answer->setText(tr("Fitting..."));
     m_runner.run(trialsOf(key));
 }
@@ -258,6 +263,10 @@ void WhatIfPanel::startCurve(const std::string& key) {
 }
 
 void WhatIfPanel::take(const WhatIfTrial& trial, const MethodOutcome& outcome) {
+    if (!trial.curve.empty()) {
+        takeSwept(trial, outcome);
+        return;
+    }
     if (!outcome.failure.isEmpty()) {
         m_answer->setText(outcome.failure);
         return;
@@ -327,6 +336,8 @@ void WhatIfPanel::measureCameras() {
         without.what.cameras[c] = false;
         trials.push_back(without);
     }
+    m_isSweeping = false;
+    showSweep();
     m_answer->setText(tr("Fitting without each camera..."));
     m_runner.run(trials);
 }
@@ -352,6 +363,7 @@ void WhatIfPanel::addColumn() {
 
 void WhatIfPanel::goBack() {
     m_runner.stop();
+    m_isSweeping = false;
     m_previews.clear();
     m_key.clear();
     for (QCheckBox* box : m_cameras) {
@@ -372,6 +384,7 @@ void WhatIfPanel::goBack() {
     m_problem->hide();
     m_answer->clear();
     startCurve({});
+    showSweep();
     m_columns.setPreviews({});
 }
 

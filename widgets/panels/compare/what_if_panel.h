@@ -11,6 +11,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
 #include <QWidget>
@@ -51,11 +52,20 @@ public:
     void goBack();
     /// Fits without each camera in turn and says beside it how much the error grows.
     void measureCameras();
+    /// Fits at a row of values of a parameter, in the background, for every column that has it: the curve fills. None:
+    /// the parameter that was changed last, or the method's first.
+    void sweep(const std::string& key = {});
+    void sweepOrStop();
+    bool isSweeping() const { return m_isSweeping; }
+    /// Which parameter the button goes over.
+    std::string sweptKey() const;
 
 private:
     void build();
+    void connectParts();
     QLayout* makeSilhouettes();
     QLayout* makeButtons();
+    QLayout* makeSweepRow();
     void takeColumns();
     void makeCameraBoxes();
     void takeLine();
@@ -65,6 +75,10 @@ private:
     bool isOnlyChange(const std::string& key) const;
     std::string withOption(const std::string& method, const std::string& key) const;
     void take(const WhatIfTrial& trial, const MethodOutcome& outcome);
+    std::vector<WhatIfTrial> sweepTrials(const std::string& key) const;
+    void takeSwept(const WhatIfTrial& trial, const MethodOutcome& outcome);
+    void endSweep();
+    void showSweep();
     void startCurve(const std::string& key);
     void showCurves();
     void showCameraTexts();
@@ -87,11 +101,16 @@ private:
     QGridLayout* m_cameraGrid;
     std::vector<QCheckBox*> m_cameras;
     QPushButton* m_measure;
+    QPushButton* m_sweep;
+    QProgressBar* m_progress;
     QPushButton* m_apply;
     QPushButton* m_add;
     QPushButton* m_back;
     QLabel* m_answer;
     CurvePlot* m_plot;
+    std::shared_ptr<const FitOutcome> m_pair; ///< that all of this is about
+    bool m_isSweeping = false;
+    int m_swept = 0;    ///< fits of the sweep that are done
     std::string m_base; ///< method of the column that is changed
     std::string m_next; ///< that is to be the base once its column is there
     std::string m_key;  ///< what was dragged last

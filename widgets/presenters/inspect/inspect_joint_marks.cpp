@@ -2,7 +2,7 @@
 #include "widgets/presenters/inspect/inspect_joint_marks.h"
 
 #include "core/geometry/camera.h"
-#include "widgets/presenters/inspected_poses.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/text/edit_text.h"
 
 namespace widgets {

@@ -7,8 +7,8 @@
 
 #include "core/annotation/annotation_set.h"
 #include "core/benchmark/joint_errors.h"
+#include "widgets/presenters/inspect/inspect_overlays.h"
 #include "widgets/presenters/inspect_columns.h"
-#include "widgets/presenters/inspect_overlays.h"
 #include "widgets/views/camera/camera_grid.h"
 
 namespace widgets {

@@ -4,14 +4,12 @@
 #include <array>
 
 #include "core/fitting/method_name.h"
-#include "widgets/text/local_text.h"
 
 namespace widgets {
 
 namespace {
 
 constexpr std::array kCompared{"ch", "dch-thres", "dch-quant", "dch-dt3"};
-constexpr LocalText probeWords{"widgets::InspectProbe"};
 
 bool usesBins(const core::MatchRule& rule) {
     return rule.distance != core::DistanceKind::Ch && rule.distance != core::DistanceKind::DchThres;
@@ -20,57 +18,66 @@ bool usesBins(const core::MatchRule& rule) {
 ProbeRow probeRow(const std::string& method, const core::CameraTarget& target, const core::MatchRule& rule, QPointF px,
                   float angleRad) {
     const Eigen::Vector2f p(static_cast<float>(px.x()), static_cast<float>(px.y()));
-    ProbeRow row{method, core::probeContour(target, rule, p, angleRad), {}, 0, usesBins(rule) ? rule.bins.count() : 1};
+    ProbeRow row{method, core::probeContour(target, rule, p, angleRad), angleRad, {},
+                 0,      usesBins(rule) ? rule.bins.count() : 1};
     if (row.found()) {
         const Eigen::Vector2f q = core::contourPx(target, row.probe.contourPoint);
         row.contourPx = QPointF(static_cast<double>(q.x()), static_cast<double>(q.y()));
-        row.contourAngleRad =
-            static_cast<double>(target.contour.angleRad[static_cast<std::size_t>(row.probe.contourPoint)]);
+        row.contourAngleRad = target.contour.angleRad[static_cast<std::size_t>(row.probe.contourPoint)];
     }
     return row;
 }
 
-} // namespace
-
-std::optional<ProbeRow> ownProbeRow(const MethodOutcome& method, const ShownMatches& shown, QPointF px) {
-    const std::optional<float> angle = rimAngleAt(shown, px);
-    if (!shown.target || !angle || method.isFixed)
+std::optional<ProbeRow> ownRow(const MethodOutcome& method, const ShownMatches& shown, const core::MatchRecord& rim,
+                               QPointF px) {
+    if (method.isFixed)
         return std::nullopt;
-    return probeRow(method.method, *shown.target, core::matchRule(core::parseMethod(method.method)), px, *angle);
+    return probeRow(method.method, *shown.target, core::matchRule(core::parseMethod(method.method)), px,
+                    rim.rimAngleRad);
 }
 
-std::optional<InspectProbe> inspectProbe(const MethodOutcome& method, const ShownMatches& shown, QPointF px) {
-    const std::optional<float> angle = rimAngleAt(shown, px);
-    if (!shown.target || !angle)
+} // namespace
+
+const core::CameraTarget& ProbeTargets::of(const std::shared_ptr<const core::FitTrace>& trace,
+                                           const core::CameraTarget& target, const std::string& method,
+                                           const core::MatchRule& rule) {
+    const std::pair key(&target, method);
+    const auto found = m_prepared.find(key);
+    if (found != m_prepared.end())
+        return found->second.target;
+    constexpr std::size_t kMost = 64; // settings that are dragged make targets anew
+    if (m_prepared.size() >= kMost)
+        m_prepared.clear();
+    return m_prepared.emplace(key, Prepared{trace, core::targetForRule(target, rule)}).first->second.target;
+}
+
+std::optional<core::JointId> rimBone(const core::MatchRecord& match, const std::vector<core::HandModel>& hands) {
+    if (match.hand >= hands.size() || match.bone >= hands[match.hand].skeleton.bones.size())
         return std::nullopt;
-    InspectProbe probe{px, static_cast<double>(*angle), {}};
-    if (auto own = ownProbeRow(method, shown, px))
+    return core::JointId{hands[match.hand].side, hands[match.hand].skeleton.bones[match.bone].name};
+}
+
+std::optional<ProbeRow> ownProbeRow(const MethodOutcome& method, const ShownMatches& shown, QPointF px) {
+    const core::MatchRecord* rim = nearestRimPoint(shown, px);
+    return shown.target && rim ? ownRow(method, shown, *rim, px) : std::nullopt;
+}
+
+std::optional<InspectProbe> inspectProbe(const MethodOutcome& method, const ShownMatches& shown, QPointF px,
+                                         const std::vector<core::HandModel>& hands, ProbeTargets& prepared) {
+    const core::MatchRecord* rim = nearestRimPoint(shown, px);
+    if (!shown.target || !rim)
+        return std::nullopt;
+    InspectProbe probe{px, static_cast<double>(rim->rimAngleRad), rimBone(*rim, hands), {}};
+    if (auto own = ownRow(method, shown, *rim, px))
         probe.rows.push_back(std::move(*own));
     for (const char* const name : kCompared) {
         if (name == method.method)
             continue;
         const core::MatchRule rule = core::matchRule(core::parseMethod(name));
-        probe.rows.push_back(probeRow(name, core::targetForRule(*shown.target, rule), rule, px, *angle));
+        const core::CameraTarget& target = prepared.of(method.result.trace, *shown.target, name, rule);
+        probe.rows.push_back(probeRow(name, target, rule, px, rim->rimAngleRad));
     }
     return probe;
-}
-
-QString verdictInWords(core::MatchVerdict verdict) {
-    switch (verdict) {
-    case core::MatchVerdict::Orientation:
-        return probeWords(QT_TRANSLATE_NOOP("widgets::InspectProbe", "the directions differ"));
-    case core::MatchVerdict::Gate:
-        return probeWords(QT_TRANSLATE_NOOP("widgets::InspectProbe", "beyond the gate"));
-    case core::MatchVerdict::Truncated:
-        return probeWords(QT_TRANSLATE_NOOP("widgets::InspectProbe", "too far to count"));
-    case core::MatchVerdict::EmptyBin:
-        return probeWords(QT_TRANSLATE_NOOP("widgets::InspectProbe", "no outline in this bin"));
-    case core::MatchVerdict::Forearm:
-        return probeWords(QT_TRANSLATE_NOOP("widgets::InspectProbe", "beyond the end of the hand"));
-    case core::MatchVerdict::Kept:
-        break;
-    }
-    return {};
 }
 
 } // namespace widgets

@@ -10,8 +10,8 @@
 
 #include "core/geometry/camera.h"
 #include "core/hand/skeleton.h"
-#include "widgets/presenters/inspect_uncertainty.h"
-#include "widgets/presenters/inspected_poses.h"
+#include "widgets/presenters/inspect/inspect_uncertainty.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/views/joint_colours.h"
 
 namespace widgets {

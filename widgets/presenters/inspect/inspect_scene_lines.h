@@ -7,7 +7,7 @@
 #include <QObject>
 
 #include "widgets/jobs/job.h"
-#include "widgets/presenters/inspect_overlays.h"
+#include "widgets/presenters/inspect/inspect_overlays.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/views/scene/scene_joint.h"
 #include "widgets/views/scene/scene_view.h"

@@ -29,7 +29,8 @@ public:
 
     /// Which views are shown, and in which order (indices; default: all in their order).
     void setOrder(const std::vector<int>& order);
-    /// Fixes the number of columns (inspection: columns are methods); 0 packs.
+    static constexpr int kPacked = 0;
+    /// Fixes the number of columns (inspection: columns are methods), or packs.
     void setFixedColumns(int columns);
     /// Fills the grid with one view; -1 or the maximised one itself goes back. Emits maximisedChanged.
     void setMaximised(int index);
@@ -65,7 +66,7 @@ private:
     std::vector<CameraView*> m_views;
     std::vector<int> m_order;
     QString m_emptyText;
-    int m_fixedColumns = 0;
+    int m_fixedColumns = kPacked;
     int m_maximised = -1;
     int m_current = -1;
 };

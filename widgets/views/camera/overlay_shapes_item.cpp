@@ -76,9 +76,9 @@ void OverlayShapesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*
         const OverlayShapes::Line& line = m_shapes.lines[i];
         alike.append({line.fromPx, line.toPx});
         if (i + 1 < m_shapes.lines.size() && m_shapes.lines[i + 1].colour == line.colour &&
-            m_shapes.lines[i + 1].dashed == line.dashed)
+            m_shapes.lines[i + 1].style == line.style)
             continue;
-        painter->setPen(screenPen(line.colour, kLineWidth, line.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter->setPen(screenPen(line.colour, kLineWidth, line.style));
         painter->drawLines(alike);
         alike.clear();
     }

@@ -81,7 +81,7 @@ struct OverlayShapes {
         QPointF fromPx;
         QPointF toPx;
         QColor colour;
-        bool dashed = false;
+        Qt::PenStyle style = Qt::SolidLine;
     };
     struct Dots {
         std::vector<QPointF> px;

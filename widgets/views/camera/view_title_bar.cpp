@@ -24,7 +24,10 @@ void ViewTitleBar::setTitle(const ViewTitle& title) {
     if (title == m_title)
         return;
     m_title = title;
-    setToolTip(QStringList{title.name, title.detail, title.error, title.next}.join(QLatin1Char(' ')).simplified());
+    QString tip = QStringList{title.name, title.detail, title.error, title.next}.join(QLatin1Char(' ')).simplified();
+    if (!title.tip.isEmpty())
+        tip += QLatin1Char('\n') + title.tip;
+    setToolTip(tip);
     update();
 }
 

@@ -15,6 +15,7 @@ struct ViewTitle {
     bool warning = false; ///< this view disagrees: the line turns into a warning colour
     QColor colour = {};   ///< of the lines that this view draws into the others; a chip before the name
     QString next = {};    ///< says that a click is wanted here next: the line turns into the accent colour
+    QString tip = {};     ///< what else its tool tip says
     bool operator==(const ViewTitle&) const = default;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/presenters/inspect_layers.h"
+#include "widgets/presenters/inspect/inspect_layers.h"
 
 #include <algorithm>
 #include <array>
@@ -9,9 +9,9 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/contour/rasteriser.h"
 #include "core/distance/generalized_chamfer.h"
 #include "core/fitting/method_name.h"
+#include "widgets/presenters/inspect/inspect_difference.h"
 
 namespace widgets {
 
@@ -20,19 +20,10 @@ namespace {
 constexpr double kNormalPx = 8;
 constexpr int kHues = 36;     ///< orientation is drawn in steps of ten degrees
 constexpr int kReduction = 4; ///< pictures of fields have a quarter of the image's resolution
-const QColor kRefused(0xFF, 0x5A, 0x5A);
 const QColor kRim(0xFF, 0xFF, 0xFF);
-constexpr QRgb kMissed = 0xD0E0402A; ///< premultiplied: seen, but not covered by the hands
-constexpr QRgb kExtra = 0xD02A60E0;  ///< covered, but not seen
 
 QPointF point(const Eigen::Vector2f& px) {
     return {static_cast<double>(px.x()), static_cast<double>(px.y())};
-}
-
-/// One colour per direction; opposite directions have opposite hues.
-QColor hueOf(double angleRad) {
-    const double turn = angleRad / (2 * std::numbers::pi);
-    return QColor::fromHsvF(turn - std::floor(turn), 0.9, 1);
 }
 
 void addContour(const core::OrientedContour& contour, OverlayShapes& shapes) {
@@ -41,66 +32,76 @@ void addContour(const core::OrientedContour& contour, OverlayShapes& shapes) {
         const double turn = static_cast<double>(contour.angleRad[q]) / (2 * std::numbers::pi);
         const int step = static_cast<int>(std::floor((turn - std::floor(turn)) * kHues));
         OverlayShapes::Dots& dots = byHue[step];
-        dots.colour = hueOf((step + 0.5) / kHues * 2 * std::numbers::pi);
+        dots.colour = directionColour((step + 0.5) / kHues * 2 * std::numbers::pi);
         dots.px.emplace_back(static_cast<double>(contour.x[q]), static_cast<double>(contour.y[q]));
     }
     for (auto& [step, dots] : byHue)
         shapes.dots.push_back(std::move(dots));
 }
 
-void addRim(const std::vector<core::MatchRecord>& matches, OverlayShapes& shapes) {
+/// The part of a hand that a rim point belongs to.
+HandPart partOf(const core::MatchRecord& match, const core::Dataset& dataset) {
+    return match.hand < dataset.hands.size() ? handPart(dataset.hands[match.hand], match.bone) : HandPart::Palm;
+}
+
+void addRim(const core::Dataset& dataset, const std::vector<core::MatchRecord>& matches, MatchChoice choice,
+            OverlayShapes& shapes) {
     OverlayShapes::Dots dots;
     dots.colour = kRim;
     for (const core::MatchRecord& match : matches) {
+        const HandPart part = partOf(match, dataset);
+        if (!isChosen(choice, part))
+            continue;
         const QPointF px = point(match.rimPx);
         const auto angle = static_cast<double>(match.rimAngleRad);
+        const QColor colour = choice == MatchChoice::ByFinger ? handPartColour(part) : kRim;
         dots.px.push_back(px);
-        shapes.lines.push_back({px, px + kNormalPx * QPointF(std::cos(angle), std::sin(angle)), kRim});
+        shapes.lines.push_back({px, px + kNormalPx * QPointF(std::cos(angle), std::sin(angle)), colour});
     }
     shapes.dots.push_back(std::move(dots));
 }
 
-void addMatches(const core::OrientedContour& contour, const std::vector<core::MatchRecord>& matches,
-                OverlayShapes& shapes) {
-    OverlayShapes::Dots unmatched;
-    unmatched.colour = kRefused;
-    for (const core::MatchRecord& match : matches) {
-        const core::MatchGeometry geometry = core::matchGeometry(match, contour);
-        const bool isKept = match.verdict == core::MatchVerdict::Kept;
-        if (match.contourPoint < 0) {
-            unmatched.px.push_back(point(match.rimPx));
+/// The kept ones first; then those of one reason after the other, which are drawn at once.
+void addMatches(const core::Dataset& dataset, const ShownMatches& shown, MatchChoice choice, InspectOverlay& overlay) {
+    struct Refused {
+        std::vector<OverlayShapes::Line> lines;
+        OverlayShapes::Dots dots;
+    };
+    std::map<core::MatchVerdict, Refused> refused;
+    for (const core::MatchRecord& match : *shown.matches) {
+        const HandPart part = partOf(match, dataset);
+        if (!isChosen(choice, part))
+            continue;
+        const core::MatchGeometry geometry = core::matchGeometry(match, shown.target->contour);
+        const QPointF from = point(match.rimPx), to = point(geometry.contourPx);
+        if (match.verdict == core::MatchVerdict::Kept) {
+            const double share = static_cast<double>(geometry.residualPx) / kResidualScalePx;
+            overlay.shapes.lines.push_back(
+                {from, to, choice == MatchChoice::ByFinger ? handPartColour(part) : scaleColour(share)});
             continue;
         }
-        const double share = static_cast<double>(geometry.residualPx) / kResidualScalePx;
-        shapes.lines.push_back(
-            {point(match.rimPx), point(geometry.contourPx), isKept ? scaleColour(share) : kRefused, !isKept});
+        const RefusalLook look = refusalLook(match.verdict);
+        Refused& alike = refused[match.verdict];
+        alike.dots.colour = look.colour;
+        if (match.contourPoint < 0)
+            alike.dots.px.push_back(from);
+        else
+            alike.lines.push_back({from, to, look.colour, look.line});
     }
-    shapes.dots.push_back(std::move(unmatched));
+    for (auto& [verdict, alike] : refused) {
+        overlay.refusals.insert(verdict);
+        overlay.shapes.lines.insert(overlay.shapes.lines.end(), alike.lines.begin(), alike.lines.end());
+        overlay.shapes.dots.push_back(std::move(alike.dots));
+    }
 }
 
-/// Where the observed silhouette and that of the hands differ, at half the resolution, and how well they agree at full.
-void addDifference(const core::Camera& camera, const cv::Mat& observed, const MeshLayer& posed,
-                   InspectOverlay& overlay) {
-    std::vector<core::PosedSurface> surfaces;
-    for (const ViewSurfacePtr& surface : posed.surfaces)
-        surfaces.push_back({&surface->verticesInWorld, &surface->triangles});
-    const cv::Mat mine = core::renderMask(camera, surfaces);
-    if (mine.size() != observed.size())
-        return;
-    const cv::Mat seen = observed != 0, covered = mine != 0;
-    const int both = cv::countNonZero(seen & covered), either = cv::countNonZero(seen | covered);
-    overlay.iou = either > 0 ? static_cast<double>(both) / either : std::numeric_limits<double>::quiet_NaN();
-    QImage picture((seen.cols + 1) / 2, (seen.rows + 1) / 2, QImage::Format_ARGB32_Premultiplied);
-    picture.fill(0);
-    for (int y = 0; y < picture.height(); ++y) {
-        const auto* seenRow = seen.ptr<unsigned char>(2 * y);
-        const auto* coveredRow = covered.ptr<unsigned char>(2 * y);
-        auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < picture.width(); ++x)
-            if (seenRow[2 * x] != coveredRow[2 * x])
-                row[x] = seenRow[2 * x] ? kMissed : kExtra;
-    }
-    overlay.field = picture;
+/// A pose that no method made leaves out what the methods do: the forearms where it has them.
+std::vector<core::ConvexRegion> leftOutRegions(const MethodOutcome& method, const core::Dataset& dataset, int camera,
+                                               const ShownMatches& shown) {
+    if (method.isFixed)
+        return core::forearmRegions(dataset.cameras[static_cast<std::size_t>(camera)], dataset.hands,
+                                    method.result.poses, method.result.trace->forearms);
+    return *shown.leftOut;
 }
 
 core::DirectionalDistance reducedDistance(const core::MatchRule& rule) {
@@ -191,6 +192,11 @@ QColor scaleColour(double share) {
     return QColor::fromRgbF(a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b));
 }
 
+QColor directionColour(double angleRad) {
+    const double turn = angleRad / (2 * std::numbers::pi);
+    return QColor::fromHsvF(turn - std::floor(turn), 0.9, 1);
+}
+
 ShownMatches shownMatches(const MethodOutcome& method, int camera, int iteration) {
     const auto& trace = method.result.trace;
     if (!trace)
@@ -201,26 +207,33 @@ ShownMatches shownMatches(const MethodOutcome& method, int camera, int iteration
         next < history.size() ? history[next].matchRecords.get() : &trace->finalMatches;
     for (std::size_t v = 0; cameras && v < cameras->size(); ++v)
         if ((*cameras)[v].camera == camera)
-            return {&trace->targets[v], &(*cameras)[v].matches};
+            return {&trace->targets[v], &(*cameras)[v].matches, &(*cameras)[v].leftOut};
     return {};
 }
 
-InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Camera& camera, int cameraIndex, int iteration,
-                              const std::set<InspectLayer>& shown, const MeshLayer& posed, double fieldAngleRad) {
+InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Dataset& dataset, int camera, int iteration,
+                              const OverlayChoice& choice, const MeshLayer& posed) {
     InspectOverlay overlay;
-    const auto [target, matches] = shownMatches(method, cameraIndex, iteration);
-    if (!target)
+    const ShownMatches shown = shownMatches(method, camera, iteration);
+    if (!shown.target)
         return overlay;
-    if (shown.count(InspectLayer::Field) && !method.isFixed)
-        overlay.field = fieldPicture(*target, core::matchRule(core::parseMethod(method.method)), camera, fieldAngleRad);
-    if (shown.count(InspectLayer::Difference))
-        addDifference(camera, target->mask, posed, overlay);
-    if (shown.count(InspectLayer::Contour))
-        addContour(target->contour, overlay.shapes);
-    if (shown.count(InspectLayer::Rim))
-        addRim(*matches, overlay.shapes);
-    if (shown.count(InspectLayer::Matches))
-        addMatches(target->contour, *matches, overlay.shapes);
+    const core::Camera& seen = dataset.cameras[static_cast<std::size_t>(camera)];
+    if (choice.isShown(InspectLayer::Field) && !method.isFixed)
+        overlay.field =
+            fieldPicture(*shown.target, core::matchRule(core::parseMethod(method.method)), seen, choice.fieldAngleRad);
+    if (choice.isShown(InspectLayer::Difference)) {
+        const SilhouetteDifference difference =
+            silhouetteDifference(seen, shown.target->mask, posed, leftOutRegions(method, dataset, camera, shown));
+        overlay.field = difference.picture;
+        overlay.iou = difference.iou;
+        overlay.isWithoutForearm = difference.leftOutPx > 0;
+    }
+    if (choice.isShown(InspectLayer::Contour))
+        addContour(shown.target->contour, overlay.shapes);
+    if (choice.isShown(InspectLayer::Rim))
+        addRim(dataset, *shown.matches, choice.matches, overlay.shapes);
+    if (choice.isShown(InspectLayer::Matches))
+        addMatches(dataset, shown, choice.matches, overlay);
     return overlay;
 }
 
@@ -244,8 +257,8 @@ MeshLayer colouredByError(MeshLayer posed, const MeshLayer& truth) {
     return posed;
 }
 
-std::optional<float> rimAngleAt(const ShownMatches& shown, QPointF px) {
-    std::optional<float> angle;
+const core::MatchRecord* nearestRimPoint(const ShownMatches& shown, QPointF px) {
+    const core::MatchRecord* found = nullptr;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; shown.matches && i < shown.matches->size(); ++i) {
         const core::MatchRecord& match = (*shown.matches)[i];
@@ -253,10 +266,10 @@ std::optional<float> rimAngleAt(const ShownMatches& shown, QPointF px) {
         const double distance = std::hypot(offset.x(), offset.y());
         if (distance < nearest) {
             nearest = distance;
-            angle = match.rimAngleRad;
+            found = &match;
         }
     }
-    return angle;
+    return found;
 }
 
 } // namespace widgets

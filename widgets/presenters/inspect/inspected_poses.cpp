@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/presenters/inspected_poses.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 
+#include "widgets/presenters/inspect/inspect_layers.h"
 #include "widgets/presenters/inspect_columns.h"
-#include "widgets/presenters/inspect_layers.h"
 #include "widgets/presenters/layer_presenter.h"
 #include "widgets/views/joint_colours.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/presenters/inspect_uncertainty.h"
+#include "widgets/presenters/inspect/inspect_uncertainty.h"
 
 #include <cmath>
 #include <numbers>

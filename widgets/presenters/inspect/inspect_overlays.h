@@ -9,8 +9,8 @@
 
 #include "core/io/dataset/dataset.h"
 #include "widgets/jobs/job.h"
-#include "widgets/presenters/inspect_layers.h"
-#include "widgets/presenters/inspected_poses.h"
+#include "widgets/presenters/inspect/inspect_layers.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/views/camera/camera_grid.h"
 
 namespace widgets {
@@ -25,11 +25,14 @@ public:
 
     /// Difference and Field take each other's place.
     void setShown(InspectLayer layer, bool shown);
-    bool isShown(InspectLayer layer) const { return m_shown.count(layer) > 0; }
-    const std::set<InspectLayer>& shown() const { return m_shown; }
+    bool isShown(InspectLayer layer) const { return m_choice.isShown(layer); }
+    const std::set<InspectLayer>& shown() const { return m_choice.shown; }
     /// The direction whose field is shown.
     void setFieldAngleRad(double angleRad);
-    double fieldAngleRad() const { return m_fieldAngleRad; }
+    double fieldAngleRad() const { return m_choice.fieldAngleRad; }
+    /// Which rim points and matches are drawn, and in which colours.
+    void setMatchChoice(MatchChoice choice);
+    MatchChoice matchChoice() const { return m_choice.matches; }
 
     /// What the grid shows from now on; a null outcome clears it.
     struct Scene {
@@ -43,6 +46,11 @@ public:
     const Scene& scene() const { return m_scene; }
     /// Of the silhouettes of one view, while their difference is shown; else NaN.
     double iou(int view) const;
+    /// Whether a forearm is in the view's difference, which does not count.
+    bool isWithoutForearm(int view) const;
+    bool isWithoutForearm() const; ///< in any view
+    /// Reasons for which matches are refused that are drawn now.
+    const std::set<core::MatchVerdict>& refusals() const { return m_refusals; }
 
 signals:
     void shownChanged();
@@ -54,10 +62,11 @@ private:
 
     CameraGrid& m_grid;
     Job m_job;
-    std::set<InspectLayer> m_shown;
-    double m_fieldAngleRad = 0;
+    OverlayChoice m_choice;
     Scene m_scene;
-    std::vector<double> m_ious; ///< per view
+    std::vector<double> m_ious;          ///< per view
+    std::vector<char> m_withoutForearms; ///< per view
+    std::set<core::MatchVerdict> m_refusals;
 };
 
 } // namespace widgets
