@@ -43,6 +43,7 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
         for (int level = 0; level < kSurfaceLevels; ++level)
             levels[level] = makeSkinnedSurface(model, kLevelVertices[level]);
     }
+    hands.capsules = handCapsules(hands.models);
     return hands;
 }
 
@@ -174,6 +175,9 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     FitIteration record;
     double squared = 0;
     const HandPoses before = poses;
+    std::vector<CapsuleOverlap> overlaps;
+    if (settings.overlapWeight > 0)
+        overlaps = capsuleOverlaps(m_hands.capsules, m_hands.models, poses);
     for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         NormalEquations sum;
         sum.reset(linearisations[h].poseSize());
@@ -182,7 +186,7 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
         squared += sum.sumSquaredMm2;
         record.matches += sum.count;
         if (sum.count > 0)
-            poses[h] = retract(poses[h], solveHand(h, poses, sum, settings));
+            poses[h] = retract(poses[h], solveHand(h, poses, sum, overlaps, settings));
     }
     for (const View& view : m_views)
         record.rejected += view.matched.rejected;
@@ -193,10 +197,11 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     return record;
 }
 
-// (H + mu diag(H) + F) s = -(g + f): F and f hold the prior on the angles' distance from the start, the pull back to
-// the limits, and floors for what no camera sees. s is bounded so that no angle leaves its limits by more than the
-// slack.
+// (H + mu diag(H) + F) s = -(g + f): F and f hold the prior on the angles' distance from the start, the depth by
+// which bones penetrate each other, the pull back to the limits, and floors for what no camera sees. s is bounded so
+// that no angle leaves its limits by more than the slack.
 Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
+                                       const std::vector<CapsuleOverlap>& overlaps,
                                        const IterationSettings& settings) const {
     const Skeleton& skeleton = m_hands.models[hand].skeleton;
     const Eigen::Index size = settings.rigidOnly ? kRigidDofs : skeleton.poseSize();
@@ -226,6 +231,8 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
         addFingerChange(precision, settings.motionPrior * equations.count,
                         (poses[hand] - m_start[hand]).tail(precision.rows()), hessian, gradient);
     }
+    addOverlaps(overlaps, static_cast<int>(hand), skeleton, poses[hand], settings.overlapWeight * equations.count,
+                hessian, gradient);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
     step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
     return step;

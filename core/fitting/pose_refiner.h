@@ -13,6 +13,7 @@
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
 #include "core/fitting/rim_matches.h"
+#include "core/hand/finger_overlap.h"
 #include "core/hand/skinned_surface.h"
 
 namespace core {
@@ -23,6 +24,7 @@ struct FittingHands {
     std::vector<std::array<SkinnedSurface, kSurfaceLevels>> levels; ///< per hand
     std::vector<ForearmCut> cuts;                                   ///< per hand
     std::vector<Eigen::MatrixXd> changePrecision;                   ///< per hand, see fingerChangePrecision
+    HandCapsules capsules;
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
 
@@ -130,7 +132,7 @@ private:
     void placeForearms(const HandPoses& poses);
     void measureNoise(View& view, const CameraTarget& target) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
-                              const IterationSettings& settings) const;
+                              const std::vector<CapsuleOverlap>& overlaps, const IterationSettings& settings) const;
     void compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
                      const cv::Mat& unsure, float cellPx = kScoreCellPx);
     const cv::Mat& unsureMask(View& view, const CameraTarget& target, int depthPx) const;
