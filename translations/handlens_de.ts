@@ -4482,6 +4482,10 @@
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
         <translation>„%1“ ist kein Verfahren; die Verfahren sind %2.</translation>
     </message>
+    <message>
+        <source>Fingers and hands do not penetrate each other on the way from other starts</source>
+        <translation>Finger und Hände durchdringen einander nicht auf dem Weg von anderen Starts aus</translation>
+    </message>
 </context>
 <context>
     <name>widgets::NameBar</name>

@@ -4482,6 +4482,10 @@
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
         <translation>Το «%1» δεν είναι μέθοδος· οι μέθοδοι είναι %2.</translation>
     </message>
+    <message>
+        <source>Fingers and hands do not penetrate each other on the way from other starts</source>
+        <translation>Δάχτυλα και χέρια δεν διαπερνούν το ένα το άλλο στην πορεία από άλλες αρχές</translation>
+    </message>
 </context>
 <context>
     <name>widgets::NameBar</name>

@@ -4435,6 +4435,10 @@
         <source>&quot;%1&quot; is not a method; the methods are %2.</source>
         <translation>“%1”不是方法；可用的方法为 %2。</translation>
     </message>
+    <message>
+        <source>Fingers and hands do not penetrate each other on the way from other starts</source>
+        <translation>从其他起始姿态出发时，手指和双手不会互相穿透</translation>
+    </message>
 </context>
 <context>
     <name>widgets::NameBar</name>

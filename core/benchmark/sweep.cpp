@@ -98,7 +98,7 @@ std::vector<OpenOption> openOptions() {
 std::vector<BestVariant> bestVariants() {
     std::vector<BestVariant> variants;
     for (const char* const key :
-         {"palm", "coarse", "wide", "across", "prior", "restarts", "polish", "both", "within", "robust"}) {
+         {"palm", "coarse", "wide", "across", "prior", "restarts", "apart", "polish", "both", "within", "robust"}) {
         const MethodOption& option = methodOption(key);
         const bool kept = option.defaultText == "1";
         const std::string value = kept ? "0" : option.key == "robust" ? "5" : "1";

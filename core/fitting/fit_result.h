@@ -16,7 +16,7 @@ namespace core {
 
 /// Raised whenever a change makes fits end in other poses: results of different revisions are never mixed in one
 /// folder.
-inline constexpr int kEstimatorRevision = 5;
+inline constexpr int kEstimatorRevision = 6;
 
 enum class FitTermination {
     Converged,     ///< the last step was below the phase's limit

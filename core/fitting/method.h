@@ -28,6 +28,7 @@ struct BestOptions {
     bool prior = true;      ///< a weak pull of the angles to those of the start
     bool learnt = true;     ///< the pull knows how fingers move together (needs prior and noise)
     bool restarts = true;   ///< other starts where silhouettes are left unexplained
+    bool apart = true;      ///< fingers and hands do not penetrate each other on the way from other starts (not live)
     bool polish = true;     ///< the last iterations on the full mesh
     bool bothWays = false;  ///< contour points pull the nearest rim points, too
     bool withinTau = false; ///< only contour points within tau are searched; else the nearest is found, then rejected

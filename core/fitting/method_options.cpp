@@ -129,6 +129,8 @@ constexpr std::array kOptions{
     option("learnt", kBest, flag<&B::learnt>(), "the pull knows how fingers move together; 0 with prior=0 or noise=0",
            "1", "own; learnt from the demo's motion"),
     option("restarts", kBest, flag<&B::restarts>(), "other starts where silhouettes are left unexplained", "1", "own"),
+    option("apart", kBest, flag<&B::apart>(),
+           "fingers and hands do not penetrate each other on the way from other starts", "1", "own"),
     option("polish", kBest, flag<&B::polish>(), "last iterations on the full mesh", "1", "own"),
     option("noise", kAll, flag<&M::noise>(),
            "small outlines, directions, prior, restarts and last weights are relative to the contour's noise", "1",

@@ -45,7 +45,9 @@ constexpr Phase kFingers{
 constexpr Phase kPolish{
     .stage = 2, .iterations = 4, .settledMm = 0.02, .detail = Detail::Full, .points = 300, .tauDeg = 22.5};
 
-// Further attempts where the outlines are left unexplained.
+// Further attempts where the outlines are left unexplained. Fingers keep apart there: two in one outline is what lost
+// fits have in common.
+constexpr double kApart = 0.3; ///< mm^2 per mm^2 of squared depth and correspondence
 constexpr Phase kLongPalm{
     .iterations = 16, .settledMm = 0.1, .rigidOnly = true, .detail = Detail::Coarse, .points = 120, .tauDeg = 90};
 constexpr Phase kWideFingers{
@@ -81,6 +83,7 @@ IterationSettings settingsOf(const Phase& phase, const IterationSettings& base) 
     settings.detail = phase.detail;
     settings.pointsPerCamera = phase.points;
     settings.contourPointsPerCamera = phase.contourPoints;
+    settings.overlapWeight = phase.overlapWeight;
     if (phase.tauDeg >= 0)
         settings.rule.tauRad = static_cast<float>(phase.tauDeg * std::numbers::pi / 180);
     settings.rule.gatePx = std::min(base.rule.gatePx, static_cast<float>(phase.gatePx));
@@ -125,6 +128,11 @@ BestPhases bestPhases(const BestOptions& options, bool isNoisy) {
     phases.main = made(options.live ? std::vector{kLivePalm, kLiveFingers} : std::vector{kPalm, kFingers});
     phases.again = made({kLongPalm, kNarrowFingers});
     phases.fromOtherFingers = made({kWideFingers, kNarrowFingers});
+    if (options.apart && !options.live) {
+        for (std::vector<Phase>* attempt : {&phases.again, &phases.fromOtherFingers})
+            for (Phase& phase : *attempt)
+                phase.overlapWeight = kApart;
+    }
     if (options.polish)
         phases.polish = made({options.live ? kLivePolish : kPolish});
     return phases;

@@ -27,6 +27,7 @@ struct Phase {
     int contourPoints = 0;                                   ///< contour points per camera that pull the rim; 0 = none
     double tauDeg = kTauOfMethod;                            ///< not negative: instead of the method's
     double gatePx = std::numeric_limits<double>::infinity(); ///< a gate above it is narrowed to it
+    double overlapWeight = 0;                                ///< IterationSettings::overlapWeight
 };
 
 /// How one iteration of a phase is done, given what the method's phases share.

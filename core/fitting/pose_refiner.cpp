@@ -51,6 +51,7 @@ FittingHands makeFittingHands(std::vector<HandModel> models) {
             hands.boneOfVertex[level].push_back(strongestBones(levels[level]));
         }
     }
+    hands.capsules = handCapsules(hands.models);
     return hands;
 }
 
@@ -184,6 +185,9 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     FitIteration record;
     double squared = 0;
     const HandPoses before = poses;
+    std::vector<CapsuleOverlap> overlaps;
+    if (settings.overlapWeight > 0)
+        overlaps = capsuleOverlaps(m_hands.capsules, m_hands.models, poses);
     for (std::size_t h = 0; h < m_hands.models.size(); ++h) {
         NormalEquations sum;
         sum.reset(linearisations[h].poseSize());
@@ -192,7 +196,7 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
         squared += sum.sumSquaredMm2;
         record.matches += sum.count;
         if (sum.count > 0)
-            poses[h] = retract(poses[h], solveHand(h, poses, sum, settings));
+            poses[h] = retract(poses[h], solveHand(h, poses, sum, overlaps, settings));
     }
     for (const View& view : m_views)
         record.rejected += view.matched.rejected;
@@ -205,10 +209,11 @@ FitIteration PoseRefiner::iterate(HandPoses& poses, const IterationSettings& set
     return record;
 }
 
-// (H + mu diag(H) + F) s = -(g + f): F and f hold the prior on the angles' distance from the start, the pull back to
-// the limits, and floors for what no camera sees. s is bounded so that no angle leaves its limits by more than the
-// slack.
+// (H + mu diag(H) + F) s = -(g + f): F and f hold the prior on the angles' distance from the start, the depth by
+// which bones penetrate each other, the pull back to the limits, and floors for what no camera sees. s is bounded so
+// that no angle leaves its limits by more than the slack.
 Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
+                                       const std::vector<CapsuleOverlap>& overlaps,
                                        const IterationSettings& settings) const {
     const Skeleton& skeleton = m_hands.models[hand].skeleton;
     const Eigen::Index size = settings.rigidOnly ? kRigidDofs : skeleton.poseSize();
@@ -243,6 +248,8 @@ Eigen::VectorXd PoseRefiner::solveHand(std::size_t hand, const HandPoses& poses,
         hessian += kKnownJointMm2 * known.hessian.topLeftCorner(size, size);
         gradient += kKnownJointMm2 * known.gradient.head(size);
     }
+    addOverlaps(overlaps, static_cast<int>(hand), skeleton, poses[hand], settings.overlapWeight * equations.count,
+                hessian, gradient);
     Eigen::VectorXd step = Eigen::VectorXd::Zero(skeleton.poseSize());
     step.head(size) = boxConstrainedStep(hessian, gradient, lower, upper);
     return step;

@@ -14,6 +14,7 @@
 #include "core/fitting/fit_target.h"
 #include "core/fitting/joint_problem.h"
 #include "core/fitting/rim_matches.h"
+#include "core/hand/finger_overlap.h"
 #include "core/hand/skinned_surface.h"
 
 namespace core {
@@ -26,6 +27,7 @@ struct FittingHands {
     std::vector<Eigen::MatrixXd> changePrecision;                   ///< per hand, see fingerChangePrecision
     /// Per level and hand: of every vertex, the bone that moves it most.
     std::array<std::vector<std::vector<std::uint8_t>>, kSurfaceLevels> boneOfVertex;
+    HandCapsules capsules;
 };
 FittingHands makeFittingHands(std::vector<HandModel> models);
 
@@ -140,7 +142,7 @@ private:
     void placeForearms(const HandPoses& poses);
     void measureNoise(View& view, const CameraTarget& target) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
-                              const IterationSettings& settings) const;
+                              const std::vector<CapsuleOverlap>& overlaps, const IterationSettings& settings) const;
     void compareView(View& view, const CameraTarget& target, const std::vector<RimSource>& sources,
                      const cv::Mat& unsure, float cellPx = kScoreCellPx);
     const cv::Mat& unsureMask(View& view, const CameraTarget& target, int depthPx) const;

@@ -32,6 +32,8 @@ struct IterationSettings {
     double startPrior = 0;          ///< weight of (angle - start angle)^2, mm^2 per rad^2 and correspondence
     double motionPrior = 0;         ///< weight of the Mahalanobis distance of the angles from the start's, mm^2 per
                                     ///< correspondence (core/hand/finger_prior.h)
+    double overlapWeight = 0;       ///< of the squared depth, mm^2, by which bones penetrate each other,
+                                    ///< per correspondence (core/hand/finger_overlap.h); 0 = they may
 };
 
 /// What the rim of one camera view was matched with; its memory is reused from iteration to iteration.

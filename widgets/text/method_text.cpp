@@ -36,6 +36,7 @@ constexpr std::array kMeanings{
     Meaning{"prior", QT_TRANSLATE_NOOP("widgets::MethodText", "A weak pull of the angles to those of the start")},
     Meaning{"learnt", QT_TRANSLATE_NOOP("widgets::MethodText", "The pull knows how fingers move together")},
     Meaning{"restarts", QT_TRANSLATE_NOOP("widgets::MethodText", "Other starts where silhouettes are left unexplained")},
+    Meaning{"apart", QT_TRANSLATE_NOOP("widgets::MethodText", "Fingers and hands do not penetrate each other on the way from other starts")},
     Meaning{"polish", QT_TRANSLATE_NOOP("widgets::MethodText", "The last iterations on the full mesh")},
     Meaning{"noise", QT_TRANSLATE_NOOP("widgets::MethodText", "What counts as a difference follows the noise of the outlines")},
     Meaning{"both", QT_TRANSLATE_NOOP("widgets::MethodText", "Contour points pull the model, too")},

@@ -137,6 +137,21 @@ TEST(Phases, TheOptionsOfBestChangeEveryPhase) {
     }
 }
 
+TEST(Phases, FingersAreKeptApartOnTheWayFromOtherStartsAlone) {
+    const core::BestPhases phases = core::bestPhases({});
+    for (const auto* attempt : {&phases.again, &phases.fromOtherFingers})
+        for (const Phase& phase : *attempt)
+            EXPECT_GT(core::settingsOf(phase, {}).overlapWeight, 0);
+    for (const auto* rest : {&phases.main, &phases.polish})
+        for (const Phase& phase : *rest)
+            EXPECT_EQ(core::settingsOf(phase, {}).overlapWeight, 0);
+    for (const core::BestOptions& off : {core::BestOptions{.apart = false}, core::BestOptions{.live = true}})
+        for (const Phase& phase : core::bestPhases(off).fromOtherFingers)
+            EXPECT_EQ(phase.overlapWeight, 0);
+    for (const Phase& phase : core::schedulePhases(core::parseMethod("dch-thres")))
+        EXPECT_EQ(phase.overlapWeight, 0) << "the paper's methods have no such term";
+}
+
 /// Phases run on a scene from its true pose, where every step is small.
 class PhaseRun : public testing::Test {
 protected:
