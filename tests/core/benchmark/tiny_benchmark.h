@@ -38,7 +38,7 @@ inline core::FitResult pretendToFit(const std::vector<cv::Mat>& masks, const cor
     result.poses[0][0] += 0.001 * lit + 0.1 * method.tauDeg;
     result.poses[1][6] += 0.3 / (1 + method.maxIterations);
     for (int i = 0; i < method.maxIterations; ++i)
-        result.history.push_back({i, i == 3 ? 2.0 : 1.0 / (i + 1), 10, 0, 0.1, result.poses, nullptr});
+        result.history.push_back({i, i == 3 ? 2.0 : 1.0 / (i + 1), 10, 0, 0.1, false, 0, result.poses, nullptr});
     result.seconds = 0.25;
     return result;
 }
