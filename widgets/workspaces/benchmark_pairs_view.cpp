@@ -75,7 +75,8 @@ void BenchmarkPairsView::makeTable() {
     m_table->setObjectName(QStringLiteral("benchmarkPairs"));
     m_table->setModel(m_model);
     styleTable(*m_table);
-    m_table->setMinimumHeight(heightOfRows(*m_table, kLeastRows));
+    // And half a row more: it shows that the list goes on.
+    m_table->setMinimumHeight(heightOfRows(*m_table, kLeastRows) + m_table->verticalHeader()->defaultSectionSize() / 2);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setFocusPolicy(Qt::NoFocus);

@@ -138,7 +138,7 @@ TEST_F(InspectLayersTest, APoseThatNoMethodMadeIsComparedWithoutTheForearmToo) {
         return sum / 6;
     };
     const double without = meanIou();
-    EXPECT_GT(without, 0.95);
+    EXPECT_GT(without, 0.92); // the arms that were drawn begin with a disc, which covers some of the palm's side
     auto plain = std::make_shared<core::FitTrace>(*cut.result.trace);
     plain->forearms.clear();
     truth.result.trace = plain;
