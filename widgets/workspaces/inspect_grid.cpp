@@ -193,6 +193,7 @@ void InspectGrid::showTitles() {
         ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
                         method.failure.isEmpty() ? error : tr("failed"), false};
         title.colour = m_columns.colour(column);
+        title.keepsDetail = true; // the column's head has the method's name, too; nothing else names the camera
         if (!std::isnan(m_overlays->iou(index)))
             title.tip = m_overlays->isWithoutForearm(index)
                             ? tr("IoU: intersection over union of both silhouettes in this view, without the forearm, "

@@ -69,7 +69,9 @@ void ViewTitleBar::paintEvent(QPaintEvent*) {
 
     painter.setFont(bold);
     painter.setPen(m_current && !m_title.warning && !isNext ? colours.color(QPalette::Highlight) : text);
-    const QString name = QFontMetrics(bold).elidedText(m_title.name, Qt::ElideRight, space.width());
+    const int detailWidth =
+        m_title.keepsDetail ? std::min(metrics.horizontalAdvance(m_title.detail) + kPadding, space.width() / 2) : 0;
+    const QString name = QFontMetrics(bold).elidedText(m_title.name, Qt::ElideRight, space.width() - detailWidth);
     painter.drawText(space, Qt::AlignLeft | Qt::AlignVCenter, name);
     space.setLeft(space.left() + QFontMetrics(bold).horizontalAdvance(name) + kPadding);
 

@@ -10,12 +10,13 @@ namespace widgets {
 /// What the thin line above a view says.
 struct ViewTitle {
     QString name;
-    QString detail;       ///< such as the frame offset; grey
-    QString error;        ///< of the selected joint here, with its unit; right-aligned
-    bool warning = false; ///< this view disagrees: the line turns into a warning colour
-    QColor colour = {};   ///< of the lines that this view draws into the others; a chip before the name
-    QString next = {};    ///< says that a click is wanted here next: the line turns into the accent colour
-    QString tip = {};     ///< what else its tool tip says
+    QString detail;           ///< such as the frame offset; grey
+    QString error;            ///< of the selected joint here, with its unit; right-aligned
+    bool warning = false;     ///< this view disagrees: the line turns into a warning colour
+    QColor colour = {};       ///< of the lines that this view draws into the others; a chip before the name
+    QString next = {};        ///< says that a click is wanted here next: the line turns into the accent colour
+    QString tip = {};         ///< what else its tool tip says
+    bool keepsDetail = false; ///< the name is shortened before the detail is
     bool operator==(const ViewTitle&) const = default;
 };
 
