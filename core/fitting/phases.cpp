@@ -128,7 +128,8 @@ BestPhases bestPhases(const BestOptions& options, bool isNoisy) {
     phases.main = made(options.live ? std::vector{kLivePalm, kLiveFingers} : std::vector{kPalm, kFingers});
     phases.again = made({kLongPalm, kNarrowFingers});
     phases.fromOtherFingers = made({kWideFingers, kNarrowFingers});
-    if (options.apart && !options.live) {
+    // Where silhouettes are exact they alone tell starts apart, and hands that touch lie a little inside each other.
+    if (options.apart && isNoisy && !options.live) {
         for (std::vector<Phase>* attempt : {&phases.again, &phases.fromOtherFingers})
             for (Phase& phase : *attempt)
                 phase.overlapWeight = kApart;

@@ -137,8 +137,8 @@ TEST(Phases, TheOptionsOfBestChangeEveryPhase) {
     }
 }
 
-TEST(Phases, FingersAreKeptApartOnTheWayFromOtherStartsAlone) {
-    const core::BestPhases phases = core::bestPhases({});
+TEST(Phases, FingersAreKeptApartOnTheWayFromOtherStartsOfNoisySilhouettesAlone) {
+    const core::BestPhases phases = core::bestPhases({}, true);
     for (const auto* attempt : {&phases.again, &phases.fromOtherFingers})
         for (const Phase& phase : *attempt)
             EXPECT_GT(core::settingsOf(phase, {}).overlapWeight, 0);
@@ -146,8 +146,10 @@ TEST(Phases, FingersAreKeptApartOnTheWayFromOtherStartsAlone) {
         for (const Phase& phase : *rest)
             EXPECT_EQ(core::settingsOf(phase, {}).overlapWeight, 0);
     for (const core::BestOptions& off : {core::BestOptions{.apart = false}, core::BestOptions{.live = true}})
-        for (const Phase& phase : core::bestPhases(off).fromOtherFingers)
+        for (const Phase& phase : core::bestPhases(off, true).fromOtherFingers)
             EXPECT_EQ(phase.overlapWeight, 0);
+    for (const Phase& phase : core::bestPhases({}, false).fromOtherFingers)
+        EXPECT_EQ(phase.overlapWeight, 0) << "exact silhouettes";
     for (const Phase& phase : core::schedulePhases(core::parseMethod("dch-thres")))
         EXPECT_EQ(phase.overlapWeight, 0) << "the paper's methods have no such term";
 }
