@@ -20,17 +20,16 @@ enum class Forearm { Cut, Ignore };
 /// What `best` adds to DCH-Thres, each part an option of its own, so that its effect can be measured (`best:prior=0`).
 /// Those that are off by default were tried and cost more than they bring.
 struct BestOptions {
-    bool live = false;    ///< the real-time variant: fewer iterations on coarser levels of the mesh
-    bool palm = true;     ///< the palm is placed before the fingers move
-    bool coarse = true;   ///< coarse levels of the mesh first; else the full mesh in every iteration
-    bool wide = true;     ///< tau anneals from 45 deg to 22.5; else 22.5 deg in every iteration
-    bool across = true;   ///< the distance along the outline counts a tenth: rims may slide
-    bool prior = true;    ///< a weak pull of the angles to those of the start
-    bool learnt = true;   ///< the pull knows how fingers move together (needs prior and noise)
-    bool restarts = true; ///< other starts where silhouettes are left unexplained
-    bool apart = true;  ///< fingers and hands do not penetrate each other on the way from other starts, if silhouettes
-                        ///< are noisy (not live)
-    bool polish = true; ///< the last iterations on the full mesh
+    bool live = false;      ///< the real-time variant: fewer iterations on coarser levels of the mesh
+    bool palm = true;       ///< the palm is placed before the fingers move
+    bool coarse = true;     ///< coarse levels of the mesh first; else the full mesh in every iteration
+    bool wide = true;       ///< tau anneals from 45 deg to 22.5; else 22.5 deg in every iteration
+    bool across = true;     ///< the distance along the outline counts a tenth: rims may slide
+    bool prior = true;      ///< a weak pull of the angles to those of the start
+    bool learnt = true;     ///< the pull knows how fingers move together (needs prior and noise)
+    bool restarts = true;   ///< other starts where silhouettes are left unexplained
+    bool apart = true;      ///< fingers and hands do not penetrate each other on the way from other starts (not live)
+    bool polish = true;     ///< the last iterations on the full mesh
     bool bothWays = false;  ///< contour points pull the nearest rim points, too
     bool withinTau = false; ///< only contour points within tau are searched; else the nearest is found, then rejected
     double robustMm = 0;    ///< Cauchy scale of the distance, mm; 0 = none
