@@ -22,10 +22,12 @@ constexpr double kUnexplainedPx = 0.75;
 /// another hand up to 0.09; a wrong finger more than 0.1.
 constexpr double kUnexplainedDeepPx = 0.06, kUnexplainedNoisyDeepPx = 0.1;
 constexpr int kFingerSearches = 3;
-/// Contours that lie farther off than noise takes them, everywhere: the person's hands are others than the models, the
-/// calibration is off, or masks are rough. No start explains that; fingers are searched, roughly, and only what
-/// explains more by this share is followed.
-constexpr double kSystematicPx = 2, kWorthwhileShare = 0.005;
+/// Contours that lie farther off than noise takes them, everywhere, and leave less unexplained than a lost hand does:
+/// the person's hands are others than the models, the calibration is off, or masks are rough. No start explains that;
+/// fingers are searched, roughly, and only what explains more by this share is followed.
+constexpr double kSystematicPx = 2, kLostHandDeepPx = 1, kWorthwhileShare = 0.005;
+/// Noisy silhouettes that leave less than this unexplained have no more than a wrong finger: not all fingers are tried.
+constexpr double kFingerDeepPx = 0.25;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
 constexpr double kRivalScore = 1.1;
 
@@ -138,11 +140,10 @@ public:
     /// Whether the contours are so far off that finding out by attempts whether another start is better is of no use.
     /// Only where arms are seen: silhouettes that end with the hands are searched as ever.
     bool isSystematic() {
-        bool anyArm = false;
-        for (std::size_t h = 0; h < m_best.poses.size(); ++h)
-            anyArm = anyArm || m_refiner.hasForearm(h);
-        return anyArm && m_refiner.contourNoise(m_best.poses).px > kSystematicPx;
+        return m_refiner.forearms().any() && m_refiner.contourNoise(m_best.poses).px > kSystematicPx &&
+               deepPx() < kLostHandDeepPx;
     }
+    bool isOneFinger() { return m_refiner.isNoisy() && deepPx() < kFingerDeepPx; }
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
@@ -175,6 +176,11 @@ private:
         m_scorePx = scorePx;
         m_best = std::move(attempt);
         return true;
+    }
+
+    /// What the contour's noise at the best attempt does not explain.
+    double deepPx() {
+        return m_refiner.deepDifferencePx(m_best.poses, beyondNoisePx(m_refiner.contourNoise(m_best.poses).px));
     }
 
     PoseRefiner& m_refiner;
@@ -250,13 +256,18 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, cons
         return true;
     const auto search = [&](const auto& stage) { return others.isExplained() || stage(others.explainedByNoise()); };
     const auto fingers = [&](const auto& explained) { return others.tryFingers(explained); };
+    const auto roughFingers = [&](const auto& explained) { return others.tryFingersRoughly(explained); };
+    if (others.isSystematic())
+        return search(roughFingers);
     if (!search([&](const auto& explained) { return others.tryStarts(all.first(1), explained); }))
         return false;
-    if (others.isSystematic()) // with another start, too: a lost hand alone looks the same
-        return search([&](const auto& explained) { return others.tryFingersRoughly(explained); });
-    return search(fingers) &&
-           search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
-           search(fingers);
+    if (others.isSystematic())
+        return search(roughFingers);
+    if (!search(fingers))
+        return false;
+    return others.isOneFinger() ||
+           (search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
+            search(fingers));
 }
 
 /// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
@@ -275,8 +286,8 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
     FitAttempt attempt;
     attempt.poses = start;
-    if (loop.runAndCutSleeves(phases.main, attempt) &&
-        (!refiner.cutSleeves(attempt.poses) || loop.run(std::span(phases.main).last(1), attempt)) &&
+    if (loop.runAndUpdateForearms(phases.main, attempt) &&
+        (!refiner.updateForearms(attempt.poses) || loop.run(std::span(phases.main).last(1), attempt)) &&
         (!options.restarts || improve(refiner, loop, phases, method, start, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));
         loop.run(phases.polish, attempt);

@@ -25,10 +25,6 @@ std::string_view matchVerdictName(MatchVerdict verdict) {
     return "";
 }
 
-RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
-    return boneTransforms(hand.skeleton, pose).front() * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
-}
-
 std::vector<ConvexRegion> forearmRegions(const Camera& camera, const std::vector<HandModel>& hands,
                                          const HandPoses& poses, const std::vector<std::optional<ForearmCut>>& cuts) {
     std::vector<ConvexRegion> regions;

@@ -57,9 +57,6 @@ struct FitTrace {
     std::vector<std::optional<ForearmCut>> forearms;
 };
 
-/// How a pose moves the hand's root bone, from the rest pose into the world.
-RigidMotion worldFromRest(const HandModel& hand, const Pose& pose);
-
 /// Where the forearms of posed hands may be seen by a camera: those of hands with a cut, as far as they are in the
 /// picture. cuts: one per hand.
 std::vector<ConvexRegion> forearmRegions(const Camera& camera, const std::vector<HandModel>& hands,

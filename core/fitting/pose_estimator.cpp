@@ -62,12 +62,12 @@ FitAttempt fitPaperMethod(PoseRefiner& refiner, const Method& method, const Matc
     FitAttempt attempt;
     attempt.poses = start;
     if (!refiner.isNoisy()) {
-        loop.runAndCutSleeves(schedulePhases(method), attempt);
+        loop.runAndUpdateForearms(schedulePhases(method), attempt);
         return attempt;
     }
     const std::vector<Phase> phases = noisyPhases(method);
     const auto last = std::prev(phases.end());
-    if (loop.runAndCutSleeves({phases.begin(), last}, attempt)) {
+    if (loop.runAndUpdateForearms({phases.begin(), last}, attempt)) {
         loop.setBase(settledOn(settings, refiner.contourNoise(attempt.poses).px));
         loop.run({last, phases.end()}, attempt);
     }
@@ -122,7 +122,7 @@ FitResult PoseEstimator::fit(const std::vector<cv::Mat>& masks, const HandPoses&
     result.termination = attempt.termination;
     if (extras.matches) {
         trace->finalMatches = refiner.matchesAt(result.poses);
-        trace->forearms = refiner.forearms();
+        trace->forearms = refiner.forearms().cuts();
         result.trace = std::move(trace);
     }
     return result;

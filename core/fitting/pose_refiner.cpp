@@ -8,7 +8,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include "core/contour/sleeve.h"
 #include "core/fitting/stopwatch.h"
 #include "core/hand/finger_prior.h"
 #include "core/numeric/box_step.h"
@@ -65,9 +64,7 @@ PoseRefiner::PoseRefiner(const FittingHands& hands, const std::vector<Camera>& c
     , m_threads(threads)
     , m_profile(profile)
     , m_views(targets.size())
-    , m_cuts(hands.cuts)
-    , m_sleeveMm(hands.models.size(), 0)
-    , m_hasForearm(hands.models.size(), 0)
+    , m_forearms(hands.cuts)
     , m_posed(hands.models.size()) {
     for (View& view : m_views) {
         view.matched.correspondences.resize(hands.models.size());
@@ -319,81 +316,41 @@ double PoseRefiner::deepDifferencePx(const HandPoses& poses, int depthPx) {
     return length > 0 ? area / length : 0;
 }
 
-std::vector<std::optional<ForearmCut>> PoseRefiner::forearms() const {
-    std::vector<std::optional<ForearmCut>> cuts(m_cuts.size());
-    for (std::size_t h = 0; h < m_cuts.size(); ++h)
-        if (hasForearm(h))
-            cuts[h] = m_cuts[h];
-    return cuts;
-}
-
 void PoseRefiner::placeForearms(const HandPoses& poses) {
-    if (std::none_of(m_hasForearm.begin(), m_hasForearm.end(), [](char has) { return has != 0; }))
+    if (!m_forearms.any())
         return;
-    const std::vector<std::optional<ForearmCut>> cuts = forearms();
+    const std::vector<std::optional<ForearmCut>> cuts = m_forearms.cuts();
     for (std::size_t v = 0; v < m_views.size(); ++v)
         m_views[v].forearms =
             forearmRegions(m_cameras[static_cast<std::size_t>(m_targets[v].camera)], m_hands.models, poses, cuts);
 }
 
-void PoseRefiner::cutForearms(const HandPoses& poses) {
-    constexpr int kFewest = 8;                              // pixels to judge by
-    constexpr double kSureShare = 0.5, kLikelyShare = 0.25; // of them that are foreground
+template <typename Search>
+std::vector<Search> PoseRefiner::lookBeyondHands(const HandPoses& poses) {
     poseSurfaces(poses, Detail::Coarse);
     const std::vector<RimSource> sources = rimSources(Detail::Coarse);
-    std::vector<int> seen(poses.size(), 0), foreground(poses.size(), 0);
-    for (std::size_t v = 0; v < m_views.size(); ++v) {
-        const CameraTarget& target = m_targets[v];
-        const Camera& camera = m_cameras[static_cast<std::size_t>(target.camera)];
-        visibleRim(camera, sources, {.cellPx = kCoarseCellPx}, m_views[v].scratch, m_views[v].rim);
-        for (std::size_t h = 0; h < poses.size(); ++h) {
-            for (const Eigen::Vector3d& point :
-                 forearmAxis(m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]))) {
-                const auto px = project(camera, point);
-                if (!px || (px->array() < 0).any() || px->x() > target.mask.cols - 1 ||
-                    px->y() > target.mask.rows - 1 || m_views[v].scratch.coverage.covers(px->cast<float>()))
-                    continue;
-                ++seen[h];
-                foreground[h] += target.mask.at<unsigned char>(static_cast<int>(std::lround(px->y())),
-                                                               static_cast<int>(std::lround(px->x()))) != 0;
-            }
-        }
-    }
-    const auto showsArm = [&](std::size_t h, double share) {
-        return seen[h] >= kFewest && foreground[h] > share * seen[h];
-    };
-    // People show both arms or none: where one is sure, the other may have moved away from where the start has it.
-    bool anyIsSure = false;
-    for (std::size_t h = 0; h < poses.size(); ++h)
-        anyIsSure = anyIsSure || showsArm(h, kSureShare);
-    for (std::size_t h = 0; h < poses.size(); ++h)
-        m_hasForearm[h] = anyIsSure && showsArm(h, kLikelyShare);
-}
-
-bool PoseRefiner::cutSleeves(const HandPoses& poses) {
-    if (std::none_of(m_hasForearm.begin(), m_hasForearm.end(), [](char has) { return has != 0; }))
-        return false;
-    poseSurfaces(poses, Detail::Coarse);
-    const std::vector<RimSource> sources = rimSources(Detail::Coarse);
-    std::vector<SleeveSearch> searches(poses.size());
+    std::vector<Search> searches(poses.size());
     for (std::size_t v = 0; v < m_views.size(); ++v) {
         const Camera& camera = m_cameras[static_cast<std::size_t>(m_targets[v].camera)];
         RimScratch& scratch = m_views[v].scratch;
         visibleRim(camera, sources, {.cellPx = kCoarseCellPx}, scratch, m_views[v].rim);
         for (std::size_t h = 0; h < poses.size(); ++h)
-            searches[h].look(camera, m_hands.cuts[h], worldFromRest(m_hands.models[h], poses[h]), scratch.coverage,
-                             m_targets[v].mask);
+            searches[h].look(camera, m_forearms.atModelsEnd(h), worldFromRest(m_hands.models[h], poses[h]),
+                             scratch.coverage, m_targets[v].mask);
     }
-    bool moved = false;
-    for (std::size_t h = 0; h < poses.size(); ++h) {
-        const double mm = searches[h].beginsMm();
-        if (!hasForearm(h) || mm <= m_sleeveMm[h])
-            continue;
-        m_sleeveMm[h] = mm;
-        m_cuts[h] = movedTowardsHand(m_hands.cuts[h], mm);
-        moved = true;
-    }
-    return moved;
+    return searches;
+}
+
+void PoseRefiner::cutForearms(const HandPoses& poses) {
+    m_cutsForearms = true;
+    m_forearms.add(lookBeyondHands<ForearmSearch>(poses));
+}
+
+bool PoseRefiner::updateForearms(const HandPoses& poses) {
+    bool changed = m_cutsForearms && !m_forearms.all() && m_forearms.add(lookBeyondHands<ForearmSearch>(poses));
+    if (m_forearms.any())
+        changed = m_forearms.add(lookBeyondHands<SleeveSearch>(poses)) || changed;
+    return changed;
 }
 
 } // namespace core

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contour/forearm.h"
+#include "core/contour/forearm_cuts.h"
 #include "core/contour/visible_rim.h"
 #include "core/fitting/fit_result.h"
 #include "core/fitting/fit_target.h"
@@ -75,15 +75,14 @@ public:
     const KnownJoints& knownJoints() const { return m_known; }
 
     /// From now on, leaves out what lies beyond the cut of each hand whose silhouettes go on there: rim, contour and
-    /// area. That a hand has a forearm is decided here, once, from the pixels beyond the model's end in `poses` that no
-    /// hand covers; silhouettes that end with the hands leave everything as it was.
+    /// area. That a hand has a forearm is decided from the pixels beyond the model's end in `poses` that no hand
+    /// covers; silhouettes that end with the hands leave everything as it was.
     void cutForearms(const HandPoses& poses);
-    bool hasForearm(std::size_t hand) const { return m_hasForearm[hand] != 0; }
-    /// Per hand, where its forearm is cut off; no value for hands without one.
-    std::vector<std::optional<ForearmCut>> forearms() const;
-    /// Moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`: a sleeve begins
-    /// there. True if one was moved. Hands without a forearm are left as they are.
-    bool cutSleeves(const HandPoses& poses);
+    const ForearmCuts& forearms() const { return m_forearms; }
+    /// Once hands are near their places, if forearms are to be cut: looks for those that the start was too far off to
+    /// show, and moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`, since a
+    /// sleeve begins there. True if anything changed.
+    bool updateForearms(const HandPoses& poses);
 
     /// How far the contours lie from the rim where they are matched, across the outline: 1.4826 times the median of the
     /// distances, px, per camera, and the cameras' median. 0 where there is no match. Not much disturbed by the parts
@@ -140,6 +139,8 @@ private:
     std::shared_ptr<const IterationMatches> takeRecords();
     std::vector<RimSource> rimSources(Detail detail) const;
     void placeForearms(const HandPoses& poses);
+    template <typename Search>
+    std::vector<Search> lookBeyondHands(const HandPoses& poses); ///< one per hand
     void measureNoise(View& view, const CameraTarget& target) const;
     Eigen::VectorXd solveHand(std::size_t hand, const HandPoses& poses, const NormalEquations& equations,
                               const std::vector<CapsuleOverlap>& overlaps, const IterationSettings& settings) const;
@@ -160,9 +161,8 @@ private:
     std::optional<IterationSettings> m_lastSettings;
     KnownJoints m_known;
     std::vector<View> m_views;
-    std::vector<ForearmCut> m_cuts;                               ///< per hand
-    std::vector<double> m_sleeveMm;                               ///< per hand: how far its cut was moved
-    std::vector<char> m_hasForearm;                               ///< per hand
+    ForearmCuts m_forearms;
+    bool m_cutsForearms = false;
     std::vector<std::array<PosedPoints, kSurfaceLevels>> m_posed; ///< per hand
 };
 

@@ -19,6 +19,10 @@ std::vector<RigidMotion> skinningTransforms(const Skeleton& skeleton, const Pose
 
 } // namespace
 
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
+    return boneTransforms(hand.skeleton, pose).front() * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
+}
+
 std::vector<Eigen::Vector3d> posedVertices(const HandModel& hand, const Pose& pose) {
     const std::vector<RigidMotion> transforms = skinningTransforms(hand.skeleton, pose);
     std::vector<Eigen::Vector3d> posed(hand.mesh.vertices.size());

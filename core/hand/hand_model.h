@@ -34,6 +34,9 @@ struct HandModel {
 /// One pose per hand, in the order of the dataset's hands.
 using HandPoses = std::vector<Pose>;
 
+/// How a pose moves the hand's root bone, from the rest pose into the world.
+RigidMotion worldFromRest(const HandModel& hand, const Pose& pose);
+
 /// Linear blend skinning: v(pose) = sum_b weight_b * worldFromBone(pose) * boneFromWorld(rest) * v (mm).
 std::vector<Eigen::Vector3d> posedVertices(const HandModel& hand, const Pose& pose);
 

@@ -17,12 +17,6 @@ constexpr double kShortestLinePx = 4;
 constexpr double kEndReach = 1.5;   ///< around the model's end, in bands
 constexpr double kThinBones = 0.35; ///< radius of what is surely in a finger, of the band
 
-/// The motion of the whole hand from the rest pose.
-RigidMotion worldFromRest(const HandModel& hand, const Pose& pose) {
-    const RigidMotion root = boneTransforms(hand.skeleton, pose).front();
-    return root * inverse(hand.skeleton.bones.front().worldFromBoneAtRest);
-}
-
 bool isPosed(const HandModel& hand, const Pose& pose) {
     return pose.size() == hand.skeleton.poseSize();
 }

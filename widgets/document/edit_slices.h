@@ -25,7 +25,7 @@ public:
 
 private:
     core::Edit part() const;
-    core::MarkChange directed(core::MarkChange change) const;
+    core::Edit directed(core::Edit slice) const;
     void addNotes(core::Edit& part);
 
     std::shared_ptr<const core::Edit> m_edit;
