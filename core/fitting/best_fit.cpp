@@ -25,7 +25,7 @@ constexpr int kFingerSearches = 3;
 /// Contours that lie farther off than noise takes them, everywhere, and leave less unexplained than a lost hand does:
 /// the person's hands are others than the models, the calibration is off, or masks are rough. No start explains that;
 /// fingers are searched, roughly, and only what explains more by this share is followed.
-constexpr double kSystematicPx = 2, kLostHandDeepPx = 1, kWorthwhileShare = 0.005;
+constexpr double kSystematicPx = 2, kLostHandDeepPx = 0.4, kWorthwhileShare = 0.005;
 /// Noisy silhouettes that leave less than this unexplained have no more than a wrong finger: not all fingers are tried.
 constexpr double kFingerDeepPx = 0.25;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
@@ -143,7 +143,7 @@ public:
         return m_refiner.forearms().any() && m_refiner.contourNoise(m_best.poses).px > kSystematicPx &&
                deepPx() < kLostHandDeepPx;
     }
-    bool isOneFinger() { return m_refiner.isNoisy() && deepPx() < kFingerDeepPx; }
+    bool isOneFinger() { return deepPx() < kFingerDeepPx; }
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
@@ -263,11 +263,13 @@ bool improve(PoseRefiner& refiner, FitLoop& loop, const BestPhases& phases, cons
         return false;
     if (others.isSystematic())
         return search(roughFingers);
-    if (!search(fingers))
-        return false;
-    return others.isOneFinger() ||
-           (search([&](const auto& explained) { return others.tryStarts(all.subspan(1), explained); }) &&
-            search(fingers));
+    if (refiner.isNoisy() && others.isOneFinger())
+        return search(fingers);
+    // Stretched fingers are what helps most often where noisy silhouettes leave much unexplained.
+    const std::size_t before = refiner.isNoisy() ? 1 : 0;
+    const auto stretched = [&](const auto& explained) { return others.tryStarts(all.subspan(1, before), explained); };
+    const auto rest = [&](const auto& explained) { return others.tryStarts(all.subspan(1 + before), explained); };
+    return search(stretched) && search(fingers) && search(rest) && search(fingers);
 }
 
 /// What the iterations on the full mesh share: matches that are far off for the noise of the contours count less.
