@@ -59,6 +59,22 @@ TEST_F(Refiner, FindsHowFarContoursAreOff) {
     EXPECT_EQ(noise.perCameraPx.size(), m_targets.size());
 }
 
+TEST_F(Refiner, FindsForearmsThatAFarStartDoesNotShowOnceHandsAreNear) {
+    test::drawForearms(m_scene, m_scene.masks);
+    prepare();
+    HandPoses far = m_scene.truth;
+    for (core::Pose& pose : far)
+        pose.head<3>() += Eigen::Vector3d(0, 0, 300);
+    PoseRefiner refining = refiner();
+    EXPECT_FALSE(refining.updateForearms(m_scene.truth)) << "nobody asked for forearms to be cut";
+    refining.cutForearms(far);
+    EXPECT_FALSE(refining.forearms().any());
+    EXPECT_TRUE(refining.updateForearms(m_scene.truth));
+    EXPECT_TRUE(refining.forearms().all());
+    refining.updateForearms(far);
+    EXPECT_TRUE(refining.forearms().all()) << "what was found stays";
+}
+
 TEST_F(Refiner, RestsAtTheTruth) {
     for (const Detail detail : {Detail::Coarse, Detail::Medium, Detail::Full}) {
         IterationSettings settings;
