@@ -5180,6 +5180,14 @@
         <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
         <translation>Klick- und Kalibrierungsfehler zusammen, je Achse, px: so genau ist ein Klick</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Two cameras cannot tell which of them is off.</source>
+        <translation>Aus zwei Kameras ist nicht zu erkennen, welche von ihnen falsch steht.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RigHealthView</name>

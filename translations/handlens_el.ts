@@ -5180,6 +5180,14 @@
         <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
         <translation>Κλικ και σφάλμα βαθμονόμησης μαζί, ανά άξονα, px: πόσο αξίζει ένα κλικ</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>άγνωστο</translation>
+    </message>
+    <message>
+        <source>Two cameras cannot tell which of them is off.</source>
+        <translation>Δύο κάμερες δεν δείχνουν ποια από τις δύο είναι λάθος.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RigHealthView</name>

@@ -5120,6 +5120,14 @@
         <source>Clicks and calibration error together, per axis, px: what a click is worth</source>
         <translation>点击误差与标定误差合计，每个轴，px：即一次点击的精度</translation>
     </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Two cameras cannot tell which of them is off.</source>
+        <translation>两台相机无法判断是哪一台有偏差。</translation>
+    </message>
 </context>
 <context>
     <name>widgets::RigHealthView</name>

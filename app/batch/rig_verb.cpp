@@ -157,6 +157,10 @@ void printHealth(const core::RigHealth& health, const std::vector<std::string>& 
     std::printf("%d joints in %d frames; residuals are clicked - projected, px\n", health.joints, health.frames);
     std::printf("%-12s %7s %7s %17s %9s %9s\n", "camera", "clicks", "rms", "mean dx, dy", "+-", "scatter");
     for (const core::CameraHealth& camera : health.cameras) {
+        if (!camera.isKnown && health.cameras.size() < 3) {
+            std::printf("%-12s %7d   cannot be known from two cameras\n", camera.camera.c_str(), camera.clicks);
+            continue;
+        }
         if (!camera.isKnown) {
             std::printf("%-12s %7d   cannot be known: only %d clicks that others confirm\n", camera.camera.c_str(),
                         camera.clicks, camera.clicks);

@@ -57,12 +57,14 @@ protected:
         settle();
     }
     QTableView& cameraTable() { return *child<QTableView>(*panel.cameras()); }
-    bool says(QWidget& widget, const char* words) const {
+    /// In how many labels that can be seen.
+    std::ptrdiff_t times(QWidget& widget, const char* words) const {
         const auto labels = widget.findChildren<QLabel*>();
-        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+        return std::count_if(labels.begin(), labels.end(), [&](const QLabel* label) {
             return label->isVisibleTo(&widget) && label->text().contains(QString::fromUtf8(words));
         });
     }
+    bool says(QWidget& widget, const char* words) const { return times(widget, words) > 0; }
     static QPushButton* button(QWidget& widget, const char* text) {
         for (QPushButton* one : widget.findChildren<QPushButton*>())
             if (one->text() == QLatin1String(text))
@@ -163,9 +165,22 @@ TEST_F(RigPanelTest, SaysWhatIsMissingWithoutClicks) {
     page.show();
     page.refine();
     look();
-    EXPECT_TRUE(says(page, "from 20 joints on"));
+    EXPECT_EQ(times(page, "from 20 joints on"), 1) << "in the message, not below it as well";
     EXPECT_FALSE(session.rig.proposal());
     EXPECT_TRUE(button(page, "Refine")->isEnabled());
+}
+
+TEST_F(RigPanelTest, TwoCamerasAreNotJudgedHoweverManyClicks) {
+    core::RigHealth health;
+    health.cameras = {{.camera = "cam0", .clicks = 250}, {.camera = "cam1", .clicks = 250}};
+    const auto state = [&] {
+        widgets::RigHealthModel model;
+        model.setHealth(health);
+        return model.index(0, widgets::RigHealthModel::State).data().toString();
+    };
+    EXPECT_EQ(state(), QStringLiteral("not known"));
+    health.cameras.push_back({.camera = "cam2", .clicks = 2});
+    EXPECT_EQ(state(), QStringLiteral("too few clicks"));
 }
 
 class RefinementPageTest : public RigPanelTest {

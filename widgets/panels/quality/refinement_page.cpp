@@ -31,7 +31,10 @@ RefinementPage::RefinementPage(RigStudy& rig, CalibrationChoice& calibrations, Q
     connect(&rig, &RigStudy::changed, this, &RefinementPage::showProposal);
     connect(&rig, &RigStudy::proposalChanged, this, &RefinementPage::showProposal);
     connect(&rig, &RigStudy::refiningChanged, this, &RefinementPage::showRunning);
-    connect(&rig, &RigStudy::failed, m_message, &MessageBar::setMessage);
+    connect(&rig, &RigStudy::failed, this, [this](const QString& reason) {
+        m_message->setMessage(reason);
+        m_summary->setVisible(m_summary->text() != reason);
+    });
     connect(&calibrations, &CalibrationChoice::listed, this, &RefinementPage::showFiles);
     connect(&calibrations, &CalibrationChoice::failed, m_message, &MessageBar::setMessage);
     connect(m_refine, &QPushButton::clicked, this, &RefinementPage::refine);
@@ -84,6 +87,7 @@ void RefinementPage::build() {
     column->addLayout(makeButtons());
     column->addWidget(title);
     column->addLayout(fileRow);
+    column->addStretch(); // takes the table's place while there is none
 }
 
 QLayout* RefinementPage::makeButtons() {
@@ -100,6 +104,7 @@ QLayout* RefinementPage::makeButtons() {
 
 void RefinementPage::refine() {
     m_message->setMessage({});
+    m_summary->show();
     m_rig.refine();
 }
 
