@@ -22,10 +22,10 @@ constexpr double kUnexplainedPx = 0.75;
 /// another hand up to 0.09; a wrong finger more than 0.1.
 constexpr double kUnexplainedDeepPx = 0.06, kUnexplainedNoisyDeepPx = 0.1;
 constexpr int kFingerSearches = 3;
-/// Contours that lie farther off than noise takes them, everywhere, and leave less unexplained than a lost hand does:
-/// the person's hands are others than the models, the calibration is off, or masks are rough. No start explains that;
-/// fingers are searched, roughly, and only what explains more by this share is followed.
-constexpr double kSystematicPx = 2, kLostHandDeepPx = 0.4, kWorthwhileShare = 0.005;
+/// Contours that lie farther off than noise takes them, everywhere alike: the person's hands are others than the
+/// models, the calibration is off, or masks are rough. A lost hand leaves more unexplained, and in places. No start
+/// explains that; fingers are searched, roughly, and only what explains more by this share is followed.
+constexpr double kSystematicPx = 2, kSystematicDeepPx = 0.4, kSystematicScore = 2, kWorthwhileShare = 0.005;
 /// Noisy silhouettes that leave less than this unexplained have no more than a wrong finger: not all fingers are tried.
 constexpr double kFingerDeepPx = 0.25;
 /// An attempt with another pose whose silhouettes differ by at most this factor more is a rival.
@@ -140,8 +140,9 @@ public:
     /// Whether the contours are so far off that finding out by attempts whether another start is better is of no use.
     /// Only where arms are seen: silhouettes that end with the hands are searched as ever.
     bool isSystematic() {
-        return m_refiner.forearms().any() && m_refiner.contourNoise(m_best.poses).px > kSystematicPx &&
-               deepPx() < kLostHandDeepPx;
+        const double noisePx = m_refiner.contourNoise(m_best.poses).px;
+        return m_refiner.forearms().any() && noisePx > kSystematicPx && m_scorePx < kSystematicScore * noisePx &&
+               deepPx() < kSystematicDeepPx;
     }
     bool isOneFinger() { return deepPx() < kFingerDeepPx; }
 
@@ -288,7 +289,7 @@ FitAttempt fitBest(PoseRefiner& refiner, const Method& method, const HandPoses& 
     FitLoop loop(refiner, baseSettings(method), std::move(stop), progress, expected);
     FitAttempt attempt;
     attempt.poses = start;
-    if (loop.runAndUpdateForearms(phases.main, attempt) &&
+    if (loop.runAndCutSleeves(phases.main, attempt) &&
         (!refiner.updateForearms(attempt.poses) || loop.run(std::span(phases.main).last(1), attempt)) &&
         (!options.restarts || improve(refiner, loop, phases, method, start, attempt))) {
         loop.setBase(polishSettings(refiner, method, attempt.poses));

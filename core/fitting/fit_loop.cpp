@@ -51,7 +51,7 @@ bool FitLoop::run(std::span<const Phase> phases, FitAttempt& attempt) {
     return true;
 }
 
-bool FitLoop::runAndUpdateForearms(std::span<const Phase> phases, FitAttempt& attempt) {
+bool FitLoop::runAndCutSleeves(std::span<const Phase> phases, FitAttempt& attempt) {
     const auto next =
         std::find_if(phases.begin(), phases.end(), [&](const Phase& p) { return p.stage != phases.front().stage; });
     if (next == phases.end())
@@ -59,7 +59,7 @@ bool FitLoop::runAndUpdateForearms(std::span<const Phase> phases, FitAttempt& at
     const auto first = static_cast<std::size_t>(next - phases.begin());
     if (!run(phases.first(first), attempt))
         return false;
-    m_refiner.updateForearms(attempt.poses);
+    m_refiner.cutSleeves(attempt.poses);
     return run(phases.subspan(first), attempt);
 }
 

@@ -37,8 +37,8 @@ public:
     /// Runs the phases in their order from attempt.poses on. False if the fit is over: it was stopped or has no
     /// matches, as attempt.termination says. Else the termination is that of the last phase.
     bool run(std::span<const Phase> phases, FitAttempt& attempt);
-    /// The same; after the first stage, when the hands are about where they belong, forearms are looked for again.
-    bool runAndUpdateForearms(std::span<const Phase> phases, FitAttempt& attempt);
+    /// The same; after the first stage, when the hands are about where they belong, sleeves are cut off.
+    bool runAndCutSleeves(std::span<const Phase> phases, FitAttempt& attempt);
 
 private:
     enum class Outcome {

@@ -62,12 +62,12 @@ FitAttempt fitPaperMethod(PoseRefiner& refiner, const Method& method, const Matc
     FitAttempt attempt;
     attempt.poses = start;
     if (!refiner.isNoisy()) {
-        loop.runAndUpdateForearms(schedulePhases(method), attempt);
+        loop.runAndCutSleeves(schedulePhases(method), attempt);
         return attempt;
     }
     const std::vector<Phase> phases = noisyPhases(method);
     const auto last = std::prev(phases.end());
-    if (loop.runAndUpdateForearms({phases.begin(), last}, attempt)) {
+    if (loop.runAndCutSleeves({phases.begin(), last}, attempt)) {
         loop.setBase(settledOn(settings, refiner.contourNoise(attempt.poses).px));
         loop.run({last, phases.end()}, attempt);
     }

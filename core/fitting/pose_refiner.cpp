@@ -346,11 +346,13 @@ void PoseRefiner::cutForearms(const HandPoses& poses) {
     m_forearms.add(lookBeyondHands<ForearmSearch>(poses));
 }
 
+bool PoseRefiner::cutSleeves(const HandPoses& poses) {
+    return m_forearms.any() && m_forearms.add(lookBeyondHands<SleeveSearch>(poses));
+}
+
 bool PoseRefiner::updateForearms(const HandPoses& poses) {
-    bool changed = m_cutsForearms && !m_forearms.all() && m_forearms.add(lookBeyondHands<ForearmSearch>(poses));
-    if (m_forearms.any())
-        changed = m_forearms.add(lookBeyondHands<SleeveSearch>(poses)) || changed;
-    return changed;
+    const bool found = m_cutsForearms && !m_forearms.all() && m_forearms.add(lookBeyondHands<ForearmSearch>(poses));
+    return cutSleeves(poses) || found;
 }
 
 } // namespace core

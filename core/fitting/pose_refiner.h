@@ -79,9 +79,11 @@ public:
     /// covers; silhouettes that end with the hands leave everything as it was.
     void cutForearms(const HandPoses& poses);
     const ForearmCuts& forearms() const { return m_forearms; }
-    /// Once hands are near their places, if forearms are to be cut: looks for those that the start was too far off to
-    /// show, and moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`, since a
-    /// sleeve begins there. True if anything changed.
+    /// Moves the cuts towards the fingers, to where silhouettes get wider than the hands in `poses`: a sleeve begins
+    /// there. True if one was moved. Hands without a forearm are left as they are.
+    bool cutSleeves(const HandPoses& poses);
+    /// The same after looking for forearms that the start was too far off to show, if forearms are to be cut at all.
+    /// True if anything changed.
     bool updateForearms(const HandPoses& poses);
 
     /// How far the contours lie from the rim where they are matched, across the outline: 1.4826 times the median of the
