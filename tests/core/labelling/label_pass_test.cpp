@@ -113,6 +113,19 @@ TEST(LabelPass, OfTwoViewsKeepsToTheLandmarks) {
         EXPECT_GE(hand.doubt, 0.5);
 }
 
+/// Nothing can be tracked between key frames there: the detector looks at every frame.
+TEST(LabelPass, OfTwoViewsLabelsEveryFrame) {
+    SimulatedPass scene("every frame", 2);
+    const auto frames = framesFrom(30, 4);
+    const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, options());
+    for (const int frame : frames) {
+        ASSERT_EQ(result.fits.count(frame), 1u) << frame;
+        EXPECT_FALSE(result.fits.at(frame).isEmpty()) << frame;
+    }
+    EXPECT_EQ(scene.detectCalls, 4);
+    EXPECT_EQ(scene.evidenceCalls, 0);
+}
+
 TEST(LabelPass, LabelsAreInTheCalibrationsUnit) {
     SimulatedPass scene("centimetres");
     auto cameras = scene.cameras;
