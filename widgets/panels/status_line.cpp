@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFontMetrics>
 #include <QHBoxLayout>
+#include <QLocale>
 
 #include "widgets/panels/state_colours.h"
 #include "widgets/text/advice.h"
@@ -80,7 +82,8 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     connect(m_stop, &QToolButton::clicked, this, &StatusLine::stopRequested);
     connect(m_notice, &QToolButton::clicked, this, &StatusLine::noticeClicked);
     connect(&m_reconstructions, &Reconstructions::changed, this, &StatusLine::refresh);
-    for (const auto news : {&AnnotationDocument::opened, &AnnotationDocument::saved, &AnnotationDocument::busyChanged})
+    for (const auto news : {&AnnotationDocument::opened, &AnnotationDocument::saved, &AnnotationDocument::busyChanged,
+                            &AnnotationDocument::busyProgressed})
         connect(&m_document, news, this, &StatusLine::refreshSaved);
     connect(&m_document, &AnnotationDocument::saveFailed, this, &StatusLine::refreshSaved);
     hideWork();
@@ -139,7 +142,8 @@ void StatusLine::refreshSaved() {
     QPalette colours = palette();
     QString text;
     if (m_document.isBusy()) {
-        text = tr("saving");
+        constexpr double kMost = 0.99; // the last bit is the transaction's end
+        text = tr("saving, %1 %").arg(QLocale().toString(int(100 * std::min(kMost, m_document.busyShare()))));
         colours.setColor(QPalette::WindowText, kPartialColour);
     } else if (m_document.isOpen() && m_document.hasUnsaved()) {
         text = tr("NOT SAVED");
