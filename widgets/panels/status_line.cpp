@@ -19,6 +19,11 @@ namespace {
 constexpr int kBriefMs = 4000;
 constexpr int kClockMs = 1000;
 
+QFont bold(QFont font) {
+    font.setBold(true);
+    return font;
+}
+
 QString agoText(qint64 seconds) {
     if (seconds < 60)
         return StatusLine::tr("saved %n s ago", nullptr, static_cast<int>(seconds));
@@ -65,11 +70,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     m_notice->hide();
     m_stop->setText(tr("Stop"));
     m_stop->setFocusPolicy(Qt::NoFocus);
-    m_summary->setFont([this] {
-        QFont font = this->font();
-        font.setBold(true);
-        return font;
-    }());
+    m_summary->setFont(bold(font()));
     m_brief.setSingleShot(true);
     m_brief.setInterval(kBriefMs);
     m_clock.setInterval(kClockMs);
