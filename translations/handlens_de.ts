@@ -5568,8 +5568,8 @@
         </translation>
     </message>
     <message>
-        <source>saving</source>
-        <translation>wird gespeichert</translation>
+        <source>saving, %1 %</source>
+        <translation>wird gespeichert, %1 %</translation>
     </message>
 </context>
 <context>

@@ -5568,8 +5568,8 @@
         </translation>
     </message>
     <message>
-        <source>saving</source>
-        <translation>αποθήκευση…</translation>
+        <source>saving, %1 %</source>
+        <translation>αποθήκευση, %1 %</translation>
     </message>
 </context>
 <context>

@@ -5499,8 +5499,8 @@
         </translation>
     </message>
     <message>
-        <source>saving</source>
-        <translation>正在保存</translation>
+        <source>saving, %1 %</source>
+        <translation>正在保存，%1 %</translation>
     </message>
 </context>
 <context>

@@ -39,10 +39,9 @@ std::vector<std::size_t> presentHands(const HandPoses& poses) {
 } // namespace
 
 bool FrameEvidence::showsPoses() const {
-    constexpr int kFewestViews = 3;
     const auto hasPixels = [](const cv::Mat& picture) { return !picture.empty(); };
     return std::max(std::count_if(pictures.begin(), pictures.end(), hasPixels),
-                    std::count_if(masks.begin(), masks.end(), hasPixels)) >= kFewestViews;
+                    std::count_if(masks.begin(), masks.end(), hasPixels)) >= kFewestSilhouetteViews;
 }
 
 HandPoses FrameFit::poses() const {

@@ -13,13 +13,15 @@
 
 namespace core {
 
+inline constexpr int kFewestSilhouetteViews = 3; ///< silhouettes of fewer views do not tell where a hand is
+
 /// What is known of an instant before hands are fitted to it.
 struct FrameEvidence {
     std::vector<cv::Mat> pictures; ///< BGR, per camera; empty where there is none
     std::vector<cv::Mat> masks; ///< silhouettes that are given, per camera; no entries: they are made of the pictures
     std::vector<std::optional<SpatialHand>> detected; ///< per hand; no entries: nobody looked
 
-    /// Three views or more: the silhouettes of fewer do not tell where a hand is.
+    /// kFewestSilhouetteViews views or more.
     bool showsPoses() const;
 };
 

@@ -14,8 +14,9 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kFewestPilots = 3; ///< frames that a person's hands can be measured from
-constexpr double kPilotDoubt = 0.3;      ///< frames with more are not measured from
+constexpr std::size_t kFewestPilots = 3;    ///< frames that a person's hands can be measured from
+constexpr std::size_t kLandmarkPilots = 30; ///< the same from landmarks alone, which takes little time
+constexpr double kPilotDoubt = 0.3;         ///< frames with more are not measured from
 /// Landmarks that are so much longer or shorter than the model's bones are of a hand that silhouettes of this model do
 /// not find the size of; smaller differences are within what the detector may be off by.
 constexpr double kOtherScale = 0.06;
@@ -40,12 +41,13 @@ public:
         const PassSink& sink)
         : m_cameras(std::move(cameras))
         , m_frames(frames)
-        , m_keys(options.withSilhouettes ? keyFrames(frames, options.keyEveryFrames) : frames)
         , m_source(source)
         , m_options(options)
         , m_stop(std::move(stop))
         , m_progress(progress)
         , m_sink(sink) {
+        m_options.withSilhouettes = options.withSilhouettes && source.viewCount() >= kFewestSilhouetteViews;
+        m_keys = m_options.withSilhouettes ? keyFrames(frames, options.keyEveryFrames) : frames;
         m_result.hands = withAllTips(hands);
     }
 
@@ -71,11 +73,11 @@ private:
     FrameFit look(int frame, FrameEvidence evidence, const HandPoses& near);
     std::map<int, std::vector<SpatialHand>> grouped(const std::map<int, ViewDetections>& views) const;
 
-    void makeFitter() {
-        LandmarkFitOptions landmarks;
+    void makeFitter() { m_fitter.emplace(m_result.hands, m_cameras, m_options.threads, landmarkOptions()); }
+    LandmarkFitOptions landmarkOptions() const {
         if (m_options.landmarksAreJoints)
-            landmarks = {.areJoints = true, .modelSigmaMm = 0.5, .priorSigmaRad = 1};
-        m_fitter.emplace(m_result.hands, m_cameras, m_options.threads, landmarks);
+            return {.areJoints = true, .modelSigmaMm = 0.5, .priorSigmaRad = 2};
+        return {};
     }
     bool isStopped() const { return m_stop.stop_requested(); }
     bool say(PassStage stage) {
@@ -128,7 +130,7 @@ void Run::findUnit(const std::map<int, ViewDetections>& views) {
     const double ratio = landmarksOverModelLength(m_result.hands, all);
     m_result.unitMm = unitMmOf(ratio);
     const double scale = ratio * m_result.unitMm;
-    if (m_options.measureHands && m_options.withSilhouettes && std::abs(scale - 1) > kOtherScale && scale > 0) {
+    if (m_options.measureHands && std::abs(scale - 1) > kOtherScale && scale > 0) {
         m_result.hands = scaledHands(m_result.hands, scale);
         m_scale = scale;
     }
@@ -168,7 +170,8 @@ bool Run::measure() {
     if (!m_options.measureHands)
         return true;
     if (m_options.landmarksAreJoints) {
-        takeHands(measureLandmarks(m_result.hands, m_cameras, m_result.detected, m_options.mostPilots, m_stop));
+        takeHands(
+            measureLandmarks(m_result.hands, m_cameras, m_result.detected, kLandmarkPilots, landmarkOptions(), m_stop));
         return !isStopped();
     }
     return !m_options.withSilhouettes || measureSilhouettes();

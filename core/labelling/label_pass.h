@@ -19,6 +19,8 @@ namespace core {
 class PassSource {
 public:
     virtual ~PassSource() = default;
+    /// How many cameras have pictures or silhouettes at all.
+    virtual int viewCount() const = 0;
     /// The pictures of a frame and the silhouettes that are given.
     virtual FrameEvidence evidence(int frame) = 0;
     /// What the detector sees in a frame. `known`: hands as they were in another frame.
@@ -29,10 +31,12 @@ public:
 };
 
 struct PassOptions {
-    int keyEveryFrames = 10;         ///< the detector looks at frames that are so far apart; it tracks between them
-    bool withSilhouettes = true;     ///< false: landmarks alone, in every frame
+    int keyEveryFrames = 10; ///< the detector looks at frames that are so far apart; it tracks between them
+    /// False: landmarks alone, in every frame; as with fewer views than kFewestSilhouetteViews, which can track
+    /// nothing.
+    bool withSilhouettes = true;
     bool measureHands = true;        ///< the models become this person's hands
-    bool landmarksAreJoints = false; ///< LandmarkFitOptions::areJoints; bones are measured from landmarks, too
+    bool landmarksAreJoints = false; ///< LandmarkFitOptions::areJoints; hands are measured from landmarks, too
     std::size_t mostPilots = 12;     ///< frames that hands are measured from
     double leastDoubt = 0.5;         ///< from which on a fit is doubted: tracking ends, the detector looks again
     int mostGapFrames = 30;          ///< frames that lie farther apart are not tracked into each other

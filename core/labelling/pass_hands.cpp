@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/labelling/landmark_fit.h"
+#include "core/labelling/palm_shape.h"
 #include "core/labelling/pass_plan.h"
 #include "core/subject/subject_estimate.h"
 
@@ -34,11 +35,21 @@ SubjectFrame subjectFrame(const std::vector<HandModel>& hands, const std::vector
     return frame;
 }
 
+/// A hand that was measured from `first`, as it compares with the model that that one was measured from.
+void compareWithModel(SubjectHand& hand, const SubjectHand& first) {
+    hand.scale.value *= first.scale.value;
+    for (std::size_t b = 0; b < std::min(hand.bones.size(), first.bones.size()); ++b) {
+        SubjectBone& bone = hand.bones[b];
+        bone.modelMm = first.bones[b].modelMm;
+        bone.share = bone.lengthMm / (bone.modelMm * hand.scale.value) - 1;
+    }
+}
+
 } // namespace
 
 std::vector<SubjectHand> measureLandmarks(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                                           const std::map<int, HandDetections>& detected, std::size_t mostFrames,
-                                          std::stop_token stop) {
+                                          const LandmarkFitOptions& landmarks, std::stop_token stop) {
     std::vector<int> seen;
     for (const auto& [number, list] : detected)
         if (std::any_of(list.begin(), list.end(), [](const auto& hand) { return hand.has_value(); }))
@@ -55,7 +66,18 @@ std::vector<SubjectHand> measureLandmarks(const std::vector<HandModel>& hands, c
     SubjectOptions options;
     options.priors.lengthShare = 0.2; // the models are nobody's hands
     options.priors.neighbourShare = 0.2;
-    return estimateSubject(hands, cameras, frames, options, stop).hands;
+    const auto first = estimateSubject(hands, cameras, frames, options, stop).hands;
+    std::vector<HandModel> shaped; // the palm, once fingers are about as long as they are
+    for (std::size_t h = 0; h < hands.size(); ++h) {
+        std::vector<std::vector<JointTarget>> targets;
+        for (const SubjectFrame& frame : frames)
+            targets.push_back(frame.targets[h]);
+        shaped.push_back(withPalmOf(first[h].hand, targets, landmarks));
+    }
+    auto measured = estimateSubject(shaped, cameras, frames, options, stop).hands;
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        compareWithModel(measured[h], first[h]);
+    return measured;
 }
 
 double landmarksOverModelLength(const std::vector<HandModel>& hands, const std::map<int, HandDetections>& detected) {

@@ -28,10 +28,10 @@ struct MeasuredFrame {
 std::vector<SubjectHand> measureHands(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                                       const std::vector<MeasuredFrame>& frames, std::stop_token stop);
 
-/// This person's hands from landmarks alone, which are taken for the joints: scale and bone lengths of at most
-/// `mostFrames` frames, evenly drawn. Empty if nothing was detected.
+/// This person's hands from landmarks alone, which are taken for the joints: scale, bone lengths and where
+/// the palm has its joints (withPalmOf), of at most `mostFrames` frames, evenly drawn. Empty if nothing was detected.
 std::vector<SubjectHand> measureLandmarks(const std::vector<HandModel>& hands, const std::vector<Camera>& cameras,
                                           const std::map<int, HandDetections>& detected, std::size_t mostFrames,
-                                          std::stop_token stop);
+                                          const LandmarkFitOptions& landmarks, std::stop_token stop);
 
 } // namespace core

@@ -117,6 +117,58 @@ FrameFit correctedFit(const FrameFitter& fitter, const std::vector<HandTargets>&
     return refined.doubt() < mostDoubt && !contradicts(refined, fitter.hands(), placed) ? refined : fit;
 }
 
+/// The poses of joints of about that certainty; empty poses: hands that are not among them.
+HandPoses posesOf(const FrameFitter& fitter, const std::map<JointId, Eigen::Vector3d>& joints, double unitMm) {
+    CorrectedFrame labelled;
+    labelled.guesses = joints;
+    LandmarkFitOptions options;
+    options.modelSigmaMm = kModelSigmaMm;
+    HandPoses poses;
+    for (const HandModel& hand : fitter.hands()) {
+        const auto targets = joined(inMm(targetsOf(hand, labelled), hand.skeleton, unitMm));
+        const auto fit = fitToTargets(hand, targets, usualStarts(hand.skeleton), options);
+        poses.push_back(fit ? fit->pose : Pose());
+    }
+    return poses;
+}
+
+/// From which doubt on a fit says less than the label that is there.
+double mostDoubtAt(int frame, const CorrectedFrame& corrected, const PassOptions& options) {
+    return std::max(options.leastDoubt, doubtBefore(corrected, frame) + kSameDoubt);
+}
+
+/// What the frames around a corrected one are followed with.
+struct Following {
+    const FrameFitter& fitter;
+    const CorrectedFrame& corrected;
+    const PassOptions& options;
+    double unitMm;
+    const std::stop_token& stop;
+};
+
+/// Whether the label of a frame explains its silhouettes better than a fit of as many hands: where both are in doubt,
+/// their doubts do not tell which is right.
+bool isLabelBetter(const Following& following, int frame, const FrameEvidence& evidence, const FrameFit& fit) {
+    if (!following.corrected.labelsAt)
+        return false;
+    const HandPoses poses = posesOf(following.fitter, following.corrected.labelsAt(frame), following.unitMm);
+    for (std::size_t h = 0; h < poses.size(); ++h)
+        if ((poses[h].size() > 0) != (fit.hands[h].pose.size() > 0))
+            return false;
+    return following.fitter.bySilhouettes(evidence, poses, 1, FitSource::Tracking, following.stop).overlap >
+           fit.overlap;
+}
+
+/// The hands of a frame from where they were in its neighbour; none where its label is better left as it is.
+std::optional<FrameFit> followingFit(const Following& following, int frame, const FrameEvidence& evidence,
+                                     const HandPoses& start) {
+    FrameFit fit = following.fitter.bySilhouettes(evidence, start, 1, FitSource::Tracking, following.stop);
+    if (following.stop.stop_requested() || fit.doubt() >= mostDoubtAt(frame, following.corrected, following.options) ||
+        (fit.doubt() >= following.options.leastDoubt && isLabelBetter(following, frame, evidence, fit)))
+        return std::nullopt;
+    return fit;
+}
+
 } // namespace
 
 CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
@@ -135,6 +187,15 @@ CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera
             double& doubt = corrected.doubts.try_emplace(key.frame, 0).first->second;
             doubt = std::max(doubt, 1 - mark.likelihood.value_or(0));
         }
+    corrected.labelsAt = [&set, cameras, rater](int other) {
+        std::map<JointId, Eigen::Vector3d> labels;
+        for (const auto& [id, joint] : reconstructFrame(set, cameras, other, rater, {{}, false, std::nullopt}))
+            if (joint.hasPoint())
+                labels.emplace(id, joint.result.point->pointInWorld);
+            else if (joint.proposal)
+                labels.emplace(id, *joint.proposal);
+        return labels;
+    };
     return corrected;
 }
 
@@ -157,13 +218,10 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
     for (Camera& camera : metric)
         camera.cameraFromWorld.translation *= result.unitMm;
     const FrameFitter fitter(result.hands, metric, options.threads);
-    const auto mostDoubt = [&](int frame) {
-        return std::max(options.leastDoubt, doubtBefore(corrected, frame) + kSameDoubt);
-    };
     const double doubtByJoints =
         corrected.doubts.contains(corrected.frame) ? doubtBefore(corrected, corrected.frame) : 0;
     const FrameFit start = correctedFit(fitter, targets, source.evidence(corrected.frame), doubtByJoints,
-                                        mostDoubt(corrected.frame), stop);
+                                        mostDoubtAt(corrected.frame, corrected, options), stop);
     if (start.isEmpty() || stop.stop_requested())
         return result;
     int done = 0;
@@ -185,13 +243,13 @@ PassResult retrack(const std::vector<HandModel>& hands, const std::vector<Camera
             const FrameEvidence evidence = source.evidence(*next);
             if (!evidence.showsPoses())
                 break;
-            FrameFit fit = fitter.bySilhouettes(evidence, predictedPoses(last.poses(), before, kStepShare), 1,
-                                                FitSource::Tracking, stop);
-            if (stop.stop_requested() || fit.doubt() >= mostDoubt(*next))
+            auto fit = followingFit({fitter, corrected, options, result.unitMm, stop}, *next, evidence,
+                                    predictedPoses(last.poses(), before, kStepShare));
+            if (!fit)
                 break;
-            keep(*next, fit);
+            keep(*next, *fit);
             before = last.poses();
-            last = std::move(fit);
+            last = std::move(*fit);
             at = *next;
         }
     }

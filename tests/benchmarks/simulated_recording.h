@@ -36,6 +36,7 @@ public:
     Recording(core::Dataset dataset, const std::string& sequence, const core::DetectorNetworks& networks,
               const RecordingOptions& options);
 
+    int viewCount() const override { return static_cast<int>(m_dataset.cameras.size()); }
     core::FrameEvidence evidence(int frame) override;
     core::ViewDetections detect(int frame, const core::KnownHands& known) override;
     std::optional<core::FrameFit> recall(const std::string&, int) override { return std::nullopt; }

@@ -61,8 +61,10 @@ INSTANTIATE_TEST_SUITE_P(OfEveryReader, Corpus,
                          testing::Values(Target{"video", fuzz::readVideo}, Target{"video_index", fuzz::readIndex},
                                          Target{"network", fuzz::runNetwork},
                                          Target{"flat_buffer", fuzz::readFlatBuffer},
-                                         Target{"archive", fuzz::readArchive}, Target{"matlab", fuzz::readMatlab},
-                                         Target{"hdf5", fuzz::readHdf5}, Target{"pickle", fuzz::readPickle}),
+                                         Target{"archive", fuzz::readArchive},
+                                         Target{"package_text", fuzz::readPackageText},
+                                         Target{"matlab", fuzz::readMatlab}, Target{"hdf5", fuzz::readHdf5},
+                                         Target{"pickle", fuzz::readPickle}),
                          [](const auto& one) { return std::string(one.param.folder); });
 
 } // namespace

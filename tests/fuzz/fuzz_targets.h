@@ -19,6 +19,8 @@ void runNetwork(std::string_view bytes);
 void readFlatBuffer(std::string_view bytes);
 /// The package of the hand detector, packed with gzip or not yet.
 void readArchive(std::string_view bytes);
+/// The texts of that package: the loader, which says where networks are packed, and package.json.
+void readPackageText(std::string_view bytes);
 /// Variables of a MATLAB file, with all that is in them.
 void readMatlab(std::string_view bytes);
 /// An HDF5 file as a data frame of pandas, and as one of SLEAP.

@@ -28,6 +28,7 @@ public:
             cameras.push_back(core::cropped(all[c], {0, 0}, {540, 960}, 0.5));
     }
 
+    int viewCount() const override { return static_cast<int>(cameras.size()); }
     core::FrameEvidence evidence(int frame) override {
         ++evidenceCalls;
         core::FrameEvidence evidence;

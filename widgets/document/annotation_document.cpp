@@ -176,6 +176,7 @@ void AnnotationDocument::applySlices() {
     }
     if (m_slices && !m_slices->isAtEnd()) {
         m_nextSlice.start();
+        emit busyProgressed();
     } else if (m_slices) {
         m_slices.reset();
         emit busyChanged();
@@ -186,6 +187,11 @@ void AnnotationDocument::finishSlices() {
     while (m_slices)
         applySlices();
     m_nextSlice.stop();
+}
+
+double AnnotationDocument::busyShare() const {
+    const double shown = m_slices ? m_slices->share() : 1;
+    return m_writing ? std::min(shown, m_outcome->written.load()) : shown;
 }
 
 void AnnotationDocument::writePending() {
@@ -215,11 +221,16 @@ void AnnotationDocument::writeLarge() {
     m_writing = true;
     m_outcome = std::make_shared<Outcome>();
     m_writer.start([this, store = m_store.get(), call = m_pending.front().call, outcome = m_outcome] {
+        store->setWriteProgress([this, outcome](double share) {
+            outcome->written = share;
+            QMetaObject::invokeMethod(this, &AnnotationDocument::busyProgressed, Qt::QueuedConnection);
+        });
         try {
             call(*store);
         } catch (...) {
             outcome->problem = std::current_exception();
         }
+        store->setWriteProgress({});
         QMetaObject::invokeMethod(
             this,
             [this, outcome] {

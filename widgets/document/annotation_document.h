@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <exception>
 #include <map>
@@ -84,6 +85,8 @@ public:
     bool isApplying() const { return m_slices.has_value(); }
     /// True while that, or its writing, is under way.
     bool isBusy() const { return m_slices.has_value() || m_writing; }
+    /// While it is, how much of that is done, 0 to 1.
+    double busyShare() const;
     /// Tries at once and waits; true if everything is in the file now.
     bool saveNow();
     QDateTime lastSaved() const { return m_lastSaved; }
@@ -109,6 +112,8 @@ signals:
     void saved();
     /// A large edit gets under way, or is done.
     void busyChanged();
+    /// busyShare() has changed.
+    void busyProgressed();
     void saveFailed(const QString& message);
     /// An edit was not made, and why.
     void refused(const QString& message);
@@ -119,8 +124,9 @@ private:
         StoreCall call;
         bool isLarge = false;
     };
-    /// How large work ended; written by its thread.
+    /// How far large work is, and how it ended; written by its thread.
     struct Outcome {
+        std::atomic<double> written = 0;
         std::exception_ptr problem;
     };
 

@@ -21,6 +21,10 @@ public:
     core::Edit next(std::size_t marks);
     /// What has not come yet of the marks and notes that another edit changes: it comes now.
     core::Edit ahead(const core::Edit& other);
+    /// How much of it has come, 0 to 1.
+    double share() const {
+        return m_edit->marks.empty() ? 1 : static_cast<double>(m_at) / static_cast<double>(m_edit->marks.size());
+    }
     bool isAtEnd() const { return m_at == m_edit->marks.size() && m_notesCame; }
 
 private:

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/status_line.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFontMetrics>
 #include <QHBoxLayout>
+#include <QLocale>
 
 #include "widgets/panels/state_colours.h"
 #include "widgets/text/advice.h"
@@ -16,6 +18,11 @@ namespace {
 
 constexpr int kBriefMs = 4000;
 constexpr int kClockMs = 1000;
+
+QFont bold(QFont font) {
+    font.setBold(true);
+    return font;
+}
 
 QString agoText(qint64 seconds) {
     if (seconds < 60)
@@ -63,11 +70,7 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     m_notice->hide();
     m_stop->setText(tr("Stop"));
     m_stop->setFocusPolicy(Qt::NoFocus);
-    m_summary->setFont([this] {
-        QFont font = this->font();
-        font.setBold(true);
-        return font;
-    }());
+    m_summary->setFont(bold(font()));
     m_brief.setSingleShot(true);
     m_brief.setInterval(kBriefMs);
     m_clock.setInterval(kClockMs);
@@ -80,7 +83,8 @@ StatusLine::StatusLine(const AnnotationDocument& document, const Reconstructions
     connect(m_stop, &QToolButton::clicked, this, &StatusLine::stopRequested);
     connect(m_notice, &QToolButton::clicked, this, &StatusLine::noticeClicked);
     connect(&m_reconstructions, &Reconstructions::changed, this, &StatusLine::refresh);
-    for (const auto news : {&AnnotationDocument::opened, &AnnotationDocument::saved, &AnnotationDocument::busyChanged})
+    for (const auto news : {&AnnotationDocument::opened, &AnnotationDocument::saved, &AnnotationDocument::busyChanged,
+                            &AnnotationDocument::busyProgressed})
         connect(&m_document, news, this, &StatusLine::refreshSaved);
     connect(&m_document, &AnnotationDocument::saveFailed, this, &StatusLine::refreshSaved);
     hideWork();
@@ -139,7 +143,8 @@ void StatusLine::refreshSaved() {
     QPalette colours = palette();
     QString text;
     if (m_document.isBusy()) {
-        text = tr("saving");
+        constexpr double kMost = 0.99; // the last bit is the transaction's end
+        text = tr("saving, %1 %").arg(QLocale().toString(int(100 * std::min(kMost, m_document.busyShare()))));
         colours.setColor(QPalette::WindowText, kPartialColour);
     } else if (m_document.isOpen() && m_document.hasUnsaved()) {
         text = tr("NOT SAVED");

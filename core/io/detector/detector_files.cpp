@@ -4,13 +4,11 @@
 #include <cstdlib>
 #include <map>
 
-#include <nlohmann/json.hpp>
-
 #include "core/error.h"
 #include "core/io/detector/package_archive.h"
+#include "core/io/detector/package_text.h"
 #include "core/io/detector/tflite_file.h"
 #include "core/io/files/atomic_file.h"
-#include "core/io/files/json_file.h"
 #include "core/io/files/text_file.h"
 
 namespace core {
@@ -43,53 +41,19 @@ const std::string& packageFile(const std::map<std::string, std::string>& files, 
     return found->second;
 }
 
-/// The list of packed files that the loader's last line hands to loadPackage(...).
-nlohmann::json packedFiles(const std::string& script, const std::string& name) {
-    const std::string call = "loadPackage({";
-    const std::size_t begin = script.rfind(call), end = script.find("})", begin);
-    if (begin == std::string::npos || end == std::string::npos)
-        throw Error(ErrorCode::BadInput, name, "loadPackage", "the list of packed files is missing");
-    const nlohmann::json list = parseJson(script.substr(begin + call.size() - 1, end + 2 - begin - call.size()), name);
-    if (!list.contains("files") || !list["files"].is_array())
-        throw Error(ErrorCode::BadInput, name, "files", "the list of packed files is missing");
-    return list["files"];
-}
-
 /// One of the files that are packed into another one, at the offsets that the loader says.
 std::string packedFile(const std::map<std::string, std::string>& files, const fs::path& package,
                        const std::string& wanted) {
-    const std::string name = within(package, kAssetsLoader);
     const std::string& assets = packageFile(files, package, kAssets);
-    for (const nlohmann::json& entry : packedFiles(packageFile(files, package, kAssetsLoader), name)) {
-        if (!entry.is_object() || !entry.contains("filename") || !entry["filename"].is_string() ||
-            fs::path(entry["filename"].get<std::string>()).filename() != wanted)
-            continue;
-        const auto offset = [&](const char* field) {
-            if (!entry.contains(field) || !entry[field].is_number_unsigned())
-                throw Error(ErrorCode::BadInput, name, std::string("files.") + field, "an offset is expected");
-            return entry[field].get<std::size_t>();
-        };
-        const std::size_t begin = offset("start"), end = offset("end");
-        if (begin > end || end > assets.size())
-            throw Error(ErrorCode::BadInput, name, "files.end",
-                        wanted + " lies outside " + kAssets + " (bytes " + std::to_string(begin) + " to " +
-                            std::to_string(end) + " of " + std::to_string(assets.size()) + ")");
-        return assets.substr(begin, end - begin);
-    }
-    throw Error(ErrorCode::NotFound, name, "files", wanted + " is not among the packed files");
+    const PackedRange range = packedRange(packageFile(files, package, kAssetsLoader), within(package, kAssetsLoader),
+                                          wanted, assets.size(), kAssets);
+    return assets.substr(range.begin, range.end - range.begin);
 }
 
-std::string packageTitle(const std::map<std::string, std::string>& files, const fs::path& package) {
+std::string titleOf(const std::map<std::string, std::string>& files, const fs::path& package) {
     const auto found = files.find(kManifest);
-    if (found == files.end())
-        return "a package without " + kManifest;
-    const nlohmann::json manifest = parseJson(found->second, within(package, kManifest));
-    const auto text = [&](const char* field) {
-        return manifest.is_object() && manifest.contains(field) && manifest[field].is_string()
-                   ? manifest[field].get<std::string>()
-                   : std::string("?");
-    };
-    return text("name") + " " + text("version");
+    return found == files.end() ? "a package without " + kManifest
+                                : packageTitle(found->second, within(package, kManifest));
 }
 
 DetectorNetworks parseNetworks(std::string_view palms, const std::string& palmFile, std::string_view landmarks,
@@ -129,7 +93,7 @@ std::string installDetector(const fs::path& package, const fs::path& folder) {
         parseNetworks(palms, within(package, kAssets), landmarks, within(package, kLandmarkFile));
     Network(networks.palms, within(package, kAssets)); // throws if it cannot run
     Network(networks.landmarks, within(package, kLandmarkFile));
-    std::string title = packageTitle(files, package);
+    std::string title = titleOf(files, package);
 
     ensureFolder(folder);
     writeFileAtomically(folder / kPalmFile, palms); // either network works with any other version of the other one

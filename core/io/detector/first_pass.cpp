@@ -16,7 +16,7 @@ namespace core {
 namespace {
 
 /// Raised whenever a change makes passes end in other labels: steps of different revisions are never mixed.
-constexpr int kPassRevision = 2;
+constexpr int kPassRevision = 3;
 
 std::uint64_t hashOf(const NetworkGraph& graph) {
     std::uint64_t hash = 0;

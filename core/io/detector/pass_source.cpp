@@ -44,6 +44,13 @@ const std::vector<cv::Mat>& DatasetPassSource::pictures(int frame) {
     return m_last.second;
 }
 
+int DatasetPassSource::viewCount() const {
+    const auto masks = std::count_if(m_dataset.cameras.begin(), m_dataset.cameras.end(), [this](const Camera& camera) {
+        return !maskPattern(m_sequence, camera.name).empty();
+    });
+    return std::max(countViews(m_sequence), static_cast<int>(masks));
+}
+
 FrameEvidence DatasetPassSource::evidence(int frame) {
     FrameEvidence evidence;
     if (hasMasks(m_sequence)) {

@@ -18,6 +18,7 @@ public:
     DatasetPassSource(const Dataset& dataset, const Sequence& sequence, const DetectorNetworks* networks,
                       DetectionJournal* journal);
 
+    int viewCount() const override;
     FrameEvidence evidence(int frame) override;
     ViewDetections detect(int frame, const KnownHands& known) override;
     std::optional<FrameFit> recall(const std::string& step, int frame) override;

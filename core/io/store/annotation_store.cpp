@@ -49,11 +49,14 @@ struct AnnotationStore::Impl {
     ReadOnlyReason readOnlyReason;
     std::vector<StoreWarning> warnings;
     ino_t inode = 0;
+    WriteProgress progress;
 
     void decideAccess(StoreAccess access);
     void openReadOnly();
     void openForWriting();
     void requireWritable() const;
+    /// Tells the progress of the writing that follows.
+    void expectMarks(std::size_t rows);
     /// Runs changes as one durable transaction.
     template <typename Work>
     void transact(Work&& work);
@@ -219,6 +222,18 @@ void AnnotationStore::Impl::requireWritable() const {
         throw Error(ErrorCode::Io, file.string(), "", "was moved, replaced or deleted while it was open");
 }
 
+void AnnotationStore::Impl::expectMarks(std::size_t rows) {
+    if (!progress || rows == 0) {
+        tables->setMarkWritten({});
+        return;
+    }
+    tables->setMarkWritten([this, rows, written = std::size_t{0}, told = std::size_t{0}]() mutable {
+        const std::size_t percent = std::min<std::size_t>(100, 100 * ++written / rows);
+        if (percent > told)
+            progress(static_cast<double>(told = percent) / 100);
+    });
+}
+
 template <typename Work>
 void AnnotationStore::Impl::transact(Work&& work) {
     requireWritable();
@@ -234,6 +249,7 @@ void AnnotationStore::Impl::transact(Work&& work) {
 void AnnotationStore::commit(const Edit& edit, const std::string& rater) {
     if (edit.empty())
         return;
+    m_impl->expectMarks(2 * edit.marks.size());
     m_impl->transact([&](AnnotationTables& tables) {
         const std::string time = utcTimestamp();
         tables.applyEdit(edit, rater, time);
@@ -245,6 +261,7 @@ void AnnotationStore::commit(const Edit& edit, const std::string& rater) {
 void AnnotationStore::amend(const Edit& addition, const std::string& rater) {
     if (addition.empty())
         return;
+    m_impl->expectMarks(2 * addition.marks.size());
     m_impl->transact([&](AnnotationTables& tables) {
         const std::string time = utcTimestamp();
         tables.applyEdit(addition, rater, time);
@@ -272,6 +289,7 @@ std::optional<Edit> AnnotationStore::Impl::flip(EntryState from) {
     transact([&](AnnotationTables& work) {
         const JournalEntry entry = work.readEntries(from, *id, *id).front();
         applied = isUndo ? inverse(entry.edit) : entry.edit;
+        expectMarks(applied->marks.size());
         work.applyEdit(*applied, entry.rater, utcTimestamp());
         work.setEntryState(*id, isUndo ? EntryState::Undone : EntryState::Done);
     });
@@ -283,6 +301,10 @@ std::optional<Edit> AnnotationStore::undo() {
 }
 std::optional<Edit> AnnotationStore::redo() {
     return m_impl->flip(EntryState::Undone);
+}
+
+void AnnotationStore::setWriteProgress(WriteProgress progress) {
+    m_impl->progress = std::move(progress);
 }
 
 std::optional<std::string> AnnotationStore::setting(const std::string& key) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -82,6 +83,11 @@ public:
     std::optional<Edit> undo();
     /// Does the last undone entry again; returns what was applied; empty if there is none.
     std::optional<Edit> redo();
+
+    /// Called by commit, amend, undo and redo while they write, in their thread: which share of the call's rows is
+    /// written, ascending, at most a hundred times per call; none: nobody is told. It must not throw.
+    using WriteProgress = std::function<void(double share)>;
+    void setWriteProgress(WriteProgress progress);
 
     /// Small settings of the sequence that belong to the annotations (order of joints, hidden cameras, ...); no
     /// history.

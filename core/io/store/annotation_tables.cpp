@@ -185,8 +185,11 @@ std::optional<std::int64_t> AnnotationTables::oldestEntry(EntryState state) {
 }
 
 void AnnotationTables::applyEdit(const Edit& edit, const std::string& rater, const std::string& time) {
-    for (const MarkChange& change : edit.marks)
+    for (const MarkChange& change : edit.marks) {
         applyMark(change, rater, time, edit);
+        if (m_markWritten)
+            m_markWritten();
+    }
     for (const NoteChange& change : edit.notes)
         applyNote(change, rater, time, edit);
 }
@@ -277,6 +280,8 @@ void AnnotationTables::addChanges(std::int64_t id, const Edit& edit) {
         bindMark(run.m_statement, 8, change.before);
         bindMark(run.m_statement, 8 + kMarkColumns, change.after);
         run.m_statement.exec();
+        if (m_markWritten)
+            m_markWritten();
     }
     for (const NoteChange& change : edit.notes) {
         const Run run(prepared("INSERT INTO note_change VALUES(?, ?, ?, ?, ?)"));

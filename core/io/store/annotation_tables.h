@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ class AnnotationTables {
 public:
     /// `fileName` is for error messages.
     AnnotationTables(SQLite::Database& database, std::string fileName);
+
+    /// Called after every mark that applyEdit and addEntry have written.
+    void setMarkWritten(std::function<void()> written) { m_markWritten = std::move(written); }
 
     AnnotationSet readSet();
     /// Entries in the given state with ids from `first` to `last`, ascending.
@@ -66,6 +70,7 @@ private:
     std::string m_fileName;
     std::map<std::string, SQLite::Statement> m_statements;
     std::optional<bool> m_hasLikelihoods;
+    std::function<void()> m_markWritten;
 };
 
 } // namespace core

@@ -113,6 +113,19 @@ TEST(LabelPass, OfTwoViewsKeepsToTheLandmarks) {
         EXPECT_GE(hand.doubt, 0.5);
 }
 
+/// Nothing can be tracked between key frames there: the detector looks at every frame.
+TEST(LabelPass, OfTwoViewsLabelsEveryFrame) {
+    SimulatedPass scene("every frame", 2);
+    const auto frames = framesFrom(30, 4);
+    const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, options());
+    for (const int frame : frames) {
+        ASSERT_EQ(result.fits.count(frame), 1u) << frame;
+        EXPECT_FALSE(result.fits.at(frame).isEmpty()) << frame;
+    }
+    EXPECT_EQ(scene.detectCalls, 4);
+    EXPECT_EQ(scene.evidenceCalls, 0);
+}
+
 TEST(LabelPass, LabelsAreInTheCalibrationsUnit) {
     SimulatedPass scene("centimetres");
     auto cameras = scene.cameras;
@@ -167,6 +180,36 @@ TEST(Retracking, TwoViewsDoNotTellTheNeighbours) {
         core::retrack(scene.hands, scene.cameras, correctedAt(scene, 50), framesFrom(47, 7), {}, scene, options());
     ASSERT_EQ(result.fits.size(), 1u);
     EXPECT_LT(scene.errorMm(result.fits.at(50), result.hands, 50), 1.5);
+}
+
+/// Doubts do not tell which of two doubtful labels is right, silhouettes do.
+TEST(Retracking, KeepsALabelInDoubtThatExplainsTheSilhouettesBetter) {
+    SimulatedPass scene("in doubt", 4);
+    auto corrected = correctedAt(scene, 50);
+    auto settings = options();
+    settings.leastDoubt = 0; // every fit is in doubt
+    const auto placesOf = [&](int frame) {
+        std::map<core::JointId, Eigen::Vector3d> places;
+        for (const auto& [id, point] : correctedAt(scene, frame).joints)
+            places[id] = point.pointInWorld;
+        return places;
+    };
+    constexpr int kNext = 51;
+    const auto reached = [&](const core::CorrectedFrame& from) {
+        return core::retrack(scene.hands, scene.cameras, from, {50, kNext}, {}, scene, settings).fits;
+    };
+    auto lost = corrected; // hands that tracking does not find from there
+    for (auto& [id, point] : lost.joints)
+        point.pointInWorld += Eigen::Vector3d(id.hand == core::Side::Left ? -150 : 150, 0, 0);
+    const auto without = reached(lost);
+    ASSERT_EQ(without.count(kNext), 1u);
+    ASSERT_GT(scene.errorMm(without.at(kNext), scene.hands, kNext), 5) << "tracking finds them from there";
+    lost.labelsAt = placesOf;
+    EXPECT_EQ(reached(lost).count(kNext), 0u) << "a right label is replaced by a wrong one";
+    corrected.labelsAt = [&](int) { return placesOf(kNext + 40); };
+    const auto found = reached(corrected);
+    ASSERT_EQ(found.count(kNext), 1u) << "a wrong label stays";
+    EXPECT_LT(scene.errorMm(found.at(kNext), scene.hands, kNext), 1.5);
 }
 
 /// A person who places the fingertips of a hand elsewhere is followed, whatever the silhouettes say.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edits of a hundred thousand marks: nothing waits for them, and nothing is lost or half there.
+#include <algorithm>
 #include <csignal>
 #include <ctime>
 #include <random>
@@ -123,6 +124,27 @@ TEST_F(LargeEdit, FiveHundredFramesBlockNoTurnOfTheEventLoop) {
     ASSERT_TRUE(wait());
     EXPECT_EQ(document.annotations(), expected);
     EXPECT_EQ(onDisk(), expected);
+}
+
+/// From nothing to all of it, in steps that a person can see.
+TEST_F(LargeEdit, SaysHowFarItIs) {
+    std::vector<double> shares;
+    QObject::connect(&document, &AnnotationDocument::busyProgressed, [&] {
+        if (document.isBusy())
+            shares.push_back(document.busyShare());
+    });
+    document.push(firstPass(60));
+    EXPECT_LT(document.busyShare(), 0.1);
+    ASSERT_TRUE(wait());
+    ASSERT_GT(shares.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_LT(shares.front(), 0.3);
+    EXPECT_GT(shares.back(), 0.7);
+    EXPECT_LE(shares.back(), 1);
+    const auto between =
+        std::count_if(shares.begin(), shares.end(), [](double share) { return share > 0.3 && share < 0.7; });
+    EXPECT_GT(between, 2);
+    EXPECT_EQ(document.busyShare(), 1);
 }
 
 TEST_F(LargeEdit, ClicksMeanwhileCountAndComeAfterIt) {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <QLabel>
+#include <QRegularExpression>
 #include <QTableView>
 
 #include "tests/support/pointer.h"
@@ -104,6 +108,32 @@ TEST_F(JointsPanelTest, TheStatusLineSaysWhatToDoNext) {
     EXPECT_TRUE(says("Fitting"));
     QTest::mouseClick(line.findChild<QToolButton*>(QStringLiteral("stop")), Qt::LeftButton);
     EXPECT_EQ(stopped.count(), 1);
+}
+
+TEST_F(JointsPanelTest, TheStatusLineSaysHowMuchOfALargeEditIsSaved) {
+    widgets::StatusLine line(session.document, session.reconstructions, session.selection);
+    core::Edit edit{{.text = "many"}, {}, {}};
+    for (int frame = 0; frame < 8000; ++frame)
+        edit.marks.push_back({{frame, "other", index, "cam0"}, std::nullopt, core::Mark{{1, 2}}});
+    std::vector<int> percents;
+    const auto look = [&] {
+        for (const QLabel* label : line.findChildren<QLabel*>())
+            if (const auto found = QRegularExpression(QStringLiteral("^saving, (\\d+) %$")).match(label->text());
+                found.hasMatch())
+                percents.push_back(found.captured(1).toInt());
+    };
+    QObject::connect(&session.document, &widgets::AnnotationDocument::busyProgressed, look);
+    session.document.push(std::move(edit));
+    look();
+    ASSERT_TRUE(test::waitUntil([this] { return !session.document.isBusy(); }, 60000));
+    ASSERT_GT(percents.size(), 5u);
+    EXPECT_TRUE(std::is_sorted(percents.begin(), percents.end()));
+    EXPECT_LT(percents.front(), 20);
+    EXPECT_GT(percents.back(), 60);
+    EXPECT_LT(percents.back(), 100);
+    const std::size_t seen = percents.size();
+    look();
+    EXPECT_EQ(percents.size(), seen) << "it still says that it saves";
 }
 
 TEST(EmptyState, OffersWhatToDo) {

@@ -311,4 +311,27 @@ TEST_F(AnnotationStoreTest, NoticesThatTheFileWasReplacedWhileOpen) {
     EXPECT_EQ(store.annotations().marks.size(), 2u);
 }
 
+TEST_F(AnnotationStoreTest, TellsHowFarALargeCallIs) {
+    auto store = AnnotationStore::open(m_file);
+    core::Edit edit = place(0, 0);
+    for (int frame = 1; frame < 700; ++frame)
+        edit.marks.push_back(place(frame, frame).marks.front());
+    std::vector<double> shares;
+    const auto told = [&](const std::function<void()>& call) {
+        shares.clear();
+        store.setWriteProgress([&shares](double share) { shares.push_back(share); });
+        call();
+        store.setWriteProgress({});
+        return shares.size() > 50 && shares.size() <= 100 && shares.front() <= 0.02 && shares.back() == 1 &&
+               std::is_sorted(shares.begin(), shares.end());
+    };
+    EXPECT_TRUE(told([&] { store.commit(edit, "ann"); }));
+    EXPECT_TRUE(told([&] { store.undo(); }));
+    EXPECT_TRUE(told([&] { store.redo(); }));
+    shares.clear();
+    store.commit(place(1000, 1), "ann");
+    EXPECT_TRUE(shares.empty());
+    EXPECT_EQ(store.annotations().marks.size(), 701u);
+}
+
 } // namespace

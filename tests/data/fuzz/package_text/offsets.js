@@ -1,0 +1,1 @@
+loadPackage({"files": [{"filename": "palm_detection_full.tflite", "start": 18446744073709551615, "end": 4326731}, 7, {"filename": 3}, {"filename": "palm_detection_full.tflite/", "start": -1, "end": 1e300}]})

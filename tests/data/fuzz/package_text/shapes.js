@@ -1,0 +1,1 @@
+loadPackage({"files": {"filename": "palm_detection_full.tflite", "start": 1.5, "end": null}}) loadPackage({ })
