@@ -91,6 +91,8 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     m_direction->setFocusPolicy(Qt::NoFocus);
     m_direction->setToolTip(tr("Direction of the rim point whose field is shown"));
     makeMatchChoice();
+    m_legend->keepPlace();
+    row->addStrut(m_matches->sizeHint().height()); // the views below stay where they are, whatever appears here
     row->addSpacing(kSpacing);
     row->addWidget(m_matches);
     row->addWidget(m_direction);
