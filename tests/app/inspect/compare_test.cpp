@@ -260,7 +260,9 @@ TEST_F(CompareTest, TheRealTimeVariantWaitsForNoOtherFit) {
                      });
     whatIf.run({{"dch-thres", {}, "", "tau", 1}});
     whatIf.run({{"best:live=1", {}, "", "tau", 2, true}, {"ch", {}, "", "tau", 2}});
-    app::waitUntilIdle(*window);
+    app::waitFor(*window, [&] { return !order.empty(); });
+    EXPECT_TRUE(whatIf.isRunning()) << "what comes next waits for a moment";
+    app::waitFor(*window, [&] { return !whatIf.isRunning(); });
     EXPECT_EQ(order, (std::vector<std::string>{"best:live=1", "ch"})) << "what ran before is out of date";
     EXPECT_EQ(judged, (std::vector<bool>{false, true}));
 }

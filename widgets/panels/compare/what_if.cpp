@@ -9,6 +9,8 @@ namespace widgets {
 
 namespace {
 
+constexpr int kPauseMs = 150; ///< while a setting is dragged, the real-time variant has the processor to itself
+
 std::vector<cv::Mat> masksOf(const FitOutcome& outcome, const WhatIfCase& what) {
     std::vector<cv::Mat> masks = outcome.masks;
     for (std::size_t camera = 0; camera < masks.size(); ++camera) {
@@ -28,7 +30,10 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
     , m_fits(fits)
     , m_datasets(datasets)
     , m_job(pool) {
-    connect(&m_job, &Job::finished, this, &WhatIf::startNext);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPauseMs);
+    connect(&m_pause, &QTimer::timeout, this, &WhatIf::startNext);
+    connect(&m_job, &Job::finished, this, &WhatIf::goOn);
     connect(&m_job, &Job::failed, this, [this](const QString& message) {
         m_waiting.clear();
         emit failed(message);
@@ -40,13 +45,22 @@ void WhatIf::run(std::vector<WhatIfTrial> trials) {
     m_waiting.assign(std::make_move_iterator(trials.begin()), std::make_move_iterator(trials.end()));
     if (m_job.isRunning() && !m_runsLive && !m_waiting.empty() && m_waiting.front().isLive)
         m_job.stop();
+    m_pause.stop();
     if (!m_job.isRunning())
         startNext();
 }
 
 void WhatIf::stop() {
     m_waiting.clear();
+    m_pause.stop();
     m_job.stop();
+}
+
+void WhatIf::goOn() {
+    if (m_runsLive && !m_waiting.empty() && !m_waiting.front().isLive)
+        m_pause.start();
+    else
+        startNext();
 }
 
 void WhatIf::startNext() {
