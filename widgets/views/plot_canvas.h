@@ -53,8 +53,8 @@ struct PlotLegendEntry {
     Sample sample = Sample::Line;
 };
 
-/// What all plots have in common: axes with round ticks, a legend above the plot, and pictures of themselves as PNG, SVG
-/// and PDF in colours for paper. On the screen it is drawn once and kept until it changes.
+/// What all plots have in common: axes with round ticks, a legend above the plot, and pictures of themselves as PNG,
+/// SVG and PDF in colours for paper. On the screen it is drawn once and kept until it changes.
 class PlotCanvas : public QWidget {
     Q_OBJECT
 public:
