@@ -19,6 +19,7 @@ namespace widgets {
 struct WhatIfCase {
     std::vector<bool> cameras; ///< which take part; empty: all
     double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves
+    bool operator==(const WhatIfCase&) const = default;
 };
 
 /// One method on one case.
@@ -52,6 +53,7 @@ signals:
     void finished();
 
 private:
+    struct CaseMasks;
     void goOn();
     void startNext();
 
@@ -61,6 +63,7 @@ private:
     QTimer m_pause; ///< after the real-time variant
     std::deque<WhatIfTrial> m_waiting;
     bool m_runsLive = false;
+    std::shared_ptr<CaseMasks> m_masks; ///< of the case that was fitted last: its methods share them
 };
 
 } // namespace widgets
