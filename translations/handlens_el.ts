@@ -3863,7 +3863,7 @@
     <message>
         <source>%1?</source>
         <comment>a method with settings that are tried</comment>
-        <translation>%1 (δοκιμή)</translation>
+        <translation>%1?</translation>
     </message>
 </context>
 <context>

@@ -6042,7 +6042,7 @@
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation>第 %1 帧，由第 %2 帧开始</translation>
+        <translation>第 %1 帧，起始于第 %2 帧</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>
