@@ -2782,8 +2782,8 @@
         <translation>Fehler, mm</translation>
     </message>
     <message>
-        <source>apart: %1</source>
-        <translation>Abstand: %1</translation>
+        <source>frames apart: %1</source>
+        <translation>Bildabstand: %1</translation>
     </message>
 </context>
 <context>
@@ -3912,10 +3912,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1, IoU %2</source>
-        <translation>%1, IoU %2</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>gescheitert</translation>
     </message>
@@ -3926,6 +3922,10 @@
     <message>
         <source>IoU: intersection over union of both silhouettes in this view</source>
         <translation>IoU: Schnitt durch Vereinigung beider Silhouetten in dieser Ansicht</translation>
+    </message>
+    <message>
+        <source>IoU %1</source>
+        <translation>IoU %1</translation>
     </message>
 </context>
 <context>
@@ -3942,16 +3942,8 @@
         <translation>Richtung des Randpunkts, dessen Feld gezeigt wird</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>matches 0–%1 px</source>
         <translation>Zuordnungen 0–%1 px</translation>
-    </message>
-    <message>
-        <source>field 0–%1 px</source>
-        <translation>Feld 0–%1 px</translation>
     </message>
     <message>
         <source>error 0–%1 mm</source>
@@ -4004,6 +3996,18 @@
     <message>
         <source>outline, by direction</source>
         <translation>Umriss, nach Richtung</translation>
+    </message>
+    <message>
+        <source>direction %1°</source>
+        <translation>Richtung %1°</translation>
+    </message>
+    <message>
+        <source>rim, with normals</source>
+        <translation>Rand, mit Normalen</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px; clear: no match</source>
+        <translation>Feld 0–%1 px; klar: keine Zuordnung</translation>
     </message>
 </context>
 <context>
@@ -6118,7 +6122,7 @@
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation>Bild %1 von Bild %2</translation>
+        <translation>Bild %1 aus Bild %2</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>

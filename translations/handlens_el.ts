@@ -2771,7 +2771,7 @@
     </message>
     <message>
         <source>By frames apart: quartiles, and 5 to 95 %</source>
-        <translation>Ανά απόσταση καρέ: τεταρτημόρια, και 5 έως 95 %</translation>
+        <translation>Ανά απόσταση: τεταρτημόρια, 5 έως 95 %</translation>
     </message>
     <message>
         <source>Frames apart</source>
@@ -2782,8 +2782,8 @@
         <translation>Σφάλμα, mm</translation>
     </message>
     <message>
-        <source>apart: %1</source>
-        <translation>απόσταση: %1</translation>
+        <source>frames apart: %1</source>
+        <translation>απόσταση καρέ: %1</translation>
     </message>
 </context>
 <context>
@@ -3863,7 +3863,7 @@
     <message>
         <source>%1?</source>
         <comment>a method with settings that are tried</comment>
-        <translation>%1;</translation>
+        <translation>%1?</translation>
     </message>
 </context>
 <context>
@@ -3912,10 +3912,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1, IoU %2</source>
-        <translation>%1, IoU %2</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>απέτυχε</translation>
     </message>
@@ -3926,6 +3922,10 @@
     <message>
         <source>IoU: intersection over union of both silhouettes in this view</source>
         <translation>IoU: τομή προς ένωση των δύο σιλουετών σε αυτή την όψη</translation>
+    </message>
+    <message>
+        <source>IoU %1</source>
+        <translation>IoU %1</translation>
     </message>
 </context>
 <context>
@@ -3942,16 +3942,8 @@
         <translation>Κατεύθυνση του σημείου χείλους του οποίου εμφανίζεται το πεδίο</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>matches 0–%1 px</source>
         <translation>αντιστοιχίες 0–%1 px</translation>
-    </message>
-    <message>
-        <source>field 0–%1 px</source>
-        <translation>πεδίο 0–%1 px</translation>
     </message>
     <message>
         <source>error 0–%1 mm</source>
@@ -4004,6 +3996,18 @@
     <message>
         <source>outline, by direction</source>
         <translation>περίγραμμα, κατά κατεύθυνση</translation>
+    </message>
+    <message>
+        <source>direction %1°</source>
+        <translation>κατεύθυνση %1°</translation>
+    </message>
+    <message>
+        <source>rim, with normals</source>
+        <translation>χείλος, με καθέτους</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px; clear: no match</source>
+        <translation>πεδίο 0–%1 px· διαφανές: καμία αντιστοιχία</translation>
     </message>
 </context>
 <context>

@@ -2766,8 +2766,8 @@
         <translation>误差，mm</translation>
     </message>
     <message>
-        <source>apart: %1</source>
-        <translation>间隔：%1</translation>
+        <source>frames apart: %1</source>
+        <translation>相隔帧数：%1</translation>
     </message>
 </context>
 <context>
@@ -3865,10 +3865,6 @@
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>%1, IoU %2</source>
-        <translation>%1，IoU %2</translation>
-    </message>
-    <message>
         <source>failed</source>
         <translation>失败</translation>
     </message>
@@ -3879,6 +3875,10 @@
     <message>
         <source>IoU: intersection over union of both silhouettes in this view</source>
         <translation>IoU：此视图中两个轮廓的交并比</translation>
+    </message>
+    <message>
+        <source>IoU %1</source>
+        <translation>IoU %1</translation>
     </message>
 </context>
 <context>
@@ -3895,16 +3895,8 @@
         <translation>所显示的场对应的边缘点方向</translation>
     </message>
     <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>matches 0–%1 px</source>
         <translation>匹配 0–%1 px</translation>
-    </message>
-    <message>
-        <source>field 0–%1 px</source>
-        <translation>场 0–%1 px</translation>
     </message>
     <message>
         <source>error 0–%1 mm</source>
@@ -3957,6 +3949,18 @@
     <message>
         <source>outline, by direction</source>
         <translation>轮廓，按方向</translation>
+    </message>
+    <message>
+        <source>direction %1°</source>
+        <translation>方向 %1°</translation>
+    </message>
+    <message>
+        <source>rim, with normals</source>
+        <translation>边缘及法线</translation>
+    </message>
+    <message>
+        <source>field 0–%1 px; clear: no match</source>
+        <translation>距离场 0–%1 px；透明：无匹配</translation>
     </message>
 </context>
 <context>
@@ -6046,7 +6050,7 @@
     </message>
     <message>
         <source>Frame %1 from frame %2</source>
-        <translation>第 %1 帧，由第 %2 帧开始</translation>
+        <translation>第 %1 帧，起始于第 %2 帧</translation>
     </message>
     <message>
         <source>There is nothing to measure the error against.</source>

@@ -3,7 +3,9 @@
 
 #include <QApplication>
 #include <QIcon>
-#include <QStyleFactory>
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
 
 namespace app {
 
@@ -22,6 +24,33 @@ const Tones kLight{QColor(0xEF, 0xF0, 0xF2), QColor(0xE3, 0xE5, 0xE8), QColor(0x
                    QColor(0x1F, 0x22, 0x26), QColor(0x8A, 0x8F, 0x97), QColor(0x1F, 0x6F, 0xC8),
                    QColor(0xFF, 0xFF, 0xFF), QColor(0xFF, 0xFF, 0xFF), QColor(0xA9, 0xAE, 0xB6),
                    QColor(0x1A, 0x66, 0xBB)};
+
+/// Fusion, with boxes to tick whose edge is seen on a dark ground: its own is darker than the window.
+class ClearBoxStyle : public QProxyStyle {
+public:
+    ClearBoxStyle()
+        : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox && element != PE_IndicatorRadioButton)
+            return;
+        constexpr double kEdge = 0.55, kDisabledEdge = 0.25;
+        QColor edge = option->palette.color(QPalette::WindowText);
+        edge.setAlphaF(option->state & State_Enabled ? kEdge : kDisabledEdge);
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(QPen(edge, 1));
+        const QRectF place = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        if (element == PE_IndicatorCheckBox)
+            painter->drawRoundedRect(place, 2, 2);
+        else
+            painter->drawEllipse(place);
+        painter->restore();
+    }
+};
 
 } // namespace
 
@@ -71,7 +100,7 @@ void applyLook(QApplication& application, Look wanted) {
     constexpr int kMiddleGrey = 128;
     static const bool kDesktopIsDark = application.palette().color(QPalette::Window).lightness() < kMiddleGrey;
     const Look look = wanted != Look::System ? wanted : kDesktopIsDark ? Look::Dark : Look::Light;
-    application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    application.setStyle(new ClearBoxStyle);
     application.setPalette(paletteFor(look));
     QIcon::setThemeName(look == Look::Dark ? QStringLiteral("breeze-dark") : QStringLiteral("breeze"));
     QIcon::setFallbackThemeName(QStringLiteral("breeze"));

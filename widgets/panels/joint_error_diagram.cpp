@@ -19,6 +19,7 @@ namespace widgets {
 
 namespace {
 
+constexpr double kEdgeQuiet = 0.45; ///< of a dot: the darkest colour of the scale is as dark as the hand
 constexpr double kDotRadius = 6;
 constexpr int kLegendHeight = 10;
 constexpr double kLegendWidth = 160;
@@ -94,7 +95,8 @@ void JointErrorDiagram::paintEvent(QPaintEvent*) {
         const auto centre = placeOf(error.joint);
         if (!centre)
             continue;
-        painter.setPen(QPen(palette().color(QPalette::Window), 1));
+        painter.setPen(
+            QPen(mixed(palette().color(QPalette::WindowText), palette().color(QPalette::Window), kEdgeQuiet), 1));
         const bool finite = std::isfinite(error.errorMm) && m_largestMm > 0;
         painter.setBrush(finite ? QBrush(errorColour(error.errorMm / m_largestMm)) : QBrush(Qt::NoBrush));
         painter.drawEllipse(*centre, kDotRadius, kDotRadius);

@@ -81,10 +81,7 @@ void BoxPlot::paintContent(QPainter& painter, const PlotFrame& frame, const QPal
     const auto count = static_cast<double>(m_series.size());
     constexpr double kUsed = 0.7, kMostWidth = 36, kGap = 0.8;
     const double step = std::min(kMostWidth, kUsed * perCategory / count);
-    std::vector<PlotLegendEntry> entries;
-    std::vector<QPointF> places;
     for (std::size_t s = 0; s < m_series.size(); ++s) {
-        entries.push_back(m_series[s].entry);
         for (std::size_t category = 0; category < m_series[s].boxes.size(); ++category) {
             const core::BoxStatistics& box = m_series[s].boxes[category];
             if (box.count == 0)
@@ -92,11 +89,30 @@ void BoxPlot::paintContent(QPainter& painter, const PlotFrame& frame, const QPal
             const double middle = frame.place({static_cast<double>(category), frame.y.min}).x();
             const double x = middle + (static_cast<double>(s) - (count - 1) / 2) * step;
             paintBox(painter, frame, box, x, kGap * step, plotColour(m_series[s].entry.colour, ground), ground);
-            for (const double y : {box.low, box.lowerQuartile, box.median, box.upperQuartile, box.high})
-                places.emplace_back(x, frame.place({frame.x.min, y}).y());
         }
     }
-    paintLegend(painter, frame, colours, entries, places);
+}
+
+std::vector<PlotLegendEntry> BoxPlot::legend() const {
+    std::vector<PlotLegendEntry> entries;
+    for (const Series& series : m_series) {
+        entries.push_back(series.entry);
+        entries.back().sample = PlotLegendEntry::Sample::Bar;
+    }
+    return entries;
+}
+
+std::vector<QPointF> BoxPlot::takenPlaces(const PlotFrame& frame) const {
+    std::vector<QPointF> places;
+    for (const Series& series : m_series) {
+        for (std::size_t category = 0; category < series.boxes.size(); ++category) {
+            const core::BoxStatistics& box = series.boxes[category];
+            for (const double y : {box.low, box.lowerQuartile, box.median, box.upperQuartile, box.high})
+                if (box.count > 0)
+                    places.push_back(frame.place({static_cast<double>(category), y}));
+        }
+    }
+    return places;
 }
 
 void BoxPlot::paintPointed(QPainter& painter, const PlotFrame& frame) const {

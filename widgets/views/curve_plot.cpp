@@ -92,16 +92,17 @@ PlotFrame CurvePlot::axes() const {
 void CurvePlot::paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const {
     paintMarks(painter, frame, colours);
     paintCurves(painter, frame, colours);
-    if (hasLegendAbove(frame.whole))
-        return;
+}
+
+std::vector<QPointF> CurvePlot::takenPlaces(const PlotFrame& frame) const {
     std::vector<QPointF> places;
     for (const Curve& curve : m_curves)
         for (const QPointF& p : curve.points)
             places.push_back(frame.place(p));
-    paintLegend(painter, frame, colours, legendAbove(), places);
+    return places;
 }
 
-std::vector<PlotLegendEntry> CurvePlot::legendAbove() const {
+std::vector<PlotLegendEntry> CurvePlot::legend() const {
     std::vector<PlotLegendEntry> entries;
     for (const Curve& curve : m_curves)
         entries.push_back({curve.name, curve.colour, curve.dashed});

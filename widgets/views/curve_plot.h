@@ -63,7 +63,8 @@ protected:
     bool isEmpty() const override { return m_curves.empty(); }
     PlotLabels labels() const override;
     PlotFrame axes() const override;
-    std::vector<PlotLegendEntry> legendAbove() const override;
+    std::vector<PlotLegendEntry> legend() const override;
+    std::vector<QPointF> takenPlaces(const PlotFrame& frame) const override;
     int linesAbove() const override { return m_marks.empty() ? 0 : 1; }
     void paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const override;
     void paintPointed(QPainter& painter, const PlotFrame& frame) const override;

@@ -31,7 +31,8 @@ PlotFrame HistogramPlot::axes() const {
     PlotFrame result;
     result.x = {m_histogram.from, edge(m_histogram.counts.size()), false};
     const int most = *std::max_element(m_histogram.counts.begin(), m_histogram.counts.end());
-    result.y = roundAxis(0, most, false);
+    constexpr double kHeadroom = 1.04; // the highest bar ends below the frame
+    result.y = roundAxis(0, kHeadroom * most, false);
     result.y.whole = true;
     return result;
 }
@@ -49,19 +50,32 @@ QPointF HistogramPlot::placeOf(std::size_t bin) const {
 
 void HistogramPlot::paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const {
     const QColor ground = colours.color(QPalette::Base);
-    std::vector<QPointF> places;
     painter.setPen(Qt::NoPen);
     for (std::size_t bin = 0; bin < m_histogram.counts.size(); ++bin) {
         const bool isBelow = edge(bin) < -m_histogram.width / 2;
         const QRectF area = bar(frame, bin);
         painter.setBrush(plotColour(isBelow ? m_below.colour : m_above.colour, ground));
         painter.drawRect(area);
-        for (double y = area.top(); y < area.bottom(); y += 8) // a bar takes the whole way down
-            places.emplace_back(area.center().x(), y);
     }
     painter.setPen(QPen(colours.color(QPalette::Text), 1));
     painter.drawLine(frame.place({0, 0}), frame.place({0, frame.y.max}));
-    paintLegend(painter, frame, colours, {m_below, m_above}, places);
+}
+
+std::vector<PlotLegendEntry> HistogramPlot::legend() const {
+    std::vector<PlotLegendEntry> entries = {m_below, m_above};
+    for (PlotLegendEntry& entry : entries)
+        entry.sample = PlotLegendEntry::Sample::Bar;
+    return entries;
+}
+
+std::vector<QPointF> HistogramPlot::takenPlaces(const PlotFrame& frame) const {
+    std::vector<QPointF> places;
+    for (std::size_t bin = 0; bin < m_histogram.counts.size(); ++bin) {
+        const QRectF area = bar(frame, bin);
+        for (double y = area.top(); y < area.bottom(); y += 8) // a bar takes the whole way down
+            places.emplace_back(area.center().x(), y);
+    }
+    return places;
 }
 
 void HistogramPlot::paintPointed(QPainter& painter, const PlotFrame& frame) const {

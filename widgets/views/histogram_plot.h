@@ -31,6 +31,8 @@ protected:
     bool isEmpty() const override { return m_histogram.counts.empty(); }
     PlotLabels labels() const override { return m_labels; }
     PlotFrame axes() const override;
+    std::vector<PlotLegendEntry> legend() const override;
+    std::vector<QPointF> takenPlaces(const PlotFrame& frame) const override;
     void paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const override;
     void paintPointed(QPainter& painter, const PlotFrame& frame) const override;
     void mouseMoveEvent(QMouseEvent* event) override;

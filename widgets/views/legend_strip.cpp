@@ -90,9 +90,14 @@ void LegendStrip::setEntries(const std::vector<LegendEntry>& entries) {
         return;
     m_entries = entries;
     setAccessibleName(texts().join(QStringLiteral(", ")));
-    setVisible(!m_entries.empty());
+    setVisible(m_keepsPlace || !m_entries.empty());
     updateGeometry();
     update();
+}
+
+void LegendStrip::keepPlace() {
+    m_keepsPlace = true;
+    show();
 }
 
 QStringList LegendStrip::texts() const {
@@ -120,7 +125,8 @@ std::vector<QRect> LegendStrip::places(int width) const {
 
 int LegendStrip::heightForWidth(int width) const {
     const std::vector<QRect> all = places(width);
-    return all.empty() ? 0 : all.back().bottom() + 1;
+    const int least = m_keepsPlace ? minimumSizeHint().height() : 0;
+    return all.empty() ? least : all.back().bottom() + 1;
 }
 
 QSize LegendStrip::sizeHint() const {

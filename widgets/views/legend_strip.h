@@ -22,13 +22,15 @@ struct LegendEntry {
     bool operator==(const LegendEntry&) const = default;
 };
 
-/// Entries side by side, in as many lines as they need. Hidden without entries.
+/// Entries side by side, in as many lines as they need. Hidden without entries, unless it keeps its place.
 class LegendStrip : public QWidget {
     Q_OBJECT
 public:
     explicit LegendStrip(QWidget* parent = nullptr);
 
     void setEntries(const std::vector<LegendEntry>& entries);
+    /// Without entries an empty line stays, so that nothing beside it moves when the first one appears.
+    void keepPlace();
     const std::vector<LegendEntry>& entries() const { return m_entries; }
     QStringList texts() const;
 
@@ -45,6 +47,7 @@ private:
     std::vector<QRect> places(int width) const;
 
     std::vector<LegendEntry> m_entries;
+    bool m_keepsPlace = false;
 };
 
 } // namespace widgets

@@ -21,7 +21,14 @@ namespace {
 
 constexpr int kPlotSpacing = 6;
 constexpr double kLegendSample = 18; ///< length of the line before a name
+constexpr double kLegendDot = 6, kLegendBar = 9;
 constexpr double kLegendShare = 0.3; ///< of the height, at most, for a legend above the plot
+
+double sampleLength(PlotLegendEntry::Sample sample) {
+    return sample == PlotLegendEntry::Sample::Line  ? kLegendSample
+           : sample == PlotLegendEntry::Sample::Dot ? kLegendDot
+                                                    : kLegendBar;
+}
 
 /// Light paper colours for files: figures go into papers and slides.
 QPalette paperPalette() {
@@ -36,6 +43,29 @@ QPalette paperPalette() {
 double luminance(const QColor& c) {
     const auto linear = [](double v) { return v * v; };
     return 0.21 * linear(c.redF()) + 0.72 * linear(c.greenF()) + 0.07 * linear(c.blueF());
+}
+
+/// A sample at the left end of the place, and its name.
+void paintEntry(QPainter& painter, const QRectF& place, const PlotLegendEntry& entry, const QPalette& colours) {
+    const QColor colour = plotColour(entry.colour, colours.color(QPalette::Base));
+    const QPointF middle(place.left() + sampleLength(entry.sample) / 2, place.center().y());
+    painter.setBrush(colour);
+    painter.setPen(Qt::NoPen);
+    switch (entry.sample) {
+    case PlotLegendEntry::Sample::Line:
+        painter.setPen(QPen(colour, 2, entry.dashed ? Qt::DashLine : Qt::SolidLine));
+        painter.drawLine(middle - QPointF(kLegendSample / 2, 0), middle + QPointF(kLegendSample / 2, 0));
+        break;
+    case PlotLegendEntry::Sample::Dot:
+        painter.drawEllipse(middle, kLegendDot / 2, kLegendDot / 2);
+        break;
+    case PlotLegendEntry::Sample::Bar:
+        painter.drawRect(QRectF(middle - QPointF(kLegendBar / 2, kLegendBar / 2), QSizeF(kLegendBar, kLegendBar)));
+        break;
+    }
+    painter.setPen(colours.color(QPalette::Text));
+    painter.drawText(place.adjusted(sampleLength(entry.sample) + kPlotSpacing, 0, 2, 0),
+                     Qt::AlignLeft | Qt::AlignVCenter, entry.name);
 }
 
 } // namespace
@@ -84,7 +114,7 @@ PlotFrame PlotCanvas::frame(const QRectF& area) const {
     const double left = labelWidth + 2 * kPlotSpacing + (texts.yLabel.isEmpty() ? 0 : line);
     double top = kPlotSpacing + (texts.title.isEmpty() ? line / 2 : line + kPlotSpacing);
     if (hasLegendAbove(area))
-        top += legendPlaces(legendAbove(), area).back().bottom();
+        top += legendPlaces(legend(), area).back().bottom();
     top += linesAbove() * line;
     const double bottom = line + 1.5 * kPlotSpacing + (texts.xLabel.isEmpty() ? 0 : line);
     result.plot = area.adjusted(left, top, -2.5 * kPlotSpacing, -bottom);
@@ -94,7 +124,6 @@ PlotFrame PlotCanvas::frame(const QRectF& area) const {
 }
 
 void PlotCanvas::paintAxes(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
-    const PlotLabels texts = labels();
     const QColor text = colours.color(QPalette::Text);
     QColor grid = text;
     grid.setAlphaF(0.13);
@@ -116,17 +145,30 @@ void PlotCanvas::paintAxes(QPainter& painter, const PlotFrame& f, const QPalette
         painter.drawText(QRectF(x - 4 * line, f.plot.bottom() + kPlotSpacing / 2.0, 8 * line, line), Qt::AlignCenter,
                          name);
     }
+}
+
+/// The title stands over the whole width, the name of y beside the plot: beyond its lower end rather than cut, where
+/// the plot is lower than the name is long.
+void PlotCanvas::paintTitles(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
+    const PlotLabels texts = labels();
+    const QFontMetricsF metrics(font());
+    const double line = metrics.height();
     painter.setPen(colours.color(QPalette::PlaceholderText));
     painter.drawText(QRectF(f.plot.left(), f.whole.bottom() - line - kPlotSpacing / 2.0, f.plot.width(), line),
                      Qt::AlignCenter, texts.xLabel);
+    const double room = f.whole.bottom() - f.plot.top() - kPlotSpacing / 2.0;
+    const QString yLabel = metrics.elidedText(texts.yLabel, Qt::ElideMiddle, room);
+    const double length = std::max(f.plot.height(), metrics.horizontalAdvance(yLabel) + 2);
     painter.save();
-    painter.translate(f.whole.left() + kPlotSpacing / 2.0, f.plot.center().y());
+    painter.translate(f.whole.left() + kPlotSpacing / 2.0, f.plot.top() + length);
     painter.rotate(-90);
-    painter.drawText(QRectF(-f.plot.height() / 2, 0, f.plot.height(), line), Qt::AlignCenter, texts.yLabel);
+    painter.drawText(QRectF(0, 0, length, line), Qt::AlignCenter, yLabel);
     painter.restore();
-    painter.setPen(text);
-    painter.drawText(QRectF(f.plot.left(), f.whole.top() + kPlotSpacing, f.plot.width(), line),
-                     Qt::AlignLeft | Qt::AlignVCenter, texts.title);
+    painter.setPen(colours.color(QPalette::Text));
+    const QRectF title(f.whole.left() + 2 * kPlotSpacing, f.whole.top() + kPlotSpacing,
+                       f.whole.width() - 3 * kPlotSpacing, line);
+    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(texts.title, Qt::ElideRight, title.width()));
 }
 
 /// Relative to the place where the legend begins.
@@ -135,7 +177,7 @@ std::vector<QRectF> PlotCanvas::legendPlaces(const std::vector<PlotLegendEntry>&
     std::vector<QRectF> places;
     double x = 0, y = 0;
     for (const PlotLegendEntry& entry : entries) {
-        const double width = kLegendSample + kPlotSpacing + metrics.horizontalAdvance(entry.name);
+        const double width = sampleLength(entry.sample) + kPlotSpacing + metrics.horizontalAdvance(entry.name);
         if (x > 0 && x + width > area.width() - 4 * kPlotSpacing) {
             x = 0;
             y += metrics.height();
@@ -147,41 +189,24 @@ std::vector<QRectF> PlotCanvas::legendPlaces(const std::vector<PlotLegendEntry>&
 }
 
 bool PlotCanvas::hasLegendAbove(const QRectF& area) const {
-    const std::vector<QRectF> places = legendPlaces(legendAbove(), area);
+    const std::vector<QRectF> places = legendPlaces(legend(), area);
     return !places.empty() && places.back().bottom() <= kLegendShare * area.height();
 }
 
 void PlotCanvas::paintLegendAbove(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
-    if (!hasLegendAbove(f.whole))
-        return;
-    const std::vector<PlotLegendEntry> entries = legendAbove();
+    const std::vector<PlotLegendEntry> entries = legend();
     const std::vector<QRectF> places = legendPlaces(entries, f.whole);
     const double line = QFontMetricsF(font()).height();
     const double top = f.whole.top() + kPlotSpacing + (labels().title.isEmpty() ? 0 : line);
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const QRectF place = places[i].translated(f.whole.left() + 2 * kPlotSpacing, top);
-        const QColor colour = plotColour(entries[i].colour, colours.color(QPalette::Base));
-        painter.setPen(QPen(colour, 2, entries[i].dashed ? Qt::DashLine : Qt::SolidLine));
-        painter.drawLine(QPointF(place.left(), place.center().y()),
-                         QPointF(place.left() + kLegendSample, place.center().y()));
-        painter.setPen(colours.color(QPalette::Text));
-        painter.drawText(place.adjusted(kLegendSample + kPlotSpacing, 0, 2, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                         entries[i].name);
-    }
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        paintEntry(painter, places[i].translated(f.whole.left() + 2 * kPlotSpacing, top), entries[i], colours);
 }
 
-void PlotCanvas::paintLegend(QPainter& painter, const PlotFrame& f, const QPalette& colours,
-                             const std::vector<PlotLegendEntry>& entries,
-                             const std::vector<QPointF>& takenPlaces) const {
-    const QFontMetricsF metrics(font());
-    double width = 0;
-    for (const PlotLegendEntry& entry : entries)
-        width = std::max(width, metrics.horizontalAdvance(entry.name));
+/// In the corner where the fewest places lie that are taken.
+QRectF PlotCanvas::legendBox(const PlotFrame& f, const QSizeF& size) const {
     int taken[2][2] = {{0, 0}, {0, 0}}; // [right half][bottom half]
-    for (const QPointF& place : takenPlaces)
+    for (const QPointF& place : takenPlaces(f))
         ++taken[place.x() > f.plot.center().x()][place.y() > f.plot.center().y()];
-    const QSizeF size(width + kLegendSample + 3 * kPlotSpacing,
-                      metrics.height() * static_cast<double>(entries.size()) + kPlotSpacing);
     bool right = true, bottom = false;
     for (const auto& [r, b] : {std::pair(true, true), std::pair(false, false), std::pair(false, true)}) {
         if (taken[r][b] < taken[right][bottom]) {
@@ -194,20 +219,27 @@ void PlotCanvas::paintLegend(QPainter& painter, const PlotFrame& f, const QPalet
         box.moveRight(f.plot.right() - kPlotSpacing);
     if (bottom)
         box.moveBottom(f.plot.bottom() - kPlotSpacing);
+    return box;
+}
+
+void PlotCanvas::paintLegendInside(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
+    const std::vector<PlotLegendEntry> entries = legend();
+    if (entries.empty())
+        return;
+    const QFontMetricsF metrics(font());
+    double width = 0;
+    for (const PlotLegendEntry& entry : entries)
+        width = std::max(width, metrics.horizontalAdvance(entry.name));
+    const QRectF box = legendBox(f, {width + kLegendSample + 3 * kPlotSpacing,
+                                     metrics.height() * static_cast<double>(entries.size()) + kPlotSpacing});
     QColor ground = colours.color(QPalette::Base);
     ground.setAlphaF(0.8);
     painter.fillRect(box, ground);
-    double y = box.top() + kPlotSpacing / 2.0;
+    QRectF place(box.left() + kPlotSpacing, box.top() + kPlotSpacing / 2.0, box.width() - kPlotSpacing,
+                 metrics.height());
     for (const PlotLegendEntry& entry : entries) {
-        const QColor colour = plotColour(entry.colour, colours.color(QPalette::Base));
-        painter.setPen(QPen(colour, 2, entry.dashed ? Qt::DashLine : Qt::SolidLine));
-        const double middle = y + metrics.height() / 2;
-        painter.drawLine(QPointF(box.left() + kPlotSpacing, middle),
-                         QPointF(box.left() + kPlotSpacing + kLegendSample, middle));
-        painter.setPen(colours.color(QPalette::Text));
-        painter.drawText(QRectF(box.left() + 2 * kPlotSpacing + kLegendSample, y, width + 2, metrics.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, entry.name);
-        y += metrics.height();
+        paintEntry(painter, place, entry, colours);
+        place.translate(0, metrics.height());
     }
 }
 
@@ -234,8 +266,12 @@ void PlotCanvas::paint(QPainter& painter, const QRectF& area, const QPalette& co
     }
     const PlotFrame f = frame(area);
     paintAxes(painter, f, colours);
-    paintLegendAbove(painter, f, colours);
+    paintTitles(painter, f, colours);
+    if (hasLegendAbove(area))
+        paintLegendAbove(painter, f, colours);
     paintContent(painter, f, colours);
+    if (!hasLegendAbove(area))
+        paintLegendInside(painter, f, colours);
 }
 
 void PlotCanvas::paintOnPaper(QPainter& painter, const QRectF& area) const {

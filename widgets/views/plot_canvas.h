@@ -44,15 +44,17 @@ struct PlotLabels {
     QString emptyText; ///< while there is nothing to draw
 };
 
-/// One line of a legend.
+/// One entry of a legend: a sample, drawn as the plot draws what the entry stands for, and its name.
 struct PlotLegendEntry {
+    enum class Sample { Line, Dot, Bar };
     QString name;
     QColor colour;
-    bool dashed = false;
+    bool dashed = false; ///< of a line
+    Sample sample = Sample::Line;
 };
 
-/// What all plots have in common: axes with round ticks, a legend in the corner that is left free, and pictures of
-/// themselves as PNG, SVG and PDF in colours for paper. On the screen it is drawn once and kept until it changes.
+/// What all plots have in common: axes with round ticks, a legend above the plot, and pictures of themselves as PNG,
+/// SVG and PDF in colours for paper. On the screen it is drawn once and kept until it changes.
 class PlotCanvas : public QWidget {
     Q_OBJECT
 public:
@@ -75,11 +77,13 @@ protected:
     virtual PlotLabels labels() const = 0;
     /// What the axes cover; ticks and places are added.
     virtual PlotFrame axes() const = 0;
-    /// Stands above the plot, side by side, where the entries leave room enough for the plot; else the content has to
-    /// draw a legend.
-    virtual std::vector<PlotLegendEntry> legendAbove() const { return {}; }
+    /// Stands above the plot, side by side, where the entries leave room enough for the plot; else in the corner where
+    /// the fewest of the content's places lie.
+    virtual std::vector<PlotLegendEntry> legend() const { return {}; }
     /// Lines of text that the content draws between that legend and the plot.
     virtual int linesAbove() const { return 0; }
+    /// Where the content is drawn, on the paint device.
+    virtual std::vector<QPointF> takenPlaces(const PlotFrame&) const { return {}; }
     virtual void paintContent(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const = 0;
     /// What is under the pointer, drawn over the rest, on the screen alone.
     virtual void paintPointed(QPainter&, const PlotFrame&) const {}
@@ -89,11 +93,6 @@ protected:
     PlotFrame frame(const QRectF& area) const;
     /// Something else is to be drawn.
     void contentChanged();
-    /// Whether legendAbove() stands there.
-    bool hasLegendAbove(const QRectF& area) const;
-    /// In the corner where the fewest of the places lie that are taken.
-    void paintLegend(QPainter& painter, const PlotFrame& frame, const QPalette& colours,
-                     const std::vector<PlotLegendEntry>& entries, const std::vector<QPointF>& takenPlaces) const;
     /// A line of text in a box beside a place of the widget.
     void paintTip(QPainter& painter, const PlotFrame& frame, QPointF place, const QString& text) const;
 
@@ -104,7 +103,11 @@ protected:
 private:
     void paint(QPainter& painter, const QRectF& area, const QPalette& colours) const;
     void paintAxes(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    void paintTitles(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    bool hasLegendAbove(const QRectF& area) const;
     void paintLegendAbove(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    void paintLegendInside(QPainter& painter, const PlotFrame& frame, const QPalette& colours) const;
+    QRectF legendBox(const PlotFrame& frame, const QSizeF& size) const;
     std::vector<QRectF> legendPlaces(const std::vector<PlotLegendEntry>& entries, const QRectF& area) const;
 
     QPixmap m_drawn; ///< on the screen; null if it must be drawn again

@@ -67,7 +67,6 @@ void ScatterPlot::paintContent(QPainter& painter, const PlotFrame& frame, const 
     painter.setClipRect(frame.plot.adjusted(-kDot, -kDot, kDot, kDot));
     painter.setPen(QPen(colours.color(QPalette::PlaceholderText), 1, Qt::DashLine));
     painter.drawLine(frame.place({frame.x.min, frame.x.min}), frame.place({frame.x.max, frame.x.max}));
-    std::vector<QPointF> places;
     for (std::size_t group = 0; group < m_groups.size(); ++group) {
         std::vector<QPointF> ofGroup;
         for (const ScatterPoint& point : m_points)
@@ -77,7 +76,6 @@ void ScatterPlot::paintContent(QPainter& painter, const PlotFrame& frame, const 
         colour.setAlphaF(m_points.size() > 2000 ? 0.5 : 0.85);
         painter.setPen(QPen(colour, kDot, Qt::SolidLine, Qt::RoundCap));
         painter.drawPoints(ofGroup.data(), static_cast<int>(ofGroup.size()));
-        places.insert(places.end(), ofGroup.begin(), ofGroup.end());
     }
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colours.color(QPalette::Highlight), 1.6));
@@ -85,7 +83,20 @@ void ScatterPlot::paintContent(QPainter& painter, const PlotFrame& frame, const 
         if (std::binary_search(m_highlighted.begin(), m_highlighted.end(), point.id))
             painter.drawEllipse(frame.place(point.value), kHighlightedDot / 2 + 1, kHighlightedDot / 2 + 1);
     painter.restore();
-    paintLegend(painter, frame, colours, m_groups, places);
+}
+
+std::vector<PlotLegendEntry> ScatterPlot::legend() const {
+    std::vector<PlotLegendEntry> entries = m_groups;
+    for (PlotLegendEntry& entry : entries)
+        entry.sample = PlotLegendEntry::Sample::Dot;
+    return entries;
+}
+
+std::vector<QPointF> ScatterPlot::takenPlaces(const PlotFrame& frame) const {
+    std::vector<QPointF> places;
+    for (const ScatterPoint& point : m_points)
+        places.push_back(frame.place(point.value));
+    return places;
 }
 
 void ScatterPlot::paintPointed(QPainter& painter, const PlotFrame& frame) const {

@@ -93,7 +93,8 @@ void BenchmarkPairPlots::showScatter(const PairTableModel& model) {
                               pair,
                               placeIn(m_differences, table->pairs[pair].difference())});
         for (std::size_t i = 0; i < m_differences.size(); ++i)
-            groups.push_back({tr("apart: %1").arg(m_differences[i]), differenceColour(i, m_differences.size())});
+            groups.push_back({i == 0 ? tr("frames apart: %1").arg(m_differences[i]) : QString::number(m_differences[i]),
+                              differenceColour(i, m_differences.size())});
         m_scatter->setNames([table](std::size_t pair) {
             const core::FramePair& named = table->pairs[pair];
             return tr("%1, %2 to %3").arg(toQString(named.sequence)).arg(named.start).arg(named.test);

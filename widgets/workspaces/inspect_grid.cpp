@@ -185,16 +185,14 @@ void InspectGrid::showTitles() {
         if (column >= outcome->methods.size())
             return;
         const MethodOutcome& method = outcome->methods[column];
-        const double errorMm = inspectedErrorMm(*outcome, method, m_iteration);
-        QString error = std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
-        if (const double iou = m_overlays->iou(index); !std::isnan(iou))
-            error = tr("%1, IoU %2").arg(error, QLocale().toString(iou, 'f', 3));
+        const double iou = m_overlays->iou(index);
+        const QString agreement = std::isnan(iou) ? QString() : tr("IoU %1").arg(QLocale().toString(iou, 'f', 3));
         CameraView* view = m_grid->view(index);
         ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
-                        method.failure.isEmpty() ? error : tr("failed"), false};
+                        method.failure.isEmpty() ? agreement : tr("failed"), false};
         title.colour = m_columns.colour(column);
         title.keepsDetail = true; // the column's head has the method's name, too; nothing else names the camera
-        if (!std::isnan(m_overlays->iou(index)))
+        if (!std::isnan(iou))
             title.tip = m_overlays->isWithoutForearm(index)
                             ? tr("IoU: intersection over union of both silhouettes in this view, without the forearm, "
                                  "which the fit leaves out")
@@ -203,6 +201,14 @@ void InspectGrid::showTitles() {
         if (!method.failure.isEmpty())
             view->setMessage(method.failure);
     }
+}
+
+QString InspectGrid::errorText(std::size_t column) const {
+    const auto& outcome = m_columns.outcome();
+    if (!outcome || column >= outcome->methods.size() || !outcome->methods[column].failure.isEmpty())
+        return {};
+    const double errorMm = inspectedErrorMm(*outcome, outcome->methods[column], m_iteration);
+    return std::isnan(errorMm) ? QString() : tr("%1 mm").arg(QLocale().toString(errorMm, 'f', 2));
 }
 
 void InspectGrid::setIteration(int iteration) {
@@ -246,6 +252,8 @@ void InspectGrid::showLayers() {
     for (int index = 0; index < m_grid->count(); ++index) {
         const std::size_t column = columnOf(index);
         LayerLook look = m_look;
+        if (m_overlays->isShown(InspectLayer::Error) && look.style == MeshStyle::Off)
+            look.style = MeshStyle::Shaded; // the layer is the colour of the mesh
         if (!m_columns.isShown(column, cameraOf(index)))
             look.style = MeshStyle::Off;
         m_grid->view(index)->setMeshLayers(inspectedColumn(poses, column, look, m_startShown, m_recordedShown));

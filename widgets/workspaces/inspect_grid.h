@@ -39,6 +39,8 @@ public:
     void showPoses(std::shared_ptr<const InspectedPoses> posed, int iteration);
     /// The titles of another iteration, before its poses are there.
     void setIteration(int iteration);
+    /// Mean error of a column at that iteration, with its unit; empty without a reference.
+    QString errorText(std::size_t column) const;
     /// How the meshes are drawn, and whether the start pose and the recorded silhouette are.
     void setLook(const LayerLook& look, bool startShown, bool recordedShown);
 

@@ -91,6 +91,8 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     m_direction->setFocusPolicy(Qt::NoFocus);
     m_direction->setToolTip(tr("Direction of the rim point whose field is shown"));
     makeMatchChoice();
+    m_legend->keepPlace();
+    row->addStrut(m_matches->sizeHint().height()); // the views below stay where they are, whatever appears here
     row->addSpacing(kSpacing);
     row->addWidget(m_matches);
     row->addWidget(m_direction);
@@ -142,7 +144,7 @@ void InspectLayerBar::showState() {
     const int direction = static_cast<int>(std::lround(degrees(m_overlays.fieldAngleRad())));
     const QSignalBlocker blocker(m_direction);
     m_direction->setValue(direction / kDegreesPerStep);
-    m_directionText->setText(tr("%1\u00b0").arg(direction));
+    m_directionText->setText(tr("direction %1\u00b0").arg(direction));
     showLegend();
 }
 
@@ -152,6 +154,8 @@ void InspectLayerBar::showLegend() {
     std::vector<LegendEntry> entries;
     if (m_overlays.isShown(InspectLayer::Contour))
         entries.push_back({Sample::Scale, tr("outline, by direction"), {}, Qt::SolidLine, directionScale()});
+    if (m_overlays.isShown(InspectLayer::Rim) && matches != MatchChoice::ByFinger)
+        entries.push_back({Sample::Dot, tr("rim, with normals"), Qt::white});
     if (m_overlays.isShown(InspectLayer::Matches) && matches != MatchChoice::ByFinger)
         entries.push_back(scaleEntry(tr("matches 0\u2013%1 px").arg(kResidualScalePx)));
     if (m_overlays.isShown(InspectLayer::Matches) || m_overlays.isShown(InspectLayer::Rim))
@@ -164,7 +168,7 @@ void InspectLayerBar::showLegend() {
             entries.push_back({Sample::Hatch, tr("forearm: left out, as the fit does"), leftOutColour()});
     }
     if (m_overlays.isShown(InspectLayer::Field))
-        entries.push_back(scaleEntry(tr("field 0\u2013%1 px").arg(kFieldScalePx)));
+        entries.push_back(scaleEntry(tr("field 0\u2013%1 px; clear: no match").arg(kFieldScalePx)));
     if (m_overlays.isShown(InspectLayer::Error))
         entries.push_back(scaleEntry(tr("error 0\u2013%1 mm").arg(kErrorScaleMm)));
     if (m_overlays.isShown(InspectLayer::Uncertainty))

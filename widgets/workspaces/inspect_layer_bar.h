@@ -31,6 +31,8 @@ public:
     /// What the tip of the choice of matches says, beside its key.
     void setMatchTip(const QString& tip) { m_matches->setToolTip(tip); }
     const LegendStrip& legend() const { return *m_legend; }
+    /// What is said of the place under the pointer.
+    QString probeText() const { return m_probe->text(); }
 
 private:
     void addBox(InspectLayer layer);

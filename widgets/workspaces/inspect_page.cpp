@@ -65,7 +65,12 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     connect(m_views, &InspectGrid::camerasChanged, this, &InspectPage::showCameras);
     connect(m_views, &InspectGrid::pictureShown, this, &InspectPage::pictureShown);
     connect(m_views, &InspectGrid::pointerMoved, this, &InspectPage::showProbe);
-    connect(m_views, &InspectGrid::pointerLeft, m_layerBar, &InspectLayerBar::clearProbe);
+    connect(m_views, &InspectGrid::pointerLeft, this, [this] {
+        m_pointed.reset();
+        m_layerBar->clearProbe();
+    });
+    connect(overlays(), &InspectOverlays::drawn, this, &InspectPage::showProbeAgain);
+    connect(m_probePin, &InspectProbePin::changed, this, &InspectPage::showPinned);
     takeColumns();
 }
 
@@ -120,6 +125,7 @@ QWidget* InspectPage::makeViews() {
     plotRow->addWidget(m_errors, 3);
     plotRow->addWidget(m_costs, 3);
     plotRow->addWidget(m_joints, 2);
+    plotRow->addWidget(m_probePin->card());
     CurvePlotSettings settings;
     settings.xLabel = tr("Iteration");
     settings.xWhole = true;
@@ -179,8 +185,11 @@ void InspectPage::takeColumns() {
         if (!isKept || wasAtEnd)
             m_slider->setValue(lastIteration());
     }
-    if (!isKept)
+    if (!isKept) {
         m_probeTargets.clear();
+        m_posedBefore.reset();
+        m_pointed.reset();
+    }
     m_shown = outcome;
     m_slider->setEnabled(outcome != nullptr);
     m_pages->setCurrentIndex(outcome ? 1 : 0);
@@ -199,7 +208,7 @@ void InspectPage::takeColumns() {
 
 void InspectPage::showCameras() {
     m_cameraChoice->setChosen(m_views->chosenCameras());
-    m_rows->setEnabled(m_views->chosenCameras().empty());
+    m_rows->setVisible(m_views->chosenCameras().empty());
 }
 
 void InspectPage::showHint() {
@@ -229,15 +238,16 @@ void InspectPage::showPoses() {
         return;
     }
     m_views->setIteration(iteration());
+    showErrors();
     m_joints->showIteration(m_datasets.dataset(), iteration());
-    m_job.start([this, outcome, dataset = m_datasets.dataset(),
-                 iteration = iteration()](const JobContext& context) -> Job::Delivery {
-        auto posed =
-            std::make_shared<const InspectedPoses>(inspectedPoses(*dataset, *outcome, iteration, context.stop));
+    m_job.start([this, outcome, dataset = m_datasets.dataset(), iteration = iteration(),
+                 before = m_posedBefore](const JobContext& context) -> Job::Delivery {
+        auto posed = std::make_shared<const InspectedPoses>(
+            inspectedPoses(*dataset, *outcome, iteration, context.stop, before.get()));
         if (posed->methods.size() < outcome->methods.size())
             return {}; // stopped
         return [this, posed] {
-            m_posed = posed;
+            m_posed = m_posedBefore = posed;
             m_views->showPoses(posed, this->iteration());
             emit posesShown();
         };
@@ -249,9 +259,28 @@ void InspectPage::showProbe(int view, QPointF px) {
     const int camera = m_views->cameraOf(view);
     if (!outcome || camera < 0)
         return;
+    m_pointed = {view, px};
     const MethodOutcome& method = outcome->methods[m_views->columnOf(view)];
     m_layerBar->showProbe(inspectProbe(method, shownMatches(method, camera, iteration()), px,
                                        m_datasets.dataset()->hands, m_probeTargets));
+}
+
+/// Of other matches, at the place where the pointer still is.
+void InspectPage::showProbeAgain() {
+    if (m_pointed)
+        showProbe(m_pointed->first, m_pointed->second);
+}
+
+void InspectPage::showErrors() {
+    QStringList errors;
+    for (std::size_t column = 0; column < m_columns->count(); ++column)
+        errors << m_views->errorText(column);
+    m_columnBar->setErrors(errors);
+}
+
+/// The card takes the room of the joints: it covers nothing of what it explains.
+void InspectPage::showPinned() {
+    m_joints->setVisible(!m_probePin->card()->isVisibleTo(this));
 }
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QLabel>
@@ -86,6 +87,9 @@ private:
     void showCurves();
     void showPhases();
     void showProbe(int view, QPointF px);
+    void showProbeAgain();
+    void showErrors();
+    void showPinned();
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
@@ -111,6 +115,8 @@ private:
     CurvePlot* m_errors;
     CurvePlot* m_costs;
     std::shared_ptr<const InspectedPoses> m_posed;
+    std::shared_ptr<const InspectedPoses> m_posedBefore; ///< the last ones of this pair
+    std::optional<std::pair<int, QPointF>> m_pointed;    ///< view and pixel under the pointer
 };
 
 } // namespace widgets

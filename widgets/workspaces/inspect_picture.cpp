@@ -59,14 +59,17 @@ private:
     void addViews() {
         const CameraGrid* grid = m_page.grid();
         double bottom = m_y;
-        for (const CameraView* view : grid->views()) {
+        for (int index = 0; index < grid->count(); ++index) {
+            const CameraView* view = grid->view(index);
             if (!view->isVisible())
                 continue;
             const QPointF corner = view->viewport()->mapTo(grid, QPoint(0, 0)) + QPointF(kGap, m_y);
             const QSizeF size = view->viewport()->size();
             const ViewTitle& title = view->title();
             addText({corner - QPointF(0, m_line), QSizeF(size.width() - kSpacing, m_line)}, title.name, title.colour,
-                    QStringLiteral("%1  %2").arg(title.detail, title.error));
+                    QStringList{title.detail, m_page.views()->errorText(m_page.views()->columnOf(index)), title.error}
+                        .join(QStringLiteral("  "))
+                        .trimmed());
             m_picture.parts.push_back({QRectF(corner, size), [view](QPainter& painter, double scale) {
                                            view->paintPicture(painter, scale);
                                        }});

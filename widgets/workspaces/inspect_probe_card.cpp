@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLocale>
 #include <QToolButton>
@@ -12,6 +11,7 @@
 
 #include "widgets/panels/state_colours.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/views/joint_colours.h"
 
 namespace widgets {
 
@@ -23,6 +23,11 @@ QString numberOrDash(double value, int decimals) {
 
 QString degreesText(double rad) {
     return numberOrDash(rad * 180 / std::numbers::pi, 0) + QStringLiteral("\u00b0");
+}
+
+/// A square of the method's colour.
+QString chip(const std::string& method) {
+    return QStringLiteral("<span style=\"color: %1\">\u25a0</span> ").arg(methodColour(method).name());
 }
 
 QString htmlRow(const QStringList& cells, const char* tag) {
@@ -57,8 +62,8 @@ InspectProbeCard::InspectProbeCard(QWidget* parent)
     column->setSpacing(0);
     column->addLayout(head);
     column->addWidget(m_table);
+    column->addStretch(1);
     m_table->setTextFormat(Qt::RichText);
-    parent->installEventFilter(this);
     hide();
 }
 
@@ -78,7 +83,7 @@ void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& prob
             row.found()
                 ? QStringLiteral("(%1, %2)").arg(numberOrDash(row.contourPx.x(), 1), numberOrDash(row.contourPx.y(), 1))
                 : none;
-        table += htmlRow({QString::fromStdString(row.method).toHtmlEscaped(), at,
+        table += htmlRow({chip(row.method) + QString::fromStdString(row.method).toHtmlEscaped(), at,
                           row.found() ? numberOrDash(row.probe.distancePx, 1) : none,
                           row.found() ? degreesText(row.contourAngleRad) : none,
                           row.bins > 1 ? QString::number(row.probe.bin) : none,
@@ -88,20 +93,6 @@ void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& prob
     }
     m_table->setText(table + QStringLiteral("</table>"));
     show();
-    adjustSize();
-    moveToCorner();
-    raise();
-}
-
-void InspectProbeCard::moveToCorner() {
-    const QSize room = parentWidget()->size();
-    move(std::max(0, room.width() - width() - kSpacing), std::max(0, room.height() - height() - kSpacing));
-}
-
-bool InspectProbeCard::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == parent() && event->type() == QEvent::Resize && isVisible())
-        moveToCorner();
-    return QFrame::eventFilter(watched, event);
 }
 
 } // namespace widgets

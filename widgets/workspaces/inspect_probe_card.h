@@ -22,12 +22,7 @@ public:
 signals:
     void closed();
 
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-    void moveToCorner();
-
     QLabel* m_heading;
     QLabel* m_table;
 };

@@ -63,14 +63,24 @@ void InspectProbePin::refresh() {
         }
         m_views.grid()->view(view)->setResidualArrows(arrows);
     }
-    m_card->hide();
-    if (!isShown)
+    showCard(isShown ? std::optional(pinned) : std::nullopt);
+    emit changed();
+}
+
+/// Without a column: nothing.
+void InspectProbePin::showCard(std::optional<std::size_t> pinned) {
+    if (!pinned) {
+        m_card->hide();
         return;
-    const MethodOutcome& method = scene.outcome->methods[pinned];
+    }
+    const InspectOverlays::Scene& scene = m_views.overlays()->scene();
+    const MethodOutcome& method = scene.outcome->methods[*pinned];
     const auto& cameras = scene.dataset->cameras;
     if (const auto probe = inspectProbe(method, shownMatches(method, m_pin->camera, scene.iteration), m_pin->px,
                                         scene.dataset->hands, m_targets))
         m_card->showProbe(QString::fromStdString(cameras[static_cast<std::size_t>(m_pin->camera)].name), *probe);
+    else
+        m_card->hide();
 }
 
 } // namespace widgets

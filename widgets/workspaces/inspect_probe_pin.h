@@ -23,7 +23,12 @@ public:
     void pin(int view, QPointF px);
     void unpin();
     bool isPinned() const { return m_pin.has_value(); }
-    const InspectProbeCard& card() const { return *m_card; }
+    /// For the page to place.
+    InspectProbeCard* card() const { return m_card; }
+
+signals:
+    /// The card is shown, has other contents, or is gone.
+    void changed();
 
 private:
     struct Pin {
@@ -32,6 +37,7 @@ private:
         QPointF px;
     };
     void refresh();
+    void showCard(std::optional<std::size_t> pinned);
 
     InspectColumns& m_columns;
     InspectGrid& m_views;

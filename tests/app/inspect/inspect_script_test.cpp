@@ -81,9 +81,9 @@ TEST_F(InspectScript, AClickPinsTheProbeAndAnotherTakesItAway) {
     const QPointF px = view->viewportToImage(place);
     QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
     ASSERT_TRUE(page.probePin()->isPinned());
-    EXPECT_TRUE(page.probePin()->card().isVisible());
+    EXPECT_TRUE(page.probePin()->card()->isVisible());
     for (const char* method : {"ch", "dch-thres", "dch-quant", "dch-dt3"})
-        EXPECT_TRUE(page.probePin()->card().text().contains(QLatin1String(method))) << method;
+        EXPECT_TRUE(page.probePin()->card()->text().contains(QLatin1String(method))) << method;
     ASSERT_EQ(view->residualArrows().size(), 1u);
     const QLineF arrow(view->residualArrows()[0].fromPx, view->residualArrows()[0].toPx);
     EXPECT_LT(QLineF(arrow.p1(), px).length(), 0.5);
@@ -92,13 +92,13 @@ TEST_F(InspectScript, AClickPinsTheProbeAndAnotherTakesItAway) {
     EXPECT_EQ(view->residualArrows().size(), 1u) << "it stays while iterations go by";
     QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, place);
     EXPECT_FALSE(page.probePin()->isPinned());
-    EXPECT_FALSE(page.probePin()->card().isVisible());
+    EXPECT_FALSE(page.probePin()->card()->isVisible());
     EXPECT_TRUE(view->residualArrows().empty());
     const std::string step = R"({"do":"probe","camera":"cam0","px":[200,200],"method":"dch-thres","pin":true})";
     run(step);
     EXPECT_TRUE(page.probePin()->isPinned());
     run("{\"do\":\"columns\",\"show\":[\"ch\"]}\n");
-    EXPECT_FALSE(page.probePin()->card().isVisible()) << "its column is gone";
+    EXPECT_FALSE(page.probePin()->card()->isVisible()) << "its column is gone";
 }
 
 TEST_F(InspectScript, DchThresKeepsWhatPassesItsAngleAndQuantWhatLiesInTheBin) {

@@ -14,6 +14,7 @@
 #include "tests/widgets/views/lab_colour.h"
 #include "widgets/presenters/inspect/inspect_difference.h"
 #include "widgets/presenters/inspect/inspect_probe.h"
+#include "widgets/presenters/inspect/inspected_poses.h"
 
 namespace {
 
@@ -222,6 +223,34 @@ TEST_F(InspectLayersTest, AProbePreparesEveryOutlineOnce) {
     EXPECT_EQ(own->contourPx, probe->rows[0].contourPx);
     probeAt(0, {200, 400});
     EXPECT_EQ(prepared.size(), 3u) << "nothing anew at another point and iteration";
+}
+
+TEST_F(InspectLayersTest, OnlyWhatMovedIsPosedAnew) {
+    widgets::FitOutcome outcome;
+    outcome.request.target = widgets::FitTarget::Recorded;
+    outcome.startPoses = scene.start;
+    outcome.truePoses = scene.truth;
+    outcome.methods = {fit("ch"), fit("dch-thres")};
+    const widgets::InspectedPoses before = inspectedPoses(dataset, outcome, 1000, {});
+    outcome.methods[1].result.poses = scene.truth;
+    outcome.methods[1].method = "dch-thres:tau=45";
+    const widgets::InspectedPoses after = inspectedPoses(dataset, outcome, 1000, {}, &before);
+    const widgets::InspectedPoses alone = inspectedPoses(dataset, outcome, 1000, {});
+    EXPECT_EQ(after.start, before.start);
+    EXPECT_EQ(after.recorded, before.recorded);
+    EXPECT_EQ(after.methods[0], before.methods[0]) << "the same surfaces: views have nothing to draw";
+    EXPECT_EQ(after.methodsByError[0], before.methodsByError[0]);
+    EXPECT_NE(after.methods[1].surfaces, before.methods[1].surfaces);
+    for (std::size_t column = 0; column < 2; ++column) {
+        EXPECT_EQ(after.methods[column].name, alone.methods[column].name);
+        EXPECT_EQ(after.methods[column].colour, alone.methods[column].colour);
+        for (std::size_t hand = 0; hand < dataset.hands.size(); ++hand) {
+            EXPECT_EQ(after.methods[column].surfaces[hand]->verticesInWorld,
+                      alone.methods[column].surfaces[hand]->verticesInWorld);
+            EXPECT_EQ(after.methodsByError[column].surfaces[hand]->coloursRgb,
+                      alone.methodsByError[column].surfaces[hand]->coloursRgb);
+        }
+    }
 }
 
 } // namespace

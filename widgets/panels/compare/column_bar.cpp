@@ -33,6 +33,7 @@ ColumnHead::ColumnHead(QWidget* parent)
     : QFrame(parent)
     , m_chip(new QLabel(this))
     , m_text(new QLabel(this))
+    , m_error(new QLabel(this))
     , m_settings(headButton(QStringLiteral("configure"), tr("Settings of this method, and what if"), this))
     , m_close(headButton(QStringLiteral("window-close"), tr("Remove this column"), this)) {
     m_close->setIcon({});
@@ -50,11 +51,12 @@ ColumnHead::ColumnHead(QWidget* parent)
     m_text->setTextFormat(Qt::PlainText);
     row->addWidget(m_chip);
     row->addWidget(m_text, 1);
+    row->addWidget(m_error);
     row->addWidget(m_settings);
     row->addWidget(m_close);
     connect(m_settings, &QToolButton::clicked, this, &ColumnHead::settingsWanted);
     connect(m_close, &QToolButton::clicked, this, &ColumnHead::removed);
-    for (QLabel* label : {m_chip, m_text})
+    for (QLabel* label : {m_chip, m_text, m_error})
         label->setAttribute(Qt::WA_TransparentForMouseEvents);
 }
 
@@ -72,6 +74,14 @@ void ColumnHead::show(const QString& title, const QColor& colour, bool hasSettin
 
 void ColumnHead::showTitle() {
     m_text->setText(fontMetrics().elidedText(m_title, Qt::ElideMiddle, std::max(1, m_text->width())));
+}
+
+void ColumnHead::setError(const QString& error) {
+    if (error == m_error->text())
+        return;
+    m_error->setText(error);
+    layout()->activate();
+    showTitle();
 }
 
 void ColumnHead::setCurrent(bool current) {
@@ -165,6 +175,11 @@ void ColumnBar::showColumns() {
     }
     m_row->invalidate();
     showCurrent();
+}
+
+void ColumnBar::setErrors(const QStringList& errors) {
+    for (std::size_t column = 0; column < m_heads.size(); ++column)
+        m_heads[column]->setError(errors.value(static_cast<int>(column)));
 }
 
 void ColumnBar::showCurrent() {

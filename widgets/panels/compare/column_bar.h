@@ -22,7 +22,10 @@ public:
     explicit ColumnHead(QWidget* parent = nullptr);
 
     void show(const QString& title, const QColor& colour, bool hasSettings, bool canGo);
+    /// Beside the title, to its right.
+    void setError(const QString& error);
     void setCurrent(bool current);
+    QString error() const { return m_error->text(); }
     QString title() const { return m_title; }
 
 signals:
@@ -43,6 +46,7 @@ private:
 
     QLabel* m_chip;
     QLabel* m_text;
+    QLabel* m_error;
     QToolButton* m_settings;
     QToolButton* m_close;
     QString m_title;
@@ -58,6 +62,8 @@ public:
     explicit ColumnBar(InspectColumns& columns, QWidget* parent = nullptr);
 
     const std::vector<ColumnHead*>& heads() const { return m_heads; }
+    /// Of the columns, at what is shown of them.
+    void setErrors(const QStringList& errors);
     /// The menu's button, for the page to place: the heads fill the bar.
     QToolButton* addButton() const { return m_add; }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/compare/what_if.h"
 
+#include <mutex>
 #include <thread>
+
+#include <opencv2/core/utility.hpp>
 
 #include "core/simulation/simulated_world.h"
 
@@ -9,26 +12,48 @@ namespace widgets {
 
 namespace {
 
+constexpr int kPauseMs = 150; ///< while a setting is dragged, the real-time variant has the processor to itself
+
 std::vector<cv::Mat> masksOf(const FitOutcome& outcome, const WhatIfCase& what) {
     std::vector<cv::Mat> masks = outcome.masks;
-    for (std::size_t camera = 0; camera < masks.size(); ++camera) {
+    const auto change = [&](std::size_t camera) {
         if (camera < what.cameras.size() && !what.cameras[camera])
             masks[camera] = cv::Mat();
         else if (what.outlineNoisePx > 0 && !masks[camera].empty())
             masks[camera] =
                 core::withContourNoise(masks[camera], what.outlineNoisePx, core::drawSeed(camera, outcome.sequence));
-    }
+    };
+    cv::parallel_for_(cv::Range(0, static_cast<int>(masks.size())), [&](const cv::Range& cameras) {
+        for (int camera = cameras.start; camera < cameras.end; ++camera)
+            change(static_cast<std::size_t>(camera));
+    });
     return masks;
 }
 
 } // namespace
+
+/// The silhouettes of a pair in a case; made by whoever needs them first.
+struct WhatIf::CaseMasks {
+    std::shared_ptr<const FitOutcome> outcome;
+    WhatIfCase what;
+    std::once_flag once;
+    std::vector<cv::Mat> masks;
+
+    const std::vector<cv::Mat>& get() {
+        std::call_once(once, [this] { masks = masksOf(*outcome, what); });
+        return masks;
+    }
+};
 
 WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& pool, QObject* parent)
     : QObject(parent)
     , m_fits(fits)
     , m_datasets(datasets)
     , m_job(pool) {
-    connect(&m_job, &Job::finished, this, &WhatIf::startNext);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kPauseMs);
+    connect(&m_pause, &QTimer::timeout, this, &WhatIf::startNext);
+    connect(&m_job, &Job::finished, this, &WhatIf::goOn);
     connect(&m_job, &Job::failed, this, [this](const QString& message) {
         m_waiting.clear();
         emit failed(message);
@@ -40,13 +65,22 @@ void WhatIf::run(std::vector<WhatIfTrial> trials) {
     m_waiting.assign(std::make_move_iterator(trials.begin()), std::make_move_iterator(trials.end()));
     if (m_job.isRunning() && !m_runsLive && !m_waiting.empty() && m_waiting.front().isLive)
         m_job.stop();
+    m_pause.stop();
     if (!m_job.isRunning())
         startNext();
 }
 
 void WhatIf::stop() {
     m_waiting.clear();
+    m_pause.stop();
     m_job.stop();
+}
+
+void WhatIf::goOn() {
+    if (m_runsLive && !m_waiting.empty() && !m_waiting.front().isLive)
+        m_pause.start();
+    else
+        startNext();
 }
 
 void WhatIf::startNext() {
@@ -60,11 +94,17 @@ void WhatIf::startNext() {
     const WhatIfTrial trial = m_waiting.front();
     m_waiting.pop_front();
     m_runsLive = trial.isLive;
-    m_job.start([this, trial, outcome, dataset, estimator = m_fits.estimator()](const JobContext& context) {
+    if (!m_masks || m_masks->outcome != outcome || m_masks->what != trial.what) {
+        m_masks = std::make_shared<CaseMasks>();
+        m_masks->outcome = outcome;
+        m_masks->what = trial.what;
+    }
+    m_job.start([this, trial, outcome, dataset, masks = m_masks,
+                 estimator = m_fits.estimator()](const JobContext& context) {
         const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
         FitOutcome pair;
         static_cast<FitPair&>(pair) = *outcome;
-        pair.masks = masksOf(*outcome, trial.what);
+        pair.masks = masks->get();
         auto found =
             std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
                                                       context.stop, threads, {}, !trial.isLive && trial.curve.empty()));

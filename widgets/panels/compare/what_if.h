@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <QObject>
+#include <QTimer>
 
 #include "widgets/jobs/fit_runner.h"
 #include "widgets/session/dataset_session.h"
@@ -18,6 +19,7 @@ namespace widgets {
 struct WhatIfCase {
     std::vector<bool> cameras; ///< which take part; empty: all
     double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves
+    bool operator==(const WhatIfCase&) const = default;
 };
 
 /// One method on one case.
@@ -32,7 +34,8 @@ struct WhatIfTrial {
 };
 
 /// Fits the open pair again and again while a parameter is dragged. One fit at a time, in the background: the one that
-/// runs ends, and of what was asked meanwhile the latest counts; only the real-time variant does not wait for others.
+/// runs ends, and of what was asked meanwhile the latest counts; only the real-time variant does not wait for others,
+/// and what it found has a moment to be drawn before the next one takes the processor.
 class WhatIf : public QObject {
     Q_OBJECT
 
@@ -42,7 +45,7 @@ public:
     /// In this order; what waits from a call before is forgotten.
     void run(std::vector<WhatIfTrial> trials);
     void stop();
-    bool isRunning() const { return m_job.isRunning(); }
+    bool isRunning() const { return m_job.isRunning() || m_pause.isActive(); }
 
 signals:
     void found(const widgets::WhatIfTrial& trial, const widgets::MethodOutcome& outcome);
@@ -50,13 +53,17 @@ signals:
     void finished();
 
 private:
+    struct CaseMasks;
+    void goOn();
     void startNext();
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
     Job m_job;
+    QTimer m_pause; ///< after the real-time variant
     std::deque<WhatIfTrial> m_waiting;
     bool m_runsLive = false;
+    std::shared_ptr<CaseMasks> m_masks; ///< of the case that was fitted last: its methods share them
 };
 
 } // namespace widgets

@@ -17,16 +17,16 @@ constexpr QRgb kExtra = 0xD0285ACC;
 constexpr QRgb kLeftOut = 0xD0AAAAAA, kBetweenHatches = 0x40303030;
 constexpr int kHatch = 6, kHatchWidth = 2; ///< of the diagonal lines, pixels of the picture
 
-/// Not 0 where a pixel's centre lies in a region.
-cv::Mat regionsMask(const std::vector<core::ConvexRegion>& regions, cv::Size size) {
-    cv::Mat mask = cv::Mat::zeros(size, CV_8U);
+/// Not 0 where a pixel's centre lies in a region, of that window of the image.
+cv::Mat regionsMask(const std::vector<core::ConvexRegion>& regions, const cv::Rect& window) {
+    cv::Mat mask = cv::Mat::zeros(window.size(), CV_8U);
     for (const core::ConvexRegion& region : regions) {
-        for (int y = 0; y < size.height; ++y) {
-            const auto span = region.span(static_cast<float>(y));
+        for (int y = 0; y < window.height; ++y) {
+            const auto span = region.span(static_cast<float>(window.y + y));
             if (!span)
                 continue;
-            const int first = std::max(0, static_cast<int>(std::ceil(span->first)));
-            const int last = std::min(size.width - 1, static_cast<int>(std::floor(span->second)));
+            const int first = std::max(0, static_cast<int>(std::ceil(span->first)) - window.x);
+            const int last = std::min(window.width - 1, static_cast<int>(std::floor(span->second)) - window.x);
             if (first <= last)
                 mask.row(y).colRange(first, last + 1).setTo(255);
         }
@@ -53,19 +53,23 @@ SilhouetteDifference silhouetteDifference(const core::Camera& camera, const cv::
     SilhouetteDifference difference;
     if (mine.size() != observed.size())
         return difference;
-    const cv::Mat seen = observed != 0, covered = mine != 0, out = regionsMask(leftOut, seen.size());
+    const cv::Rect window = cv::boundingRect(observed) | cv::boundingRect(mine); // nothing to tell apart around it
+    const cv::Mat seen = observed(window) != 0, covered = mine(window) != 0, out = regionsMask(leftOut, window);
     const cv::Mat counted = out == 0;
     const int both = cv::countNonZero(seen & covered & counted), either = cv::countNonZero((seen | covered) & counted);
     difference.iou = either > 0 ? static_cast<double>(both) / either : std::numeric_limits<double>::quiet_NaN();
     difference.leftOutPx = cv::countNonZero((seen | covered) & out);
-    QImage picture((seen.cols + 1) / 2, (seen.rows + 1) / 2, QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; y < picture.height(); ++y) {
-        const auto* seenRow = seen.ptr<unsigned char>(2 * y);
-        const auto* coveredRow = covered.ptr<unsigned char>(2 * y);
-        const auto* outRow = out.ptr<unsigned char>(2 * y);
+    QImage picture((observed.cols + 1) / 2, (observed.rows + 1) / 2, QImage::Format_ARGB32_Premultiplied);
+    picture.fill(0);
+    for (int y = (window.y + 1) / 2; 2 * y < window.br().y; ++y) {
+        const auto* seenRow = seen.ptr<unsigned char>(2 * y - window.y);
+        const auto* coveredRow = covered.ptr<unsigned char>(2 * y - window.y);
+        const auto* outRow = out.ptr<unsigned char>(2 * y - window.y);
         auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < picture.width(); ++x)
-            row[x] = pixel(seenRow[2 * x] != 0, coveredRow[2 * x] != 0, outRow[2 * x] != 0, x, y);
+        for (int x = (window.x + 1) / 2; 2 * x < window.br().x; ++x) {
+            const int from = 2 * x - window.x;
+            row[x] = pixel(seenRow[from] != 0, coveredRow[from] != 0, outRow[from] != 0, x, y);
+        }
     }
     difference.picture = picture;
     return difference;

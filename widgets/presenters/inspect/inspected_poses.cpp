@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspect/inspected_poses.h"
 
+#include <algorithm>
+
 #include "widgets/presenters/inspect/inspect_layers.h"
 #include "widgets/presenters/inspect_columns.h"
 #include "widgets/presenters/layer_presenter.h"
@@ -21,6 +23,14 @@ MeshLayer layerOf(const core::Dataset& dataset, const core::HandPoses& poses, co
     return layer;
 }
 
+bool isSame(const core::HandPoses& a, const core::HandPoses& b) {
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const core::Pose& one, const core::Pose& other) {
+            return one.size() == other.size() && (one.size() == 0 || one == other);
+        });
+}
+
 } // namespace
 
 const core::HandPoses& inspectedPosesAt(const FitOutcome& outcome, const MethodOutcome& method, int iteration) {
@@ -39,19 +49,31 @@ bool isAtResult(const MethodOutcome& method, int iteration) {
 }
 
 InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
-                              const std::stop_token& stop) {
+                              const std::stop_token& stop, const InspectedPoses* before) {
     InspectedPoses poses;
-    poses.start = layerOf(dataset, outcome.startPoses, QLatin1String(LayerPresenter::kStart), methodColour("start"));
-    if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
+    poses.start =
+        before ? before->start
+               : layerOf(dataset, outcome.startPoses, QLatin1String(LayerPresenter::kStart), methodColour("start"));
+    if (before)
+        poses.recorded = before->recorded;
+    else if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
         poses.recorded =
             layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
     for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
         if (stop.stop_requested())
             break;
         const MethodOutcome& method = outcome.methods[column];
-        poses.methods.push_back(layerOf(dataset, inspectedPosesAt(outcome, method, iteration),
-                                        QString::fromStdString(method.method), columnColour(outcome, column)));
-        poses.methodsByError.push_back(colouredByError(poses.methods.back(), poses.recorded));
+        poses.poses.push_back(inspectedPosesAt(outcome, method, iteration));
+        MeshLayer layer{QString::fromStdString(method.method), {}, columnColour(outcome, column)};
+        if (before && column < before->poses.size() && isSame(before->poses[column], poses.poses.back())) {
+            layer.surfaces = before->methods[column].surfaces;
+            poses.methodsByError.push_back(layer);
+            poses.methodsByError.back().surfaces = before->methodsByError[column].surfaces;
+        } else {
+            layer = layerOf(dataset, poses.poses.back(), layer.name, layer.colour);
+            poses.methodsByError.push_back(colouredByError(layer, poses.recorded));
+        }
+        poses.methods.push_back(std::move(layer));
     }
     return poses;
 }

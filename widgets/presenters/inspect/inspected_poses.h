@@ -18,6 +18,7 @@ struct InspectedPoses {
     std::vector<MeshLayer> methods; ///< as in the outcome
     /// The same in the colours of their vertices' distance to the recorded pose (colouredByError).
     std::vector<MeshLayer> methodsByError;
+    std::vector<core::HandPoses> poses; ///< of the methods
 };
 
 /// A method's poses after `iteration` steps.
@@ -26,9 +27,10 @@ const core::HandPoses& inspectedPosesAt(const FitOutcome& outcome, const MethodO
 bool isAtResult(const MethodOutcome& method, int iteration);
 
 /// Poses the hands after `iteration` steps of every method; a method that ended before stays at its result, 0 is the
-/// start.
+/// start. Surfaces of `before`, which is of the same pair, are used again where nothing has moved: views draw nothing
+/// anew then.
 InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& outcome, int iteration,
-                              const std::stop_token& stop);
+                              const std::stop_token& stop, const InspectedPoses* before = nullptr);
 
 /// Mean joint error of a method after `iteration` steps, mm; NaN without a reference.
 double inspectedErrorMm(const FitOutcome& outcome, const MethodOutcome& method, int iteration);

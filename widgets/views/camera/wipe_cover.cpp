@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kWipeReachPx = 6; ///< pixels to the right of the line in which it is grabbed
 constexpr int kWipeLinePx = 2;
+constexpr int kNamePadding = 6, kNameChipPx = 8;
 
 } // namespace
 
@@ -65,6 +66,22 @@ void WipeCover::paintEvent(QPaintEvent*) {
     m_grabbing = false;
     if (m_place > 0)
         painter.fillRect(QRect(0, 0, kWipeLinePx, height()), palette().color(QPalette::Highlight));
+    paintName(painter);
+}
+
+/// Whose picture this is: the title above names the one below.
+void WipeCover::paintName(QPainter& painter) const {
+    const ViewTitle& title = m_other->title();
+    const QFontMetrics metrics = fontMetrics();
+    const int line = metrics.height(), left = m_place > 0 ? kWipeLinePx : 0;
+    const QString name =
+        metrics.elidedText(title.name, Qt::ElideMiddle, width() - left - 3 * kNamePadding - kNameChipPx);
+    const QRect box(left, 0, metrics.horizontalAdvance(name) + 3 * kNamePadding + kNameChipPx, line + 2);
+    painter.fillRect(box, palette().color(QPalette::Window));
+    painter.fillRect(QRect(left + kNamePadding, (box.height() - kNameChipPx) / 2, kNameChipPx, kNameChipPx),
+                     title.colour);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(box.adjusted(2 * kNamePadding + kNameChipPx, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, name);
 }
 
 void WipeCover::mousePressEvent(QMouseEvent* event) {

@@ -33,6 +33,7 @@ protected:
 
 private:
     void layOut();
+    void paintName(QPainter& painter) const;
     int line() const;
 
     QWidget* m_area; ///< the view's viewport
