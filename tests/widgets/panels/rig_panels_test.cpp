@@ -172,14 +172,16 @@ TEST_F(RigPanelTest, SaysWhatIsMissingWithoutClicks) {
 
 TEST_F(RigPanelTest, TwoCamerasAreNotJudgedHoweverManyClicks) {
     core::RigHealth health;
-    health.cameras = {{.camera = "cam0", .clicks = 250}, {.camera = "cam1", .clicks = 250}};
+    health.cameras.resize(2);
+    for (core::CameraHealth& camera : health.cameras)
+        camera.clicks = 250;
     const auto state = [&] {
         widgets::RigHealthModel model;
         model.setHealth(health);
         return model.index(0, widgets::RigHealthModel::State).data().toString();
     };
     EXPECT_EQ(state(), QStringLiteral("not known"));
-    health.cameras.push_back({.camera = "cam2", .clicks = 2});
+    health.cameras.emplace_back().clicks = 2;
     EXPECT_EQ(state(), QStringLiteral("too few clicks"));
 }
 
