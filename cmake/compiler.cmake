@@ -39,6 +39,12 @@ if(HANDLENS_FUZZ)
 endif()
 target_include_directories(handlens_compiler INTERFACE ${PROJECT_SOURCE_DIR})
 
+# The other linker of binutils needs a fifth of the time for programs that draw in hundreds of libraries.
+find_program(HANDLENS_GOLD ld.gold)
+if(HANDLENS_GOLD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT HANDLENS_SANITIZE)
+  target_link_options(handlens_compiler INTERFACE -fuse-ld=gold)
+endif()
+
 # For code that waits for files and people: it compiles a quarter faster with fewer optimisations. A precompiled header brings
 # the optimisations that it was made with, so such code has precompiled headers of its own.
 add_library(handlens_light INTERFACE)
