@@ -15,13 +15,20 @@ namespace {
 constexpr unsigned bit(DistanceKind distance) {
     return 1u << static_cast<unsigned>(distance);
 }
-constexpr unsigned kBest = 1u << 5;
-constexpr unsigned kThres = bit(DistanceKind::DchThres);
-constexpr unsigned kQuant2 = bit(DistanceKind::DchQuant2);
-constexpr unsigned kDt3 = bit(DistanceKind::DchDt3);
-constexpr unsigned kBinned = bit(DistanceKind::DchQuant) | kQuant2 | kDt3;
+template <typename Predicate>
+constexpr unsigned kindsThat(Predicate isOne) {
+    unsigned kinds = 0;
+    for (const DistanceTraits& traits : kDistanceTraits)
+        kinds |= isOne(traits) ? bit(traits.kind) : 0;
+    return kinds;
+}
+constexpr unsigned kBest = 1u << kDistanceTraits.size();
+constexpr unsigned kThres = kindsThat([](const DistanceTraits& traits) { return traits.isLimited; });
+constexpr unsigned kQuant2 = kindsThat([](const DistanceTraits& traits) { return traits.bins > 1; });
+constexpr unsigned kDt3 = kindsThat([](const DistanceTraits& traits) { return traits.isOriented; });
+constexpr unsigned kBinned = kDt3 | kindsThat([](const DistanceTraits& traits) { return traits.bins > 0; });
 constexpr unsigned kDirectional = kThres | kBinned;
-constexpr unsigned kPaper = bit(DistanceKind::Ch) | kDirectional;
+constexpr unsigned kPaper = kindsThat([](const DistanceTraits&) { return true; });
 constexpr unsigned kAll = kPaper | kBest;
 
 template <typename Owner, typename Value>

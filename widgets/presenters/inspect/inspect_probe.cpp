@@ -12,7 +12,8 @@ namespace {
 constexpr std::array kCompared{"ch", "dch-thres", "dch-quant", "dch-dt3"};
 
 bool usesBins(const core::MatchRule& rule) {
-    return rule.distance != core::DistanceKind::Ch && rule.distance != core::DistanceKind::DchThres;
+    const core::DistanceTraits& traits = core::traitsOf(rule.distance);
+    return traits.bins > 0 || traits.isOriented;
 }
 
 ProbeRow probeRow(const std::string& method, const core::CameraTarget& target, const core::MatchRule& rule, QPointF px,
