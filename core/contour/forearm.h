@@ -24,6 +24,7 @@ public:
     /// The first and the last x of the row y that are inside; no value where the row is outside.
     std::optional<std::pair<float, float>> span(float y) const;
     bool empty() const { return m_corners.empty(); }
+    bool operator==(const ConvexRegion&) const = default;
 
 private:
     std::vector<Eigen::Vector2f> m_corners; ///< one after another around the polygon

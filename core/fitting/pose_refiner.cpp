@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 #include <tbb/parallel_for.h>
@@ -283,10 +284,11 @@ void PoseRefiner::compareView(View& view, const CameraTarget& target, const std:
     options.cellPx = cellPx;
     view.silhouettes = compareSilhouettes(m_cameras[static_cast<std::size_t>(target.camera)], sources, options,
                                           target.mask, unsure, target.maskBounds, view.scratch, view.forearms);
-    view.contourPoints = target.contour.size();
-    if (!view.forearms.empty())
+    if (!std::exchange(view.isCounted, true)) {
+        view.contourPoints = target.contour.size();
         for (std::size_t q = 0; q < target.contour.size(); ++q)
             view.contourPoints -= isInside(view.forearms, contourPx(target, static_cast<int>(q))) ? 1 : 0;
+    }
     view.secondsScore += watch.seconds();
 }
 
@@ -320,9 +322,14 @@ void PoseRefiner::placeForearms(const HandPoses& poses) {
     if (!m_forearms.any())
         return;
     const std::vector<std::optional<ForearmCut>> cuts = m_forearms.cuts();
-    for (std::size_t v = 0; v < m_views.size(); ++v)
-        m_views[v].forearms =
-            forearmRegions(m_cameras[static_cast<std::size_t>(m_targets[v].camera)], m_hands.models, poses, cuts);
+    for (std::size_t v = 0; v < m_views.size(); ++v) {
+        const Camera& camera = m_cameras[static_cast<std::size_t>(m_targets[v].camera)];
+        std::vector<ConvexRegion> regions = forearmRegions(camera, m_hands.models, poses, cuts);
+        if (regions == m_views[v].forearms)
+            continue; // only fingers have moved: contour points are not counted again
+        m_views[v].forearms = std::move(regions);
+        m_views[v].isCounted = false;
+    }
 }
 
 template <typename Search>

@@ -128,6 +128,7 @@ private:
         std::vector<ConvexRegion> forearms;     ///< of the hands that have one
         double differencePx2 = 0;
         std::size_t contourPoints = 0; ///< outside the forearms
+        bool isCounted = false;        ///< contourPoints is of these forearms
         double noisePx = 0;
         cv::Mat unsure; ///< not 0 within unsureDepthPx of the observed outline
         int unsureDepthPx = 0;
