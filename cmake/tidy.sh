@@ -13,7 +13,7 @@ if (($#)); then
   exit
 fi
 
-# As one file, which reads Eigen once, a quarter of the time; only what is found there is looked for again in its own file.
+# As one file, which reads Eigen once, in half the time; only what is found there is looked for again in its own file.
 files=(core/{numeric,processor,text}/*.cpp)
 together=$(mktemp --suffix=.cpp)
 trap 'rm -f "$together"' EXIT

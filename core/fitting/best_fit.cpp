@@ -142,17 +142,15 @@ public:
     bool isSystematic() {
         const double noisePx = m_refiner.contourNoise(m_best.poses).px;
         return m_refiner.forearms().any() && noisePx > kSystematicPx && m_scorePx < kSystematicScore * noisePx &&
-               deepPx() < kSystematicDeepPx;
+               deepPx(noisePx) < kSystematicDeepPx;
     }
-    bool isOneFinger() { return deepPx() < kFingerDeepPx; }
+    bool isOneFinger() { return deepPx(m_refiner.contourNoise(m_best.poses).px) < kFingerDeepPx; }
 
     bool isExplained() const { return m_scorePx <= kUnexplainedPx; }
     /// Whether the contour's noise, as it is at the best attempt when this is asked for, explains what is left.
     std::function<bool()> explainedByNoise() {
         const double mostPx = m_refiner.isNoisy() ? kUnexplainedNoisyDeepPx : kUnexplainedDeepPx;
-        return [this, mostPx, depthPx = beyondNoisePx(m_refiner.contourNoise(m_best.poses).px)] {
-            return m_refiner.deepDifferencePx(m_best.poses, depthPx) <= mostPx;
-        };
+        return [this, mostPx, noisePx = m_refiner.contourNoise(m_best.poses).px] { return deepPx(noisePx) <= mostPx; };
     }
 
     /// Attempts from whole other starts, until what is left is explained. False if the fit is over.
@@ -179,10 +177,8 @@ private:
         return true;
     }
 
-    /// What the contour's noise at the best attempt does not explain.
-    double deepPx() {
-        return m_refiner.deepDifferencePx(m_best.poses, beyondNoisePx(m_refiner.contourNoise(m_best.poses).px));
-    }
+    /// What contours with that noise do not explain of the best attempt.
+    double deepPx(double noisePx) { return m_refiner.deepDifferencePx(m_best.poses, beyondNoisePx(noisePx)); }
 
     PoseRefiner& m_refiner;
     FitLoop& m_loop;
