@@ -139,7 +139,7 @@ void autolabel(const AutolabelArguments& arguments) {
     const core::DetectorNetworks networks = core::readDetector();
     core::FirstPassOptions options;
     options.journal = arguments.out + ".progress";
-    options.otherHands = core::makeDemoHands();
+    options.otherHands = core::demoHands();
     options.threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     if (arguments.every > 0)
         options.keyEveryFrames = arguments.every;

@@ -29,16 +29,20 @@ double DemoHandSolid::padDistance(const PadShape& pad, const Eigen::Vector3d& po
     return relative < 0.2 ? (relative - 1) * pad.radiiMm.minCoeff() : local.norm() * (1 - 1 / relative);
 }
 
+/// What is farther away than the blend is wide does not show: its distance is not asked for in full.
 double DemoHandSolid::distance(const Eigen::Vector3d& point) const {
+    const auto blended = [&point](double distance, const SweptSolid& limb, double blendMm) {
+        return smoothMin(distance, limb.distanceMm(point, distance + blendMm), blendMm);
+    };
     double palm = m_forearm.locate(point).distanceMm;
     for (std::size_t r = 1; r < m_metacarpals.size(); ++r)
-        palm = smoothMin(palm, m_metacarpals[r].locate(point).distanceMm, m_shape.palmBlendMm);
-    palm = smoothMin(palm, m_metacarpals[0].locate(point).distanceMm, m_shape.thumbBlendMm);
+        palm = blended(palm, m_metacarpals[r], m_shape.palmBlendMm);
+    palm = blended(palm, m_metacarpals[0], m_shape.thumbBlendMm);
     for (const PadShape& pad : m_shape.pads)
         palm = smoothMin(palm, padDistance(pad, point), m_shape.padBlendMm);
     double fingers = m_digits[0].locate(point).distanceMm;
     for (std::size_t r = 1; r < m_digits.size(); ++r)
-        fingers = smoothMin(fingers, m_digits[r].locate(point).distanceMm, m_shape.webBlendMm);
+        fingers = blended(fingers, m_digits[r], m_shape.webBlendMm);
     return smoothMin(palm, fingers, m_shape.fingerBlendMm);
 }
 
@@ -55,7 +59,7 @@ double DemoHandSolid::edgeLengthMm(const Eigen::Vector3d& point) const {
     constexpr double kTransitionMm = 15;
     double toFinger = kTransitionMm;
     for (const SweptSolid& digit : m_digits)
-        toFinger = std::min(toFinger, digit.locate(point).distanceMm);
+        toFinger = std::min(toFinger, digit.distanceMm(point, toFinger));
     const double t = std::clamp(toFinger / kTransitionMm, 0.0, 1.0);
     return m_shape.fingerEdgeMm + t * (m_shape.palmEdgeMm - m_shape.fingerEdgeMm);
 }

@@ -14,6 +14,7 @@ namespace core {
 namespace {
 
 constexpr int kSamplesPerSpan = 10;
+constexpr double kNearMm = 25;    ///< from the bounding sphere; farther away the distance to that sphere will do
 constexpr double kExponent = 2.3; ///< of the super-ellipse: 2 is an ellipse, more is boxier
 
 /// Catmull-Rom curve through the points, clamped at both ends.
@@ -69,6 +70,12 @@ SweptSolid::SweptSolid(const std::vector<Eigen::Vector3d>& path, const Eigen::Ve
     for (const Sample& s : m_samples) {
         const double reach = std::max({s.sideMm, s.dorsalMm, s.palmarMm, m_capStartMm, m_capEndMm});
         m_boundRadiusMm = std::max(m_boundRadiusMm, (s.centre - m_boundCentre).norm() + 1.2 * reach);
+        m_reachMm = std::max(m_reachMm, 1.2 * reach);
+    }
+    for (std::size_t i = 0; i + 1 < m_samples.size(); ++i) {
+        const Eigen::Vector3d span = m_samples[i + 1].centre - m_samples[i].centre;
+        m_spans.push_back({m_samples[i].centre, span, span.squaredNorm()});
+        m_longestSpanMm = std::max(m_longestSpanMm, span.norm());
     }
 }
 
@@ -90,28 +97,29 @@ double SweptSolid::crossSectionDistance(const Sample& s, const Eigen::Vector3d& 
     return offset.norm() * (1 - 1 / relative);
 }
 
-SweepPosition SweptSolid::locate(const Eigen::Vector3d& point) const {
-    constexpr double kNearMm = 25;
-    const double outside = (point - m_boundCentre).norm() - m_boundRadiusMm;
-    if (outside > kNearMm)
-        return {outside, m_samples.front().at};
-    double best = std::numeric_limits<double>::infinity();
-    std::size_t bestSpan = 0;
-    double bestT = 0;
-    for (std::size_t i = 0; i + 1 < m_samples.size(); ++i) {
-        const Eigen::Vector3d span = m_samples[i + 1].centre - m_samples[i].centre;
-        const Eigen::Vector3d offset = point - m_samples[i].centre;
-        const double t = std::clamp(offset.dot(span) / span.squaredNorm(), 0.0, 1.0);
-        const double squared = (offset - t * span).squaredNorm();
-        if (squared < best) {
-            best = squared;
-            bestSpan = i;
-            bestT = t;
+SweptSolid::NearestOfPath SweptSolid::nearestOfPath(const Eigen::Vector3d& point) const {
+    NearestOfPath nearest{0, 0, std::numeric_limits<double>::infinity()};
+    double hopeless = std::numeric_limits<double>::infinity(); // squared distance from where a span starts
+    for (std::size_t i = 0; i < m_spans.size(); ++i) {
+        const Span& s = m_spans[i];
+        const Eigen::Vector3d offset = point - s.start;
+        if (offset.squaredNorm() > hopeless)
+            continue;
+        const double t = std::clamp(offset.dot(s.span) / s.squaredLength, 0.0, 1.0);
+        const double squared = (offset - t * s.span).squaredNorm();
+        if (squared < nearest.squaredDistance) {
+            nearest = {i, t, squared};
+            const double reach = 1.001 * (std::sqrt(squared) + m_longestSpanMm);
+            hopeless = reach * reach;
         }
     }
-    const Sample& a = m_samples[bestSpan];
-    const Sample& b = m_samples[bestSpan + 1];
-    const auto mix = [t = bestT](const auto& from, const auto& to) { return ((1 - t) * from + t * to); };
+    return nearest;
+}
+
+SweepPosition SweptSolid::locateAt(const NearestOfPath& nearest, const Eigen::Vector3d& point) const {
+    const Sample& a = m_samples[nearest.span];
+    const Sample& b = m_samples[nearest.span + 1];
+    const auto mix = [t = nearest.t](const auto& from, const auto& to) { return ((1 - t) * from + t * to); };
     Sample here;
     here.at = mix(a.at, b.at);
     here.centre = mix(a.centre, b.centre);
@@ -122,6 +130,22 @@ SweepPosition SweptSolid::locate(const Eigen::Vector3d& point) const {
     here.dorsalMm = mix(a.dorsalMm, b.dorsalMm);
     here.palmarMm = mix(a.palmarMm, b.palmarMm);
     return {crossSectionDistance(here, point - here.centre), here.at};
+}
+
+SweepPosition SweptSolid::locate(const Eigen::Vector3d& point) const {
+    const double outside = boundDistance(point);
+    if (outside > kNearMm)
+        return {outside, m_samples.front().at};
+    return locateAt(nearestOfPath(point), point);
+}
+
+double SweptSolid::distanceMm(const Eigen::Vector3d& point, double farMm) const {
+    const double outside = boundDistance(point);
+    if (outside > kNearMm || outside >= farMm)
+        return outside;
+    const NearestOfPath nearest = nearestOfPath(point);
+    const double least = std::sqrt(nearest.squaredDistance) - m_reachMm;
+    return least >= farMm ? least : locateAt(nearest, point).distanceMm;
 }
 
 } // namespace core

@@ -39,6 +39,9 @@ public:
     /// Exact on the surface; elsewhere about the distance, and never more than it far away.
     SweepPosition locate(const Eigen::Vector3d& point) const;
 
+    /// locate().distanceMm if that is below `farMm`, otherwise any number from `farMm` up, which costs less.
+    double distanceMm(const Eigen::Vector3d& point, double farMm) const;
+
 private:
     struct Sample {
         double at;
@@ -46,9 +49,28 @@ private:
         double sideMm, dorsalMm, palmarMm;
     };
 
+    /// The part of the path between two samples.
+    struct Span {
+        Eigen::Vector3d start, span;
+        double squaredLength;
+    };
+    struct NearestOfPath {
+        std::size_t span;
+        double t; ///< 0 at the span's start, 1 at its end
+        double squaredDistance;
+    };
+
+    double boundDistance(const Eigen::Vector3d& point) const {
+        return (point - m_boundCentre).norm() - m_boundRadiusMm;
+    }
+    NearestOfPath nearestOfPath(const Eigen::Vector3d& point) const;
+    SweepPosition locateAt(const NearestOfPath& nearest, const Eigen::Vector3d& point) const;
     double crossSectionDistance(const Sample& sample, const Eigen::Vector3d& offset) const;
 
     std::vector<Sample> m_samples;
+    std::vector<Span> m_spans;
+    double m_longestSpanMm = 0;
+    double m_reachMm = 0; ///< the surface is nowhere farther from the path
     Eigen::Vector3d m_boundCentre;
     double m_boundRadiusMm = 0;
     double m_capStartMm;

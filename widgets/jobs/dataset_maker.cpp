@@ -44,7 +44,7 @@ std::vector<std::optional<core::ImageSize>> pictureSizes(const std::vector<core:
 
 void takeHands(core::Dataset& dataset, const NewDatasetRequest& request) {
     if (request.demoHands) {
-        dataset.hands = core::makeDemoHands();
+        dataset.hands = core::demoHands();
         dataset.handFiles = {"hands/left.json", "hands/right.json"};
     } else if (!request.handsFrom.empty()) {
         const core::Dataset other = core::readDataset(request.handsFrom);

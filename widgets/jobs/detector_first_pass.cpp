@@ -23,7 +23,7 @@ struct MeasuredHands {
 core::FirstPassOptions optionsFor(const FirstPassWork& work) {
     core::FirstPassOptions options;
     options.journal = work.journal;
-    options.otherHands = core::makeDemoHands();
+    options.otherHands = core::demoHands();
     options.threads = static_cast<int>(std::max(2u, std::thread::hardware_concurrency()) - 1); // one for the window
     return options;
 }
@@ -45,7 +45,7 @@ std::vector<core::HandModel> handsFor(const core::Dataset& dataset, MeasuredHand
     const std::lock_guard lock(measured.mutex);
     if (measured.dataset == dataset.folder && !measured.hands.empty())
         return measured.hands;
-    return dataset.hands.empty() ? core::makeDemoHands() : dataset.hands;
+    return dataset.hands.empty() ? core::demoHands() : dataset.hands;
 }
 
 /// The frames around a corrected one: those that wait for a look are followed into, up to those that were reviewed.

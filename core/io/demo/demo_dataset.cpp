@@ -25,7 +25,7 @@ NewDataset playedDataset(const std::vector<HandModel>& hands, const std::vector<
 }
 
 NewDataset makeDemoDataset() {
-    const std::vector<HandModel> hands = makeDemoHands();
+    const std::vector<HandModel>& hands = demoHands();
     NewDataset demo = playedDataset(hands, demoChoreographies(hands));
     demo.dataset.name = "demo";
     return demo;

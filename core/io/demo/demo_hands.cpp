@@ -10,10 +10,19 @@
 
 namespace core {
 
-std::vector<HandModel> makeDemoHands() {
+namespace {
+
+std::vector<HandModel> makeHands() {
     const DemoHandShape shape = demoHandShapeFromJson(embeddedOwnFile("demo/hand.json", "demo-hand"));
     const HandModel right = makeDemoHand(shape, defaultRig("handlens"));
     return {mirroredHand(right), right};
+}
+
+} // namespace
+
+const std::vector<HandModel>& demoHands() {
+    static const std::vector<HandModel> kHands = makeHands();
+    return kHands;
 }
 
 std::vector<Choreography> demoChoreographies(const std::vector<HandModel>& hands) {

@@ -19,7 +19,7 @@ using core::Pose;
 using Eigen::Vector3d;
 
 const std::vector<HandModel>& hands() {
-    static const std::vector<HandModel> kHands = core::makeDemoHands();
+    static const std::vector<HandModel>& kHands = core::demoHands();
     return kHands;
 }
 const HandModel& leftHand() {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/clicks.h"
+
 namespace {
 
 using Eigen::Vector3d;
@@ -45,6 +47,27 @@ TEST(SweptSolid, FarAwayItNeverClaimsMoreThanTheDistance) {
     const double claimed = solid.locate({10, 200, 0}).distanceMm;
     EXPECT_GT(claimed, 100);
     EXPECT_LE(claimed, 196);
+}
+
+TEST(SweptSolid, WhatIsFarIsToldApartWithoutItsExactDistance) {
+    const core::SweptSolid bent({{0, 0, 0}, {14, 9, 0}, {20, 25, 4}}, Vector3d::UnitZ(),
+                                {{{0, 4, 3, 2}, {2, 7, 5, 6}}, 5, 6});
+    auto random = test::randomFor("SweptSolid");
+    std::uniform_real_distribution<double> place(-40, 60), limit(-3, 20);
+    int near = 0, far = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Vector3d point(place(random), place(random), place(random));
+        const double farMm = limit(random);
+        const double exact = bent.locate(point).distanceMm;
+        const double told = bent.distanceMm(point, farMm);
+        if (exact < farMm)
+            EXPECT_EQ(told, exact) << point.transpose();
+        else
+            EXPECT_GE(told, farMm) << point.transpose();
+        ++(exact < farMm ? near : far);
+    }
+    EXPECT_GT(near, 500);
+    EXPECT_GT(far, 1000);
 }
 
 } // namespace

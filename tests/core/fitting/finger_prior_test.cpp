@@ -20,7 +20,7 @@ Eigen::Index dofOf(const core::Skeleton& skeleton, const std::string& name) {
 
 /// Second moments of the changes of all angles within 1, 5, 10 and 15 frames of the demo's choreographies.
 Eigen::MatrixXd momentsOfTheDemo(const core::Skeleton& skeleton) {
-    const std::vector<core::HandModel> hands = core::makeDemoHands();
+    const std::vector<core::HandModel>& hands = core::demoHands();
     const auto size = static_cast<Eigen::Index>(skeleton.dofs.size());
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
     double count = 0;
@@ -43,7 +43,7 @@ const std::string kFingers[] = {"index", "middle", "ring", "little"};
 const std::string kJoints[] = {"mcp", "pip", "dip"};
 
 TEST(FingerPrior, HoldsWhatTheDemosChoreographiesDo) {
-    const core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    const core::Skeleton skeleton = core::demoHands().front().skeleton;
     const Eigen::MatrixXd moments = momentsOfTheDemo(skeleton);
     const auto moment = [&](int f, int j, int g, int k) {
         return moments(dofOf(skeleton, kFingers[f] + "_" + kJoints[j] + ".flexion"),
@@ -72,7 +72,7 @@ TEST(FingerPrior, HoldsWhatTheDemosChoreographiesDo) {
 }
 
 TEST(FingerPrior, AHiddenJointFollowsTheOthersOfItsFinger) {
-    const core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    const core::Skeleton skeleton = core::demoHands().front().skeleton;
     const Eigen::MatrixXd precision = core::fingerChangePrecision(skeleton, core::learntFingerMotion());
     ASSERT_GT(precision.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0);
     const Eigen::Index mcp = dofOf(skeleton, "ring_mcp.flexion"), pip = dofOf(skeleton, "ring_pip.flexion");
@@ -88,7 +88,7 @@ TEST(FingerPrior, AHiddenJointFollowsTheOthersOfItsFinger) {
 }
 
 TEST(FingerPrior, BendsCountTowardsThePalmWhateverTheSignOfTheAngle) {
-    core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    core::Skeleton skeleton = core::demoHands().front().skeleton;
     const Eigen::MatrixXd before = core::fingerChangePrecision(skeleton, core::learntFingerMotion());
     const Eigen::Index pip = dofOf(skeleton, "index_pip.flexion"), dip = dofOf(skeleton, "index_dip.flexion");
     core::DegreeOfFreedom& dof = skeleton.dofs[static_cast<std::size_t>(pip)];
@@ -101,7 +101,7 @@ TEST(FingerPrior, BendsCountTowardsThePalmWhateverTheSignOfTheAngle) {
 }
 
 TEST(FingerPrior, OtherAnglesChangeOnTheirOwnByATenthOfTheirRange) {
-    const core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    const core::Skeleton skeleton = core::demoHands().front().skeleton;
     const Eigen::MatrixXd precision = core::fingerChangePrecision(skeleton, core::learntFingerMotion());
     const Eigen::Index twist = dofOf(skeleton, "ring_mcp.twist");
     const core::DegreeOfFreedom& dof = skeleton.dofs[static_cast<std::size_t>(twist)];
@@ -110,7 +110,7 @@ TEST(FingerPrior, OtherAnglesChangeOnTheirOwnByATenthOfTheirRange) {
 }
 
 TEST(FingerPrior, DerivativesAreThoseOfTheCost) {
-    const core::Skeleton skeleton = core::makeDemoHands().front().skeleton;
+    const core::Skeleton skeleton = core::demoHands().front().skeleton;
     const Eigen::MatrixXd precision = core::fingerChangePrecision(skeleton, core::learntFingerMotion());
     const Eigen::Index size = precision.rows();
     constexpr double kWeight = 0.7, kStep = 1e-4;

@@ -67,7 +67,7 @@ TEST(SilhouetteByModel, IsEmptyWhereTheHandsAreOutsideThePicture) {
 }
 
 TEST(SilhouetteByModel, EndsWhereTheModelDoesThoughAnArmGoesOn) {
-    const std::vector<HandModel> hands = makeDemoHands(); // the tiny ones end in a point
+    const std::vector<HandModel>& hands = demoHands(); // the tiny ones end in a point
     TinyScene scene{.hands = {hands[0]}, .poses = {hands[0].skeleton.restPose()}};
     const auto line = modelEnd(scene.camera, scene.hands[0], scene.poses[0]);
     ASSERT_TRUE(line);

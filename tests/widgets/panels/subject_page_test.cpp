@@ -25,7 +25,8 @@ constexpr double kScale = 1.04;
 class SubjectPageTest : public testing::Test {
 protected:
     SubjectPageTest() {
-        core::NewDataset demo = core::makeDemoDataset();
+        static const core::NewDataset kDemo = core::makeDemoDataset(); // takes longer than a test
+        core::NewDataset demo = kDemo;
         demo.dataset.sequences.resize(2);
         demo.motions.resize(2);
         core::writeDataset(demo.dataset, demo.motions, folder / "set");
