@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/geometry/lens_model.h"
+
 namespace core {
 
 void CoverageMask::reset(const Eigen::Vector2f& minPx, const Eigen::Vector2f& maxPx, float cellPx) {
@@ -105,13 +107,14 @@ struct FastCamera {
         , translation(c.cameraFromWorld.translation.cast<float>())
         , centre(c.centreInWorld().cast<float>())
         , intrinsics(c.intrinsics.cast<float>())
-        , lens(c.hasLens()) {}
+        , hasLens(c.hasLens())
+        , lens(c) {}
 
     Eigen::Vector2f project(const Eigen::Vector3f& world) const {
         const Eigen::Vector3f p = rotation * world + translation;
         Eigen::Vector2f n = p.head<2>() / std::max(p.z(), 1.0f);
-        if (lens)
-            n = distort(camera, n.cast<double>()).cast<float>();
+        if (hasLens)
+            n = lens.distort(n.cast<double>()).cast<float>();
         return {intrinsics(0, 0) * n.x() + intrinsics(0, 1) * n.y() + intrinsics(0, 2),
                 intrinsics(1, 1) * n.y() + intrinsics(1, 2)};
     }
@@ -119,7 +122,7 @@ struct FastCamera {
     /// False beyond the fold of the lens model, where a point would be shown mirrored.
     bool holdsAt(const Eigen::Vector3f& world) const {
         const Eigen::Vector3f p = rotation * world + translation;
-        return lensHolds(camera, (p.head<2>() / std::max(p.z(), 1.0f)).cast<double>());
+        return lens.holds((p.head<2>() / std::max(p.z(), 1.0f)).cast<double>());
     }
 
     /// Image normal at a rim point: the camera-frame normal over the focal lengths, carried through the lens by the
@@ -127,10 +130,10 @@ struct FastCamera {
     Eigen::Vector2f imageNormal(const Eigen::Vector3f& world, const Eigen::Vector3f& normal) const {
         const Eigen::Vector3f n = rotation * normal;
         Eigen::Vector2f m = n.head<2>();
-        if (lens) {
+        if (hasLens) {
             const Eigen::Vector3f p = rotation * world + translation;
             Eigen::Matrix2d jacobian;
-            distort(camera, (p.head<2>() / std::max(p.z(), 1.0f)).cast<double>(), &jacobian);
+            lens.distort((p.head<2>() / std::max(p.z(), 1.0f)).cast<double>(), &jacobian);
             const Eigen::Matrix2f j = jacobian.cast<float>();
             const float det = j.determinant();
             m = Eigen::Vector2f(j(1, 1) * m.x() - j(1, 0) * m.y(), -j(0, 1) * m.x() + j(0, 0) * m.y()) / det;
@@ -145,7 +148,8 @@ struct FastCamera {
     Eigen::Vector3f translation;
     Eigen::Vector3f centre;
     Eigen::Matrix3f intrinsics;
-    bool lens;
+    bool hasLens;
+    LensModel lens;
 };
 
 /// `alsoPx`: a rectangle of the image that the coverage must stand for, too.
@@ -225,7 +229,7 @@ void collectCandidates(const FastCamera& camera, const RimSource& source, int ha
         rim.px = camera.project(rim.point);
         if (rim.px.x() < 0.5f || rim.px.y() < 0.5f || rim.px.x() > right || rim.px.y() > bottom)
             continue;
-        if (camera.lens && !camera.holdsAt(rim.point))
+        if (camera.hasLens && !camera.holdsAt(rim.point))
             continue;
         rim.normalPx = camera.imageNormal(rim.point, rim.normal);
         if (!scratch.coverage.covers(rim.px + outwardPx * rim.normalPx))

@@ -19,7 +19,7 @@ namespace {
 class FirstPass : public testing::Test {
 protected:
     FirstPass() {
-        core::NewDataset demo = core::makeDemoDataset();
+        static const core::NewDataset demo = core::makeDemoDataset(); // takes longer than most tests
         core::writeDataset(demo.dataset, demo.motions, m_folder / "demo");
         m_dataset = core::readDataset(m_folder / "demo");
         m_motion = demo.motions.front();
