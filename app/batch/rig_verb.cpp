@@ -157,7 +157,7 @@ void printHealth(const core::RigHealth& health, const std::vector<std::string>& 
     std::printf("%d joints in %d frames; residuals are clicked - projected, px\n", health.joints, health.frames);
     std::printf("%-12s %7s %7s %17s %9s %9s\n", "camera", "clicks", "rms", "mean dx, dy", "+-", "scatter");
     for (const core::CameraHealth& camera : health.cameras) {
-        if (!camera.isKnown && health.cameras.size() < 3) {
+        if (!camera.isKnown && !health.canTellCameras()) {
             std::printf("%-12s %7d   cannot be known from two cameras\n", camera.camera.c_str(), camera.clicks);
             continue;
         }
@@ -191,7 +191,7 @@ void printRefinement(const core::RigRefinement& refinement, const std::optional<
 
 /// Whether refining is worth it, and what it still needs.
 void printAdvice(const core::RigHealth& health, const std::vector<core::RigJoint>& joints, bool isPossible) {
-    if (health.cameras.size() < 3) {
+    if (!health.canTellCameras()) {
         std::printf("two cameras cannot tell which of them is off: a refinement needs three\n");
         return;
     }

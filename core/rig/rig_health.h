@@ -46,6 +46,8 @@ struct RigHealth {
     int frames = 0;
     bool isKnown = false;
     bool anyOff() const;
+    /// Two cameras cannot tell which of them is off.
+    bool canTellCameras() const { return cameras.size() >= 3; }
 };
 
 struct RigHealthOptions {

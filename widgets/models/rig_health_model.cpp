@@ -43,7 +43,7 @@ QString RigHealthModel::cell(const core::CameraHealth& camera, int column) const
     case Clicks:
         return QLocale().toString(camera.clicks);
     case State:
-        return !camera.isKnown && m_health.cameras.size() < 3 ? tr("not known") : cameraStateText(camera);
+        return !camera.isKnown && !m_health.canTellCameras() ? tr("not known") : cameraStateText(camera);
     default:
         break;
     }
@@ -62,7 +62,7 @@ QString RigHealthModel::cell(const core::CameraHealth& camera, int column) const
 }
 
 QString RigHealthModel::tip(const core::CameraHealth& camera) const {
-    if (!camera.isKnown && m_health.cameras.size() < 3)
+    if (!camera.isKnown && !m_health.canTellCameras())
         return tr("Two cameras cannot tell which of them is off.");
     if (!camera.isKnown)
         return tr("%1: %n click(s) that other cameras confirm are too few to judge it", nullptr, camera.clicks)

@@ -147,7 +147,7 @@ QString cameraStateText(const core::CameraHealth& camera) {
 }
 
 QString refinementNeedsText(const core::RigHealth& health, const core::RefinementNeeds& needs) {
-    if (health.cameras.size() < 3)
+    if (!health.canTellCameras())
         return rigText(QT_TRANSLATE_NOOP("widgets::RigText",
                                          "Two cameras cannot tell which of them is off: a refinement needs three."));
     switch (needs.advice) {

@@ -81,7 +81,7 @@ void RigHealthView::refresh() {
     QStringList texts = rigFindingTexts(state->health, state->sequences) + state->unread;
     if (!any)
         texts << tr("No joint is clicked in two cameras yet: the calibration cannot be judged.");
-    else if (!state->health.isKnown && state->health.cameras.size() >= 3)
+    else if (!state->health.isKnown && state->health.canTellCameras())
         texts << tr("There are too few clicks to judge the calibration.");
     m_findings->setText(texts.join(QLatin1Char('\n')));
     m_findings->setVisible(!texts.isEmpty());
