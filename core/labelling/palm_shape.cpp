@@ -9,7 +9,7 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kFewestFrames = 3; ///< that tell a palm's shape from a pose
+constexpr std::size_t kFewestPalmFrames = 3; ///< that tell a palm's shape from a pose
 constexpr int kRounds = 6;               ///< of poses and palm in turn
 constexpr double kPalmSigmaMm = 8;       ///< how far people's knuckles are from the model's, per axis
 
@@ -100,7 +100,7 @@ HandModel withPalmOf(const HandModel& hand, const std::vector<std::vector<JointT
             poses[f] = fit ? fit->pose : Pose();
             seen += fit ? 1 : 0;
         }
-        if (seen < kFewestFrames)
+        if (seen < kFewestPalmFrames)
             return hand;
         movePalm(shaped, palm, palmDeviations(shaped, frames, poses, options));
     }
