@@ -18,9 +18,9 @@ constexpr float kUnseen = 2e-5f;   ///< share of pixels that an unseen colour is
 constexpr float kMostEvidence = 3; ///< log odds of one pixel's colour
 constexpr float kModelPull = 1.5f; ///< log odds at the band's ends, of the distance from the model's outline
 constexpr double kSmoothPx = 1.0;
-constexpr float kOwnColour = 1;      ///< log odds from which on a colour is more likely an arm's
-constexpr double kBesideBands = 5; ///< how far beside an arm's axis surroundings are compared with it
-constexpr double kLeastPart = 0.02;  ///< specks smaller than this share of the hands are left out
+constexpr float kOwnColour = 1;     ///< log odds from which on a colour is more likely an arm's
+constexpr double kBesideBands = 5;  ///< how far beside an arm's axis surroundings are compared with it
+constexpr double kLeastPart = 0.02; ///< specks smaller than this share of the hands are left out
 
 cv::Mat colourBins(const cv::Mat& bgr) {
     cv::Mat bins(bgr.size(), CV_16U);
