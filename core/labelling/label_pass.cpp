@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/labelling/landmark_fit.h"
+#include "core/labelling/outline_rig.h"
 #include "core/labelling/pass_hands.h"
 #include "core/labelling/pass_plan.h"
 #include "core/subject/calibration_unit.h"
@@ -33,6 +34,13 @@ long countHands(const FrameFit& fit) {
         fit.hands.begin(), fit.hands.end(), [](const FittedHand& hand) { return hand.pose.size() > 0; });
 }
 
+/// Of hands that nothing says the models are like, half are off by more than 5 mm, whatever silhouettes say.
+void halveTrust(std::map<int, FrameFit>& fits) {
+    for (auto& [frame, fit] : fits)
+        for (FittedHand& hand : fit.hands)
+            hand.doubt = 1 - (1 - hand.doubt) / 2;
+}
+
 /// One run of the pass.
 class Run {
 public:
@@ -53,7 +61,10 @@ public:
 
     PassResult run() {
         m_total = static_cast<int>(m_keys.size() + m_frames.size());
+        m_result.cameras = m_cameras;
         m_result.isFinished = detectKeys() && measure() && fitKeys() && track();
+        if (m_isPersonUnknown)
+            halveTrust(m_result.fits);
         return std::move(m_result);
     }
 
@@ -104,6 +115,7 @@ private:
     std::optional<FrameFitter> m_fitter;
     std::map<int, FrameFit> m_pilots; ///< fits of the models before they were measured
     long m_mostHands = 0;             ///< in one frame
+    bool m_isPersonUnknown = false;   ///< too many pilots were in doubt to measure the hands
     double m_scale = 1;               ///< of the models, as landmarks show them, over those that were given
     int m_done = 0, m_total = 1;
 };
@@ -194,8 +206,15 @@ bool Run::measureSilhouettes() {
         if (!say(PassStage::Measuring))
             return false;
     }
+    m_isPersonUnknown = m_pilots.size() >= kFewestPilots && measured.size() < kFewestPilots;
     if (measured.size() < kFewestPilots)
         return true;
+    if (auto adjusted = camerasByOutlines(m_cameras, m_result.hands, measured, m_stop)) {
+        m_cameras = *adjusted;
+        for (Camera& camera : *adjusted)
+            camera.cameraFromWorld.translation /= m_result.unitMm;
+        m_result.cameras = std::move(*adjusted);
+    }
     takeHands(measureHands(m_result.hands, m_cameras, measured, m_stop));
     return !isStopped();
 }

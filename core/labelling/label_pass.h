@@ -35,7 +35,8 @@ struct PassOptions {
     /// False: landmarks alone, in every frame; as with fewer views than kFewestSilhouetteViews, which can track
     /// nothing.
     bool withSilhouettes = true;
-    bool measureHands = true;        ///< the models become this person's hands
+    /// The models become this person's hands; cameras that are off are adjusted by the same silhouettes.
+    bool measureHands = true;
     bool landmarksAreJoints = false; ///< LandmarkFitOptions::areJoints; hands are measured from landmarks, too
     std::size_t mostPilots = 12;     ///< frames that hands are measured from
     double leastDoubt = 0.5;         ///< from which on a fit is doubted: tracking ends, the detector looks again
@@ -52,7 +53,10 @@ struct PassResult {
     std::vector<HandModel> hands;      ///< whose poses the fits hold: with bones for tips, measured
     std::vector<SubjectHand> measured; ///< empty: of the models at most the size was changed, as landmarks show it
     double unitMm = 1;                 ///< of the calibration
-    bool isFinished = false;           ///< else it was stopped
+    /// That the hands were fitted with, in the calibration's unit: as given, or adjusted to how silhouettes lie beside
+    /// hands (camerasByOutlines).
+    std::vector<Camera> cameras;
+    bool isFinished = false; ///< else it was stopped
 };
 
 /// Counts steps; `total` may change as the pass learns what is to be done.

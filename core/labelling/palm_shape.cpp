@@ -9,9 +9,9 @@ namespace core {
 
 namespace {
 
-constexpr std::size_t kFewestFrames = 3; ///< that tell a palm's shape from a pose
-constexpr int kRounds = 6;               ///< of poses and palm in turn
-constexpr double kPalmSigmaMm = 8;       ///< how far people's knuckles are from the model's, per axis
+constexpr std::size_t kFewestPalmFrames = 3; ///< that tell a palm's shape from a pose
+constexpr int kRounds = 6;                   ///< of poses and palm in turn
+constexpr double kPalmSigmaMm = 8;           ///< how far people's knuckles are from the model's, per axis
 
 /// The bones whose origins make the palm: the first ones with a target on the way from the root to every fingertip.
 std::vector<int> palmBones(const Skeleton& skeleton, const std::vector<std::vector<JointTarget>>& frames) {
@@ -100,7 +100,7 @@ HandModel withPalmOf(const HandModel& hand, const std::vector<std::vector<JointT
             poses[f] = fit ? fit->pose : Pose();
             seen += fit ? 1 : 0;
         }
-        if (seen < kFewestFrames)
+        if (seen < kFewestPalmFrames)
             return hand;
         movePalm(shaped, palm, palmDeviations(shaped, frames, poses, options));
     }

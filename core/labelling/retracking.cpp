@@ -172,7 +172,7 @@ std::optional<FrameFit> followingFit(const Following& following, int frame, cons
 } // namespace
 
 CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                              const std::string& rater) {
+                              const std::string& rater, const std::vector<Camera>& fitted) {
     CorrectedFrame corrected;
     corrected.frame = frame;
     for (auto& [id, joint] : reconstructFrame(set, cameras, frame, rater, {{}, false, std::nullopt}))
@@ -182,6 +182,10 @@ CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera
             corrected.guesses.emplace(id, joint.result.point->pointInWorld);
         else if (joint.proposal && joint.manualViews == 0)
             corrected.guesses.emplace(id, *joint.proposal);
+    for (auto& [id, joint] :
+         reconstructFrame(set, fitted.empty() ? cameras : fitted, frame, rater, {{}, false, std::nullopt}))
+        if (corrected.joints.contains(id) && joint.hasPoint())
+            corrected.joints[id] = *joint.result.point;
     for (const auto& [key, mark] : set.marks)
         if (key.rater == rater && (mark.isProposal() || mark.isAcceptedGuess())) {
             double& doubt = corrected.doubts.try_emplace(key.frame, 0).first->second;

@@ -27,8 +27,10 @@ struct CorrectedFrame {
 
 /// A frame as the marks of a rater have it: joints that are clicked, and proposals, accepted or not, of the others. The
 /// doubts are those of the proposals of all frames, the labels those of the set, which must outlive the result.
+/// `fitted`: the cameras that hands are followed with (PassResult::cameras), in which the clicks are placed; empty: the
+/// same. Proposals were drawn with `cameras`.
 CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera>& cameras, int frame,
-                              const std::string& rater);
+                              const std::string& rater, const std::vector<Camera>& fitted = {});
 
 /// Brings the hands to a corrected frame's joints and then to its silhouettes, which are held to the joints that the
 /// person has placed, and tracks from there through `frames` (ascending) to both sides, until a fit is in doubt and

@@ -79,6 +79,22 @@ cv::Mat farSide(const ForearmLine& line, const cv::Rect& window) {
     return mask;
 }
 
+/// A line along an arm's axis, half as thick as the arm.
+void drawAxis(cv::Mat& mask, const Camera& camera, const ForearmCut& cut, const RigidMotion& worldFromRest,
+              const cv::Rect& window) {
+    std::optional<cv::Point> last;
+    for (const Eigen::Vector3d& point : forearmAxis(cut, worldFromRest)) {
+        const double depthMm = (camera.cameraFromWorld * point).z();
+        const auto px = depthMm > cut.radiusMm ? project(camera, point) : std::nullopt;
+        if (!px || !isInside(camera.size, *px))
+            return;
+        const cv::Point at(cvRound(px->x()) - window.x, cvRound(px->y()) - window.y);
+        const int thickness = std::max(1, cvRound(cut.radiusMm * camera.intrinsics(0, 0) / depthMm));
+        cv::line(mask, last.value_or(at), at, cv::Scalar(255), thickness);
+        last = at;
+    }
+}
+
 /// An arm goes on beyond the model's end, without an edge there: the model says where the hand ends.
 void addEnd(ModelInView& result, const Camera& camera, const HandModel& hand, const Pose& pose) {
     const std::optional<ForearmLine> line = modelEnd(camera, hand, pose);
@@ -87,6 +103,7 @@ void addEnd(ModelInView& result, const Camera& camera, const HandModel& hand, co
         return;
     const cv::Mat beyond = regionMask(region, result.window) & farSide(*line, result.window);
     result.arms |= beyond & ~result.model;
+    drawAxis(result.armCores, camera, forearmCut(hand), worldFromRest(hand, pose), result.window);
     result.cuts.push_back(*line);
 }
 
@@ -121,9 +138,11 @@ ModelInView modelInView(const Camera& camera, const std::vector<HandModel>& hand
         return result;
     result.model = whole(result.window).clone();
     result.arms = cv::Mat::zeros(result.model.size(), CV_8U);
+    result.armCores = result.arms.clone();
     for (std::size_t h = 0; h < std::min(hands.size(), poses.size()); ++h)
         if (isPosed(hands[h], poses[h]))
             addEnd(result, camera, hands[h], poses[h]);
+    result.armCores &= result.arms;
     return result;
 }
 

@@ -18,9 +18,10 @@ struct ModelViewOptions {
 
 /// Posed hand models as a camera sees them.
 struct ModelInView {
-    cv::Rect window; ///< of the picture: the models, the band and the margin; empty if none is seen
-    cv::Mat model;   ///< their silhouette: CV_8U of the window's size, 0 and 255
-    cv::Mat arms;    ///< 255 where an arm goes on beyond a model's end; of the same size
+    cv::Rect window;  ///< of the picture: the models, the band and the margin; empty if none is seen
+    cv::Mat model;    ///< their silhouette: CV_8U of the window's size, 0 and 255
+    cv::Mat arms;     ///< 255 where an arm goes on beyond a model's end; of the same size
+    cv::Mat armCores; ///< the part of these around the arms' axes, where there is nothing else if there is an arm
     double bandPx = 0;
     std::vector<ForearmLine> cuts; ///< where the models end
 };

@@ -137,6 +137,29 @@ Silhouette withoutArms(cv::Mat mask, const Camera& camera, const HandEvidence& e
     return result;
 }
 
+/// Whether arms are seen: surroundings look like one in some view, but not in most.
+bool showsArms(const std::vector<ArmSigns>& views) {
+    constexpr double kOwnShare = 0.5;
+    int pixels = 0, own = 0;
+    for (const ArmSigns& view : views) {
+        pixels += view.pixels;
+        own += view.own;
+    }
+    return own > kOwnShare * pixels;
+}
+
+template <typename Work>
+void forEachView(std::size_t count, const Work& work) {
+    const int all = static_cast<int>(count);
+    cv::parallel_for_(
+        cv::Range(0, all),
+        [&](const cv::Range& range) {
+            for (int c = range.start; c < range.end; ++c)
+                work(static_cast<std::size_t>(c));
+        },
+        all);
+}
+
 } // namespace
 
 std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& camera,
@@ -161,21 +184,25 @@ std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& c
 
 std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
                                         const std::vector<HandModel>& hands, const HandPoses& poses, double bandMm) {
-    std::vector<cv::Mat> masks(cameras.size());
-    const int count = static_cast<int>(cameras.size());
-    cv::parallel_for_(
-        cv::Range(0, count),
-        [&](const cv::Range& range) {
-            for (int c = range.start; c < range.end; ++c) {
-                const auto at = static_cast<std::size_t>(c);
-                if (pictures[at].empty())
-                    continue;
-                const ModelInView view = modelInView(cameras[at], hands, poses, {bandMm, 2 * bandMm});
-                if (!view.window.empty())
-                    masks[at] = pasted(oddsCut(pictures[at], view), view.window, pictures[at].size());
-            }
-        },
-        count);
+    const std::size_t count = cameras.size();
+    std::vector<ModelInView> views(count);
+    std::vector<std::optional<OddsCut>> cuts(count);
+    std::vector<ArmSigns> arms(count);
+    forEachView(count, [&](std::size_t c) {
+        if (pictures[c].empty())
+            return;
+        views[c] = modelInView(cameras[c], hands, poses, {bandMm, 2 * bandMm});
+        if (views[c].window.empty())
+            return;
+        cuts[c].emplace(pictures[c], views[c]);
+        arms[c] = cuts[c]->armSigns();
+    });
+    const bool armsAreSeen = showsArms(arms);
+    std::vector<cv::Mat> masks(count);
+    forEachView(count, [&](std::size_t c) {
+        if (cuts[c])
+            masks[c] = pasted(cuts[c]->mask(armsAreSeen), views[c].window, pictures[c].size());
+    });
     return masks;
 }
 

@@ -40,7 +40,8 @@ std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& c
                                          const cv::Mat& background, const SilhouetteOptions& options);
 
 /// Silhouettes in the pictures of one instant, per camera (empty where there is none), by posed models that may be
-/// wrong by `bandMm`: by oddsCut, a third of the time that Model takes. Views side by side, which changes nothing.
+/// wrong by `bandMm`: by OddsCut, a third of the time that Model takes; whether arms are seen is asked of all views
+/// together. Views side by side, which changes nothing.
 /// Empty poses: hands that are not there. A mask without pixels where no hand is seen.
 std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, const std::vector<cv::Mat>& pictures,
                                         const std::vector<HandModel>& hands, const HandPoses& poses,

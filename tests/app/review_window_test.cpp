@@ -44,6 +44,21 @@ TEST_F(ReviewWindow, TheFirstPassFillsTheQueueAndTheListOfJointsFollows) {
     EXPECT_FALSE(panel()->firstPass()->isVisible()) << "it makes room for the queue";
 }
 
+TEST_F(ReviewWindow, ViewsShowTheHandsOfTheFrameThatIsLookedAt) {
+    widgets::CameraView* view = window->workspaces().grid()->view(0);
+    const QRectF corner(2, 2, 12, 12);
+    view->setHome(corner); // where no hand is
+    run();
+    const QRectF found = view->home();
+    EXPECT_NE(found, corner);
+    view->setHome(corner);
+    ASSERT_EQ(play("{\"do\":\"key\",\"keys\":\"Shift+W\"}\n"), 0) << errors.str();
+    EXPECT_NE(view->home(), corner) << "by a key";
+    view->setHome(corner);
+    panel()->table()->clicked(panel()->table()->model()->index(1, 0));
+    EXPECT_NE(view->home(), corner) << "by a row";
+}
+
 TEST_F(ReviewWindow, KeysAcceptAFrameAndGoToTheNext) {
     run();
     ASSERT_EQ(play("{\"do\":\"key\",\"keys\":\"Shift+W\"}\n"), 0) << errors.str();

@@ -5,6 +5,8 @@
 // handlens_first_pass_trial DATASET SEQUENCE [--rig exact|studio|casual] [--scale S] [--girth MM] [--cameras N|--views
 // I,I]
 //        [--clutter] [--blur FRAMES] [--defocus PX] [--aside SHARE] [--first F] [--every N] [--frames N] [--seed N]
+//        [--least-hidden SHARE] (frames with a hand of which that share is behind the other one, mean over the views)
+//        [--floors] (only what the calibration itself is off by, and how much of each hand is hidden)
 //        [--key-every N] [--same-hands] [--review MM] [--looks N] [--no-refit]
 #include <algorithm>
 #include <array>
@@ -13,12 +15,14 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <random>
 
 #include <Eigen/Geometry>
 
 #include "core/error.h"
 #include "core/io/detector/detector_files.h"
 #include "core/numeric/median.h"
+#include "core/rig/rig_refinement.h"
 #include "tests/benchmarks/simulated_reviewer.h"
 
 namespace {
@@ -31,6 +35,7 @@ struct Arguments {
     core::PassOptions pass;
     double reviewMm = 0; ///< until the mean error is below; 0: no review
     trial::ReviewerOptions reviewer;
+    bool floorsOnly = false;
 };
 
 const char* valueOf(int argc, char** argv, const char* option, const char* otherwise) {
@@ -49,7 +54,7 @@ Arguments parsed(int argc, char** argv) {
     const auto number = [&](const char* option, const char* otherwise) {
         return std::atof(valueOf(argc, argv, option, otherwise));
     };
-    Arguments result{argv[1], argv[2], {}, {}, number("--review", "0"), {}};
+    Arguments result{argv[1], argv[2], {}, {}, number("--review", "0"), {}, has(argc, argv, "--floors")};
     trial::RecordingOptions& recording = result.recording;
     const std::string rig = valueOf(argc, argv, "--rig", "exact");
     recording.imperfection.rig = rig == "studio"   ? core::kStudioRig
@@ -71,6 +76,7 @@ Arguments parsed(int argc, char** argv) {
     recording.asideShare = number("--aside", "0");
     recording.firstFrame = static_cast<int>(number("--first", "18"));
     recording.every = static_cast<int>(number("--every", "14"));
+    recording.leastHidden = number("--least-hidden", "0");
     recording.mostFrames = static_cast<int>(number("--frames", "1000"));
     recording.seed = static_cast<std::uint64_t>(number("--seed", "1"));
     result.pass.keyEveryFrames = static_cast<int>(number("--key-every", "10"));
@@ -112,14 +118,17 @@ private:
 
 struct Errors {
     std::vector<double> jointsMm, alignedMm;
+    std::vector<double> handMm, handDoubt;
     int hands = 0, bad = 0, badSure = 0, badTrusted = 0, trusted = 0, sure = 0, lacking = 0;
 };
 
-void countHand(Errors& errors, int frame, const core::AutoHand& hand, const std::vector<double>& mm) {
+void countHand(Errors& errors, int frame, const core::AutoHand& hand, const std::vector<double>& mm, double hidden) {
     double mean = 0;
     for (const double one : mm)
         mean += one / static_cast<double>(mm.size());
     const bool isBad = mean > kBadMm;
+    errors.handMm.push_back(mean);
+    errors.handDoubt.push_back(hand.doubt);
     ++errors.hands;
     errors.bad += isBad;
     errors.badSure += isBad && hand.doubt < kSureDoubt;
@@ -129,31 +138,14 @@ void countHand(Errors& errors, int frame, const core::AutoHand& hand, const std:
     double statedMm = 0;
     for (const core::AutoJoint& joint : hand.joints)
         statedMm += std::sqrt(joint.covariance.trace()) / static_cast<double>(hand.joints.size());
-    std::printf("hand,%d,%s,%d,%.2f,%.2f,%.4f,%.2f\n", frame, std::string(core::sideName(hand.side)).c_str(),
-                static_cast<int>(hand.source), mean, *std::max_element(mm.begin(), mm.end()), hand.doubt, statedMm);
+    std::printf("hand,%d,%s,%d,%.2f,%.2f,%.4f,%.2f,%.3f\n", frame, std::string(core::sideName(hand.side)).c_str(),
+                static_cast<int>(hand.source), mean, *std::max_element(mm.begin(), mm.end()), hand.doubt, statedMm,
+                hidden);
     errors.jointsMm.insert(errors.jointsMm.end(), mm.begin(), mm.end());
 }
 
-/// Errors of all labelled joints that people click, as they are and after the best rigid motion of them all.
-Errors errorsOf(const trial::Recording& recording, const core::AutoLabels& labels) {
-    Errors errors;
-    std::vector<Eigen::Vector3d> found, truth;
-    std::printf("hand,frame,side,source,error mm,worst joint mm,doubt,stated mm\n");
-    for (const auto& [frame, hands] : labels) {
-        for (const core::AutoHand& hand : hands) {
-            std::vector<double> mm;
-            for (const core::AutoJoint& joint : hand.joints) {
-                const core::JointId id{hand.side, joint.name};
-                if (std::find(recording.joints().begin(), recording.joints().end(), id) == recording.joints().end())
-                    continue;
-                found.push_back(joint.pointInWorld);
-                truth.push_back(recording.truth(frame, id));
-                mm.push_back((found.back() - truth.back()).norm());
-            }
-            countHand(errors, frame, hand, mm);
-        }
-    }
-    errors.lacking = 2 * static_cast<int>(recording.frames().size()) - errors.hands;
+/// Errors after the best rigid motion of all joints.
+void align(Errors& errors, const std::vector<Eigen::Vector3d>& found, const std::vector<Eigen::Vector3d>& truth) {
     Eigen::Matrix3Xd from(3, found.size()), to(3, found.size());
     for (Eigen::Index i = 0; i < from.cols(); ++i) {
         from.col(i) = found[static_cast<std::size_t>(i)];
@@ -165,9 +157,31 @@ Errors errorsOf(const trial::Recording& recording, const core::AutoLabels& label
         for (Eigen::Index i = 0; i < to.cols(); ++i)
             errors.alignedMm.push_back((moved.col(i) - to.col(i)).norm());
     }
-    return errors;
 }
 
+/// Errors of all labelled joints that people click, as they are and after the best rigid motion of them all.
+Errors errorsOf(const trial::Recording& recording, const core::AutoLabels& labels) {
+    Errors errors;
+    std::vector<Eigen::Vector3d> found, truth;
+    std::printf("hand,frame,side,source,error mm,worst joint mm,doubt,stated mm,hidden\n");
+    for (const auto& [frame, hands] : labels) {
+        for (const core::AutoHand& hand : hands) {
+            std::vector<double> mm;
+            for (const core::AutoJoint& joint : hand.joints) {
+                const core::JointId id{hand.side, joint.name};
+                if (std::find(recording.joints().begin(), recording.joints().end(), id) == recording.joints().end())
+                    continue;
+                found.push_back(joint.pointInWorld);
+                truth.push_back(recording.truth(frame, id));
+                mm.push_back((found.back() - truth.back()).norm());
+            }
+            countHand(errors, frame, hand, mm, recording.hiddenShare(frame, hand.side));
+        }
+    }
+    errors.lacking = 2 * static_cast<int>(recording.frames().size()) - errors.hands;
+    align(errors, found, truth);
+    return errors;
+}
 double meanOf(const std::vector<double>& values) {
     double sum = 0;
     for (const double value : values)
@@ -180,6 +194,31 @@ double share95(std::vector<double> values) {
     return values.empty() ? 0 : values[static_cast<std::size_t>(0.95 * static_cast<double>(values.size() - 1))];
 }
 
+/// Places in ascending order, equal values sharing theirs.
+std::vector<double> ranksOf(const std::vector<double>& values) {
+    std::vector<double> ranks;
+    for (const double value : values) {
+        double rank = 0;
+        for (const double other : values)
+            rank += other < value ? 1 : other == value ? 0.5 : 0;
+        ranks.push_back(rank);
+    }
+    return ranks;
+}
+
+/// Spearman's rank correlation.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> x = ranksOf(a), y = ranksOf(b);
+    const double meanX = meanOf(x), meanY = meanOf(y);
+    double xy = 0, xx = 0, yy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xy += (x[i] - meanX) * (y[i] - meanY);
+        xx += (x[i] - meanX) * (x[i] - meanX);
+        yy += (y[i] - meanY) * (y[i] - meanY);
+    }
+    return xx * yy > 0 ? xy / std::sqrt(xx * yy) : 0;
+}
+
 void printErrors(const Errors& errors, std::size_t frames) {
     std::printf("%zu frames, %d hands, %d lacking; joints: mean %.2f mm, 95 %% below %.2f, worst %.2f; after the best "
                 "rigid motion %.2f\n",
@@ -189,6 +228,49 @@ void printErrors(const Errors& errors, std::size_t frames) {
     std::printf("hands off by more than %g mm: %d; of these with a doubt below %g: %d (of %d), below %g: %d (of %d)\n",
                 kBadMm, errors.bad, kTrustedDoubt, errors.badTrusted, errors.trusted, kSureDoubt, errors.badSure,
                 errors.sure);
+    std::printf("rank correlation of doubt and error over the hands: %.2f\n",
+                rankCorrelation(errors.handDoubt, errors.handMm));
+}
+
+/// What joints are off by whose true pixels are triangulated: the calibration's own part of any label's error.
+void printFloor(const trial::Recording& recording, const std::vector<core::Camera>& cameras, const char* name) {
+    Errors errors;
+    std::vector<Eigen::Vector3d> found, truth;
+    for (const int frame : recording.frames())
+        for (const core::JointId& id : recording.joints()) {
+            std::vector<core::Observation> seen;
+            for (std::size_t c = 0; c < cameras.size(); ++c)
+                if (const auto px = recording.truePx(frame, id, c))
+                    seen.push_back({static_cast<int>(c), *px, 1});
+            const auto point = core::refinePoint(cameras, seen, recording.truth(frame, id));
+            if (!point)
+                continue;
+            found.push_back(*point);
+            truth.push_back(recording.truth(frame, id));
+            errors.jointsMm.push_back((found.back() - truth.back()).norm());
+        }
+    align(errors, found, truth);
+    std::printf("floor %s: mean %.2f mm, after the best rigid motion %.2f\n", name, meanOf(errors.jointsMm),
+                meanOf(errors.alignedMm));
+}
+
+void printFloors(const trial::Recording& recording) {
+    const auto& cameras = recording.dataset().cameras;
+    printFloor(recording, cameras, "as calibrated");
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> noise(0, 1.5);
+    std::vector<core::RigJoint> joints;
+    for (const int frame : recording.frames())
+        for (const core::JointId& id : recording.joints()) {
+            core::RigJoint joint{0, frame, "sim", id, {}};
+            for (std::size_t c = 0; c < cameras.size(); ++c)
+                if (const auto px = recording.truePx(frame, id, c))
+                    joint.clicks.push_back(
+                        {static_cast<int>(c), *px + Eigen::Vector2d(noise(random), noise(random)), 0});
+            joints.push_back(joint);
+        }
+    if (const auto refined = core::refineRig(cameras, joints))
+        printFloor(recording, refined->cameras, "refined by clicks on every joint in every view");
 }
 
 void review(trial::Recording& recording, core::PassResult pass, const Arguments& arguments) {
@@ -214,6 +296,13 @@ void review(trial::Recording& recording, core::PassResult pass, const Arguments&
 void run(const Arguments& arguments) {
     trial::Recording recording(core::readDataset(arguments.dataset), arguments.sequence, core::readDetector(),
                                arguments.recording);
+    printFloors(recording);
+    if (arguments.floorsOnly) {
+        for (const int frame : recording.frames())
+            std::printf("hidden,%d,%.3f,%.3f\n", frame, recording.hiddenShare(frame, core::Side::Left),
+                        recording.hiddenShare(frame, core::Side::Right));
+        return;
+    }
     StageClock clock(recording);
     core::PassResult pass =
         core::runLabelPass(recording.dataset().hands, recording.dataset().cameras, recording.frames(), recording,

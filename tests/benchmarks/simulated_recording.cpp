@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/benchmarks/simulated_recording.h"
 
+#include <algorithm>
 #include <ctime>
 
+#include "core/contour/rasteriser.h"
 #include "core/contour/shaded_image.h"
 #include "core/simulation/simulated_clicks.h"
 
@@ -43,7 +45,9 @@ Recording::Recording(core::Dataset dataset, const std::string& sequence, const c
     for (int frame = options.firstFrame;
          frame + 1 < static_cast<int>(m_motion.size()) && static_cast<int>(m_frames.size()) < options.mostFrames;
          frame += options.every)
-        m_frames.push_back(frame);
+        if (options.leastHidden <= 0 || std::max(hiddenShare(frame, core::Side::Left),
+                                                 hiddenShare(frame, core::Side::Right)) >= options.leastHidden)
+            m_frames.push_back(frame);
     for (const core::Camera& camera : m_world.cameras)
         m_rooms.push_back(options.hasClutter ? core::backgroundPicture(camera, options.seed)
                                              : core::renderShaded(camera, {}));
@@ -88,6 +92,33 @@ Eigen::Vector3d Recording::truth(int frame, const core::JointId& joint) const {
                                                 [h])[static_cast<std::size_t>(skeleton.boneIndex(joint.joint))];
     }
     return Eigen::Vector3d::Zero();
+}
+
+double Recording::hiddenShare(int frame, core::Side side) const {
+    const std::vector<core::HandModel>& hands = m_world.hands;
+    const core::HandPoses& poses = m_motion[static_cast<std::size_t>(frame)];
+    std::vector<std::vector<Eigen::Vector3d>> vertices;
+    std::vector<core::PosedSurface> surfaces;
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        vertices.push_back(core::posedVertices(hands[h], poses[h]));
+    for (std::size_t h = 0; h < hands.size(); ++h)
+        surfaces.push_back({&vertices[h], &hands[h].mesh.triangles});
+    if (hands.size() != 2)
+        return 0;
+    const std::size_t own = hands[0].side == side ? 0 : 1;
+    const int left = static_cast<int>(hands[0].mesh.triangles.size());
+    double sum = 0;
+    int views = 0;
+    for (const core::Camera& camera : m_world.cameras) {
+        const int whole = cv::countNonZero(core::renderMask(camera, {surfaces[own]}));
+        if (whole == 0)
+            continue;
+        const cv::Mat triangle = core::renderDepthWindow(camera, surfaces).image.triangle;
+        const cv::Mat seen = own == 0 ? cv::Mat((triangle >= 0) & (triangle < left)) : cv::Mat(triangle >= left);
+        sum += 1 - cv::countNonZero(seen) / static_cast<double>(whole);
+        ++views;
+    }
+    return views > 0 ? sum / views : 0;
 }
 
 std::optional<Eigen::Vector2d> Recording::truePx(int frame, const core::JointId& joint, std::size_t camera) const {

@@ -25,6 +25,7 @@ struct RecordingOptions {
     int firstFrame = 18;
     int every = 14;
     int mostFrames = 1000;
+    double leastHidden = 0; ///< hiddenShare of a hand; other frames are left out
     std::uint64_t seed = 1;
 };
 
@@ -49,6 +50,8 @@ public:
     Eigen::Vector3d truth(int frame, const core::JointId& joint) const;
     /// Where a joint really is in a picture.
     std::optional<Eigen::Vector2d> truePx(int frame, const core::JointId& joint, std::size_t camera) const;
+    /// How much of a hand is behind the other one, mean over the views.
+    double hiddenShare(int frame, core::Side side) const;
     double drawingSeconds() const { return m_drawingSeconds; }
 
 private:

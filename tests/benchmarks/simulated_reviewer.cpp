@@ -161,8 +161,8 @@ void SimulatedReviewer::correct(int frame, const core::JointId& joint) {
 void SimulatedReviewer::refit(int frame) {
     const auto& cameras = m_recording.dataset().cameras;
     const core::PassResult result =
-        core::retrack(m_pass.hands, cameras, core::correctedFrame(m_set, cameras, frame, kRater), {frame}, {},
-                      m_recording, m_passOptions);
+        core::retrack(m_pass.hands, m_pass.cameras, core::correctedFrame(m_set, cameras, frame, kRater, m_pass.cameras),
+                      {frame}, {}, m_recording, m_passOptions);
     takeLabels(core::autoLabels(result, cameras));
     look(frame);
 }
@@ -176,8 +176,9 @@ void SimulatedReviewer::follow(int frame) {
             waiting.push_back(other);
     std::sort(waiting.begin(), waiting.end());
     const auto& cameras = m_recording.dataset().cameras;
-    core::PassResult result = core::retrack(m_pass.hands, cameras, core::correctedFrame(m_set, cameras, frame, kRater),
-                                            waiting, reviewed, m_recording, m_passOptions);
+    core::PassResult result =
+        core::retrack(m_pass.hands, m_pass.cameras, core::correctedFrame(m_set, cameras, frame, kRater, m_pass.cameras),
+                      waiting, reviewed, m_recording, m_passOptions);
     core::AutoLabels labels = core::autoLabels(result, cameras);
     labels.erase(frame); // it is the person's
     takeLabels(labels);

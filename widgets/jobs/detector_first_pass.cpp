@@ -13,11 +13,17 @@ namespace widgets {
 
 namespace {
 
-/// The person's hands as the last pass measured them: what corrected frames are followed with.
+/// The person's hands as the last pass measured them, and the cameras as it adjusted them: what corrected frames are
+/// followed with.
+struct Measured {
+    std::vector<core::HandModel> hands;
+    std::vector<core::Camera> cameras;
+};
 struct MeasuredHands {
     std::mutex mutex;
-    std::filesystem::path dataset;
-    std::vector<core::HandModel> hands;
+    std::filesystem::path folder;
+    std::weak_ptr<const core::Dataset> dataset; ///< another one of the same folder may have another calibration
+    Measured last;
 };
 
 core::FirstPassOptions optionsFor(const FirstPassWork& work) {
@@ -35,17 +41,19 @@ FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token sto
     core::FirstPassResult result = core::runFirstPass(*work.dataset, work.sequence, core::readDetector(), work.frames,
                                                       optionsFor(work), stop, callbacks);
     const std::lock_guard lock(measured.mutex);
-    measured.dataset = work.dataset->folder;
-    measured.hands = result.pass.hands;
+    measured.folder = work.dataset->folder;
+    measured.dataset = work.dataset;
+    measured.last = {result.pass.hands, result.pass.cameras};
     return {std::move(result.labels), result.isFinished};
 }
 
-/// The hands that frames are labelled anew with: measured ones if there are any of this dataset.
-std::vector<core::HandModel> handsFor(const core::Dataset& dataset, MeasuredHands& measured) {
+/// What frames are labelled anew with: what was measured, if anything was of this dataset.
+Measured measuredFor(const FirstPassWork& work, MeasuredHands& measured) {
+    const core::Dataset& dataset = *work.dataset;
     const std::lock_guard lock(measured.mutex);
-    if (measured.dataset == dataset.folder && !measured.hands.empty())
-        return measured.hands;
-    return dataset.hands.empty() ? core::demoHands() : dataset.hands;
+    if (measured.folder != dataset.folder || measured.last.hands.empty())
+        return {dataset.hands.empty() ? core::demoHands() : dataset.hands, dataset.cameras};
+    return {measured.last.hands, measured.dataset.lock() == work.dataset ? measured.last.cameras : dataset.cameras};
 }
 
 /// The frames around a corrected one: those that wait for a look are followed into, up to those that were reviewed.
@@ -58,10 +66,11 @@ core::AutoLabels followCorrected(const FirstPassWork& work, const core::Annotati
     for (const int one : waiting)
         reviewed.erase(one);
     waiting.insert(frame);
-    core::AutoLabels labels = core::retrackFrames(*work.dataset, work.sequence, handsFor(*work.dataset, measured),
-                                                  core::correctedFrame(set, work.dataset->cameras, frame, rater),
-                                                  {waiting.begin(), waiting.end()}, {reviewed.begin(), reviewed.end()},
-                                                  optionsFor(work), stop);
+    const Measured with = measuredFor(work, measured);
+    core::AutoLabels labels = core::retrackFrames(
+        *work.dataset, work.sequence, with.hands, with.cameras,
+        core::correctedFrame(set, work.dataset->cameras, frame, rater, with.cameras), {waiting.begin(), waiting.end()},
+        {reviewed.begin(), reviewed.end()}, optionsFor(work), stop);
     labels.erase(frame); // it is the person's
     return labels;
 }
@@ -69,9 +78,10 @@ core::AutoLabels followCorrected(const FirstPassWork& work, const core::Annotati
 /// A frame that a person is correcting: what is not placed follows what is.
 core::AutoLabels refitCorrected(const FirstPassWork& work, const core::AnnotationSet& set, const std::string& rater,
                                 int frame, std::stop_token stop, MeasuredHands& measured) {
-    return core::retrackFrames(*work.dataset, work.sequence, handsFor(*work.dataset, measured),
-                               core::correctedFrame(set, work.dataset->cameras, frame, rater), {frame}, {},
-                               optionsFor(work), stop);
+    const Measured with = measuredFor(work, measured);
+    return core::retrackFrames(*work.dataset, work.sequence, with.hands, with.cameras,
+                               core::correctedFrame(set, work.dataset->cameras, frame, rater, with.cameras), {frame},
+                               {}, optionsFor(work), stop);
 }
 
 } // namespace

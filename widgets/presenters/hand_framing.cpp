@@ -10,11 +10,18 @@ namespace {
 
 constexpr double kRoom = 0.06;        // around the hands, of the box's longer side
 constexpr double kAwayScreenPx = 24;  // from where the arm begins to the label
+constexpr double kLargeEnough = 0.5;  // of a view's longer side, from which on hands are shown well
 constexpr double kDirectionPx = 1e-3; // a shorter way has no direction
 
 QRectF withRoom(const QRectF& box) {
     const double room = kRoom * std::max(box.width(), box.height());
     return box.adjusted(-room, -room, room, room);
+}
+
+/// Whether a view of `shown` holds the hands, and not small ones.
+bool showsWell(const QRectF& shown, const QRectF& hands) {
+    return shown.contains(hands) &&
+           std::max(hands.width(), hands.height()) > kLargeEnough * std::max(shown.width(), shown.height());
 }
 
 /// Beside the place where the arm begins, away from the fingers; empty if that is not in the picture.
@@ -109,6 +116,18 @@ bool HandFraming::frameHands() {
     if (masksTell)
         frameByMasks(unknown);
     return masksTell || static_cast<int>(unknown.size()) < m_grid.count();
+}
+
+void HandFraming::showHands() {
+    const auto hands = handsOfThisFrame();
+    if (hands.empty())
+        return;
+    for (int camera = 0; camera < m_grid.count(); ++camera) {
+        CameraView* view = m_grid.view(camera);
+        const auto box = boxIn(camera, hands);
+        if (box && view->isFitted() && !showsWell(view->home(), *box))
+            view->setHome(*box);
+    }
 }
 
 /// The views that were zoomed by hand meanwhile stay as they are.

@@ -38,6 +38,9 @@ public:
     /// Frames the hands of the current frame in every view; those of masks follow in the background. False if nothing
     /// is known and there are no masks.
     bool frameHands();
+    /// Views that nobody has zoomed by hand show the hands of the current frame, if they are known in it and the views
+    /// do not show them well already: a first pass has found them, or the review went to another frame.
+    void showHands();
     void setLabelsShown(bool shown);
     bool labelsShown() const { return m_labelsShown; }
     /// The label of a hand that is not shown goes, too.

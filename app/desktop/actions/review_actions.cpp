@@ -20,10 +20,15 @@ widgets::ReviewPanel& showReview(MainWindow& window) {
     return *spaces.reviewPanel();
 }
 
+void lookAt(MainWindow& window, int frame) {
+    window.session().selection.setFrame(frame);
+    window.workspaces().framing()->showHands();
+}
+
 void goToNextReviewed(MainWindow& window) {
     widgets::WindowSession& session = window.session();
     if (const auto frame = session.review.next(session.selection.frame()))
-        session.selection.setFrame(*frame);
+        lookAt(window, *frame);
     else
         window.statusLine().sayBriefly(session.review.rows().empty()
                                            ? MainWindow::tr("No frame waits for a look.")
@@ -46,7 +51,7 @@ void acceptFrame(MainWindow& window) {
     if (wasCorrected(session, frame))
         session.firstPass.followFrom(frame);
     if (next)
-        session.selection.setFrame(*next);
+        lookAt(window, *next);
     else
         window.statusLine().sayBriefly(MainWindow::tr("Every frame of the first pass is reviewed."));
 }
@@ -76,7 +81,10 @@ void bindReviewItems(MainWindow& window) {
         id("review.correct"), [&window] { correctFrame(window); });
     actions.bind(
         id("review.next"), [&window] { goToNextReviewed(window); });
-    actions.bind(id("review.show"), [&window] { showReview(window); });
+    actions.bind(
+        id("review.show"), [&window] { showReview(window); });
+    QObject::connect(window.workspaces().reviewPanel(), &widgets::ReviewPanel::frameChosen, &window,
+                     [&window] { window.workspaces().framing()->showHands(); });
     window.workspaces().reviewPanel()->setActions(
         actions.action(id("review.accept")), actions.action(id("review.correct")), actions.action(id("review.next")),
         actions.action(id("annotation.firstPass")));
@@ -120,6 +128,7 @@ void announceFirstPass(MainWindow& window) {
         &pass, &widgets::FirstPass::finished, &window,
         [&window](const widgets::FirstPassResult& result) {
             window.statusLine().sayBriefly(finishedText(result));
+            window.workspaces().framing()->showHands();
             if (result.proposed > 0 && window.workspaces().current() == widgets::Workspaces::Kind::Annotate)
                 showReview(window).setFormShown(false);
         });

@@ -93,9 +93,9 @@ void finishFirstPass(const FirstPassOptions& options) {
 }
 
 AutoLabels retrackFrames(const Dataset& dataset, const Sequence& sequence, const std::vector<HandModel>& hands,
-                         const CorrectedFrame& corrected, const std::vector<int>& frames,
-                         const std::vector<int>& reviewed, const PassOptions& options, std::stop_token stop,
-                         const FirstPassCallbacks& callbacks) {
+                         const std::vector<Camera>& cameras, const CorrectedFrame& corrected,
+                         const std::vector<int>& frames, const std::vector<int>& reviewed, const PassOptions& options,
+                         std::stop_token stop, const FirstPassCallbacks& callbacks) {
     DatasetPassSource source(dataset, sequence, nullptr, nullptr);
     PassSink sink;
     if (callbacks.frame)
@@ -103,7 +103,7 @@ AutoLabels retrackFrames(const Dataset& dataset, const Sequence& sequence, const
             callbacks.frame(frame, autoHands(pass, frame, dataset.cameras));
         };
     return autoLabels(
-        retrack(hands, dataset.cameras, corrected, frames, reviewed, source, options, stop, callbacks.progress, sink),
+        retrack(hands, cameras, corrected, frames, reviewed, source, options, stop, callbacks.progress, sink),
         dataset.cameras);
 }
 

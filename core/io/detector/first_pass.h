@@ -43,10 +43,12 @@ std::string detectionWork(const Dataset& dataset, const Sequence& sequence, cons
 /// The labels are kept: the journal is not needed any more.
 void finishFirstPass(const FirstPassOptions& options);
 
-/// `retrack` with the pictures and masks of a dataset. Needs no detector.
+/// `retrack` with the pictures and masks of a dataset. Needs no detector. `hands` and `cameras`: those of the pass
+/// (PassResult); labels are seen in the dataset's cameras.
 AutoLabels retrackFrames(const Dataset& dataset, const Sequence& sequence, const std::vector<HandModel>& hands,
-                         const CorrectedFrame& corrected, const std::vector<int>& frames,
-                         const std::vector<int>& reviewed, const PassOptions& options = {}, std::stop_token stop = {},
+                         const std::vector<Camera>& cameras, const CorrectedFrame& corrected,
+                         const std::vector<int>& frames, const std::vector<int>& reviewed,
+                         const PassOptions& options = {}, std::stop_token stop = {},
                          const FirstPassCallbacks& callbacks = {});
 
 } // namespace core

@@ -104,6 +104,26 @@ TEST(LabelPass, MeasuresThePersonsHands) {
     }
 }
 
+TEST(LabelPass, HandsOfAPersonThatCouldNotBeMeasuredAreDoubted) {
+    test::SimulatedPass scene("unmeasured");
+    const std::vector<int> frames{10, 20, 30};
+    for (const int frame : frames) {
+        core::FrameFit fit;
+        fit.source = core::FitSource::Silhouettes;
+        for (const core::Pose& pose : scene.motion[static_cast<std::size_t>(frame)])
+            fit.hands.push_back({pose, {}, frame == 10 ? 0.2 : 0.4}); // one pilot is sure, two are not
+        for (std::size_t h = 0; h < fit.hands.size(); ++h)
+            fit.hands[h].jointCovarianceMm2.assign(core::withTips(scene.hands[h]).skeleton.bones.size(),
+                                                   Eigen::Matrix3d::Identity());
+        scene.remember("pilot", frame, fit);
+        scene.remember("key", frame, fit);
+    }
+    const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, options(true));
+    EXPECT_TRUE(result.measured.empty());
+    EXPECT_NEAR(result.fits.at(10).doubt(), 0.6, 1e-9);
+    EXPECT_NEAR(result.fits.at(20).doubt(), 0.7, 1e-9);
+}
+
 TEST(LabelPass, OfTwoViewsKeepsToTheLandmarks) {
     SimulatedPass scene("two views", 2);
     const auto result = core::runLabelPass(scene.hands, scene.cameras, {30}, scene, options());

@@ -126,6 +126,38 @@ TEST_F(HandFramingTest, FootageIsFramedByMarksOnceThereAreSome) {
     EXPECT_EQ(view(0).handLabels().size(), 1u);
 }
 
+TEST_F(HandFramingTest, HandsThatAreFoundLaterFillTheViewsThatNobodyZoomed) {
+    writeFootage("footage", "");
+    reopen("footage");
+    view(1).zoomAt({20, 20}, 3);
+    const double zoomed = view(1).scale();
+    spaces.framing()->showHands();
+    EXPECT_NEAR(view(0).scale(), wholeScale(view(0)), 1e-9) << "nothing is known";
+    const auto propose = [&](const core::JointId& joint, int camera, QPointF px) {
+        core::Mark mark;
+        mark.px = {px.x(), px.y()};
+        mark.placement = core::Placement::Proposed;
+        core::Edit edit;
+        edit.marks.push_back({{12, "ann", joint, "cam" + std::to_string(camera)}, std::nullopt, mark});
+        session.document.push(edit);
+    };
+    for (const int camera : {0, 1, 3})
+        for (const core::JointId& joint : {index, core::JointId{Side::Left, "index_pip"}})
+            propose(joint, camera, pixel(joint, camera));
+    spaces.framing()->showHands();
+    for (const int camera : {0, 3, 5}) {
+        EXPECT_GT(view(camera).scale(), 1.5 * wholeScale(view(camera))) << camera;
+        EXPECT_TRUE(
+            QRectF(view(camera).viewport()->rect()).contains(view(camera).imageToViewport(pixel(index, camera))))
+            << camera;
+    }
+    EXPECT_DOUBLE_EQ(view(1).scale(), zoomed);
+    const QRectF home = view(0).home();
+    view(0).setHome(home.adjusted(-2, -2, 2, 2)); // they fill nearly all of it
+    spaces.framing()->showHands();
+    EXPECT_EQ(view(0).home(), home.adjusted(-2, -2, 2, 2));
+}
+
 TEST_F(HandFramingTest, FootageIsFramedByItsMasks) {
     writeFootage("masked", "masks/{camera}_{frame}.png");
     cv::Mat mask = cv::Mat::zeros(480, 270, CV_8U);

@@ -29,8 +29,11 @@ ReviewPanel::ReviewPanel(const ReviewSources& sources, QWidget* parent)
     connect(m_form, &FirstPassForm::closeRequested, this, [this] { setFormShown(false); });
     connect(&m_queue, &ReviewQueue::changed, this, &ReviewPanel::refresh);
     connect(&m_selection, &Selection::frameChanged, this, &ReviewPanel::showCurrent);
-    connect(m_table, &QTableView::clicked, this,
-            [this](const QModelIndex& index) { m_selection.setFrame(m_model->frame(index.row())); });
+    connect(m_table, &QTableView::clicked, this, [this](const QModelIndex& index) {
+        const int frame = m_model->frame(index.row());
+        m_selection.setFrame(frame);
+        emit frameChosen(frame);
+    });
     refresh();
 }
 

@@ -40,6 +40,10 @@ public:
     /// Whether the first pass can be set up here; it always can while no frame waits.
     void setFormShown(bool shown);
 
+signals:
+    /// A row was clicked; the selection is there already.
+    void frameChosen(int frame);
+
 private:
     void build();
     void refresh();

@@ -75,8 +75,8 @@ TEST_F(FirstPass, TracksTheNeighboursOfACorrectedFrameWithoutADetector) {
         seen.push_back(frame);
         EXPECT_LT(errorMm(frame, hands), 1) << frame;
     };
-    const auto labels = core::retrackFrames(m_dataset, sequence(), m_dataset.hands, corrected(40), {39, 40, 41}, {41},
-                                            {}, {}, callbacks);
+    const auto labels = core::retrackFrames(m_dataset, sequence(), m_dataset.hands, m_dataset.cameras, corrected(40),
+                                            {39, 40, 41}, {41}, {}, {}, callbacks);
     EXPECT_EQ(seen, (std::vector{40, 39}));
     ASSERT_EQ(labels.size(), 2u);
     const core::Edit all = core::autoLabelEdit({}, m_dataset, labels, "anna");
