@@ -60,6 +60,11 @@ public:
     /// Which parameter the button goes over.
     std::string sweptKey() const;
 
+signals:
+    /// What was changed has an answer, of the real-time variant or of the method itself; the columns show it from now
+    /// on.
+    void answered(bool isLive);
+
 private:
     void build();
     void connectParts();
