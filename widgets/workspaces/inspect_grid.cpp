@@ -198,8 +198,8 @@ void InspectGrid::showTitles() {
                                  "which the fit leaves out")
                             : tr("IoU: intersection over union of both silhouettes in this view");
         view->setTitle(title);
-        if (!method.failure.isEmpty())
-            view->setMessage(method.failure);
+        if (const QString why = method.failure.isEmpty() ? method.note : method.failure; !why.isEmpty())
+            view->setMessage(why);
     }
 }
 

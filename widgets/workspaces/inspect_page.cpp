@@ -204,6 +204,7 @@ void InspectPage::takeColumns() {
     showHint();
     showCurves();
     showPoses();
+    showLegend();
 }
 
 void InspectPage::showCameras() {
@@ -285,6 +286,15 @@ void InspectPage::showPinned() {
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
     m_views->setLook(look, startShown, recordedShown);
+    m_recordedShown = recordedShown;
+    showLegend();
+}
+
+/// The observed silhouette is the recorded pose's, which can be hidden, or what the mask files show.
+void InspectPage::showLegend() {
+    const auto& outcome = m_columns->outcome();
+    m_layerBar->setSilhouetteShown(outcome && (outcome->request.target == FitTarget::Masks ||
+                                               (m_recordedShown && !outcome->truePoses.empty())));
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {

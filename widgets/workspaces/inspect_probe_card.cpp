@@ -76,7 +76,7 @@ void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& prob
     m_heading->setText(heading);
     QString table =
         QStringLiteral("<table cellspacing=\"0\">") +
-        htmlRow({tr("Method"), tr("Nearest"), tr("px"), tr("Direction"), tr("Bin"), tr("Cost"), QString()}, "th");
+        htmlRow({tr("Method"), tr("Nearest, px"), tr("Distance, px"), tr("Direction"), tr("Bin"), tr("Cost, px"), tr("Match")}, "th");
     const QString none = QStringLiteral("\u2013");
     for (const ProbeRow& row : probe.rows) {
         const QString at =

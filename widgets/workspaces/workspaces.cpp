@@ -206,6 +206,7 @@ void Workspaces::showInScene() {
     const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
     m_layers->setInspected(posed.empty() ? std::nullopt : std::optional(posed));
     m_scene->setJointsShown(!inspects() || outcome->request.test == m_session.selection.frame());
+    m_fitting->plot()->setVisible(!inspects()); // Inspect has the same curves, and larger
 }
 
 ImagePyramid Workspaces::shownPicture(int camera) const {
@@ -362,7 +363,7 @@ QWidget* Workspaces::part(const QString& name) const {
                                             {QStringLiteral("whatif"), m_whatIf},
                                             {QStringLiteral("inspect"), m_inspect},
                                             {QStringLiteral("benchmark"), m_benchmark},
-                                            {QStringLiteral("curves"), m_fitting->plot()},
+                                            {QStringLiteral("curves"), inspects() ? m_inspect->errorPlot() : m_fitting->plot()},
                                             {QStringLiteral("views"), m_grid}};
     const auto found = parts.find(name);
     return found == parts.end() ? m_grid->view(name) : found->second;

@@ -85,6 +85,8 @@ public:
 
     /// NaN if no view showed it.
     double liveMs() const { return m_liveMs; }
+    /// Nothing has been painted since for a while.
+    bool isSettled() const { return m_liveMs + kSettledMs < static_cast<double>(m_sinceWish.elapsed()); }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override {
@@ -94,6 +96,7 @@ protected:
     }
 
 private:
+    static constexpr double kSettledMs = 60;
     QElapsedTimer m_sinceWish;
     bool m_isLive = false; ///< it has answered last
     double m_liveMs = std::nan("");
@@ -206,7 +209,10 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
                               QStringLiteral("the method has no option \"%1\"").arg(QString::fromStdString(key)));
         panel->sweep(key);
     }
-    if (!waitFor(window, [&] { return !panel->isRunning() && window.session().pool.isIdle(); }))
+    const bool untilLive = step.value(QLatin1String("until")) == QLatin1String("live");
+    if (!waitFor(window, [&] {
+            return (untilLive && clock.isSettled()) || (!panel->isRunning() && window.session().pool.isIdle());
+        }))
         throw notPossible("do", QStringLiteral("no answer in time"));
     QJsonObject answer{{QStringLiteral("points"), pointsOf(*panel)}};
     if (std::isfinite(clock.liveMs()))

@@ -294,7 +294,7 @@ void WhatIfPanel::take(const WhatIfTrial& trial, const MethodOutcome& outcome) {
         m_previews[trial.column] = outcome;
         m_columns.setPreviews(m_previews);
     }
-    emit answered(isLive);
+    emit answered(trial.isLive);
 }
 
 void WhatIfPanel::showCurves() {
