@@ -83,6 +83,8 @@ private:
     void showHint();
     void showCameras();
     void takeColumns();
+    void takePreviews();
+    void showRange(bool isSamePair);
     void showPoses();
     void showCurves();
     void showPhases();

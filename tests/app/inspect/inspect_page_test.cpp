@@ -165,6 +165,34 @@ cv::Mat movedSilhouette(const core::Camera& camera, const std::vector<core::Hand
     return core::renderMask(camera, surfaces);
 }
 
+TEST_F(InspectPageTest, ATrackerWithTooFewJointsSaysSo) {
+    fit("\"ch\"");
+    const auto& hands = session().opened.dataset()->hands;
+    const core::JointPositions truth = session().fits.outcome()->reference;
+    const auto column = [&](const char* name, const std::map<core::Side, int>& joints) {
+        const std::string file = (folder / (std::string(name) + ".csv")).string();
+        std::ofstream csv(file);
+        csv << "sequence,start,test,hand,name,x,y,z\n";
+        for (const core::HandModel& hand : hands) {
+            int left = joints.count(hand.side) ? joints.at(hand.side) : 0;
+            for (const auto& [joint, xyz] : truth)
+                if (joint.hand == hand.side && left-- > 0)
+                    csv << session().opened.sequence()->name << ",4,7," << core::sideName(joint.hand) << ','
+                        << joint.joint << ',' << xyz.x() << ',' << xyz.y() << ',' << xyz.z() << '\n';
+        }
+        csv.close();
+        run(std::string(R"({"do":"columns","trackers":[{"name":")") + name + R"(","file":")" + file +
+            R"("}],"show":["ch","external:)" + name + R"("]})");
+        return view(1).message();
+    };
+    using core::Side;
+    const QString few = column("few", {{Side::Left, 2}, {Side::Right, 1}});
+    EXPECT_TRUE(few.contains(QStringLiteral("fewer than three joints"))) << few.toStdString();
+    EXPECT_FALSE(column("half", {{Side::Left, 2}, {Side::Right, 5}}).isEmpty()) << "one hand is missing";
+    EXPECT_TRUE(column("one", {{Side::Right, 5}}).isEmpty()) << "it sees one hand alone";
+    EXPECT_TRUE(view(0).message().isEmpty());
+}
+
 TEST_F(InspectPageTest, ATrackersHandsAreDrawnWhereItSawThem) {
     const core::NewDataset demo = core::makeDemoDataset(); // whose hands have fingers that joints can tell
     core::writeDataset(demo.dataset, demo.motions, folder / "demo");
