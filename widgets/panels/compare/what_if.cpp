@@ -81,7 +81,8 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
     : QObject(parent)
     , m_fits(fits)
     , m_datasets(datasets)
-    , m_job(pool) {
+    , m_job(pool)
+    , m_preparing(pool, Job::Kind::Background) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &WhatIf::startNext);
@@ -119,17 +120,31 @@ void WhatIf::goOn() {
         startNext();
 }
 
-std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,
-                                                   const WhatIfCase& what) {
+std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome) {
     if (!m_noise || !isSamePair(*m_noise->outcome, *outcome)) {
         m_noise = std::make_shared<PairNoise>();
         m_noise->outcome = outcome;
     }
+    return m_noise;
+}
+
+void WhatIf::prepare() {
+    if (!m_fits.outcome())
+        return;
+    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext&) {
+        noise->get();
+        return Job::Delivery();
+    });
+}
+
+std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,
+                                                   const WhatIfCase& what) {
+    const std::shared_ptr<PairNoise> noise = noiseOf(outcome);
     if (!m_masks || m_masks->outcome != outcome || m_masks->what != what) {
         m_masks = std::make_shared<CaseMasks>();
         m_masks->outcome = outcome;
         m_masks->what = what;
-        m_masks->noise = m_noise;
+        m_masks->noise = noise;
     }
     return m_masks;
 }

@@ -47,6 +47,8 @@ public:
     /// In this order; what waits from a call before is forgotten.
     void run(std::vector<WhatIfTrial> trials);
     void stop();
+    /// In the background: what takes a moment the first time, before it is asked for.
+    void prepare();
     bool isRunning() const { return m_job.isRunning() || m_pause.isActive(); }
 
 signals:
@@ -57,6 +59,7 @@ signals:
 private:
     struct PairNoise;
     struct CaseMasks;
+    std::shared_ptr<PairNoise> noiseOf(const std::shared_ptr<const FitOutcome>& outcome);
     std::shared_ptr<CaseMasks> masksOf(const std::shared_ptr<const FitOutcome>& outcome, const WhatIfCase& what);
     void goOn();
     void startNext();
@@ -64,6 +67,7 @@ private:
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
     Job m_job;
+    Job m_preparing;
     QTimer m_pause; ///< after the real-time variant
     std::deque<WhatIfTrial> m_waiting;
     bool m_runsLive = false;

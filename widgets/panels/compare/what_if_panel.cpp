@@ -92,11 +92,18 @@ void WhatIfPanel::takeColumns() {
     const bool isOther = m_fits.outcome() && !(m_pair && isSamePair(*m_pair, *m_fits.outcome()));
     if (m_fits.outcome())
         m_pair = m_fits.outcome();
+    if (isOther && isVisible())
+        m_runner.prepare();
     if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base || isOther) {
         m_base = chosen; // of another pair, nothing stays
         goBack();
     }
     showSweep();
+}
+
+void WhatIfPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_runner.prepare();
 }
 
 void WhatIfPanel::makeCameraBoxes() {

@@ -65,6 +65,9 @@ signals:
     /// on.
     void answered(bool isLive);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void build();
     void connectParts();
