@@ -4009,6 +4009,10 @@
         <source>field 0–%1 px; clear: no match</source>
         <translation>πεδίο 0–%1 px· διαφανές: καμία αντιστοιχία</translation>
     </message>
+    <message>
+        <source>observed silhouette</source>
+        <translation>παρατηρούμενη σιλουέτα</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4099,20 +4103,12 @@
         <translation>Αφαίρεση της καρφίτσας</translation>
     </message>
     <message>
-        <source>%1 (%2, %3), direction %4</source>
-        <translation>%1 (%2, %3), διεύθυνση %4</translation>
+        <source>%1 %2, direction %3</source>
+        <translation>%1 %2, διεύθυνση %3</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Μέθοδος</translation>
-    </message>
-    <message>
-        <source>Nearest</source>
-        <translation>Πλησιέστερο</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -4123,16 +4119,28 @@
         <translation>Κλάση</translation>
     </message>
     <message>
-        <source>Cost</source>
-        <translation>Κόστος</translation>
-    </message>
-    <message>
         <source>kept</source>
         <translation>κρατήθηκε</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nearest, px</source>
+        <translation>Πλησιέστερο, px</translation>
+    </message>
+    <message>
+        <source>Distance, px</source>
+        <translation>Απόσταση, px</translation>
+    </message>
+    <message>
+        <source>Cost, px</source>
+        <translation>Κόστος, px</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Αντιστοιχία</translation>
     </message>
 </context>
 <context>
@@ -5898,6 +5906,10 @@
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
         <translation>Το %1 δεν έχει εκτίμηση του καρέ %2 από το καρέ %3</translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three joints of a hand: that hand cannot be drawn.</source>
+        <translation>Το %1 έχει λιγότερες από τρεις αρθρώσεις ενός χεριού: αυτό το χέρι δεν μπορεί να σχεδιαστεί.</translation>
     </message>
 </context>
 <context>

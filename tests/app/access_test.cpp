@@ -122,6 +122,11 @@ TEST_F(Access, TheToolbarHasIconsWithTextsAndCanBeHidden) {
 }
 
 TEST_F(Access, ToolsForMarksAreDimmedWhereNothingCanBeMarked) {
+    app::applyLook(*qApp, app::Look::Dark);
+    QPixmap square(16, 16);
+    square.fill(Qt::lightGray);
+    const QImage dimmed = QIcon(square).pixmap(square.size(), QIcon::Disabled).toImage();
+    EXPECT_LT(dimmed.pixelColor(8, 8).alphaF(), 0.5) << "icons of one colour, too";
     const auto* bar = window->findChild<QToolBar*>();
     const auto isLit = [&](const char* id) { return bar->widgetForAction(action(id))->isEnabled(); };
     const auto go = [&](const char* workspace) {

@@ -25,6 +25,13 @@ QString degreesText(double rad) {
     return numberOrDash(rad * 180 / std::numbers::pi, 0) + QStringLiteral("\u00b0");
 }
 
+/// Told apart where the decimal point is a comma, too.
+QString pointText(QPointF px) {
+    const bool isComma = QLocale().decimalPoint() == QLatin1Char(',');
+    return QStringLiteral("(%1%2 %3)")
+        .arg(numberOrDash(px.x(), 1), isComma ? QStringLiteral(";") : QStringLiteral(","), numberOrDash(px.y(), 1));
+}
+
 /// A square of the method's colour.
 QString chip(const std::string& method) {
     return QStringLiteral("<span style=\"color: %1\">\u25a0</span> ").arg(methodColour(method).name());
@@ -68,21 +75,17 @@ InspectProbeCard::InspectProbeCard(QWidget* parent)
 }
 
 void InspectProbeCard::showProbe(const QString& camera, const InspectProbe& probe) {
-    QString heading =
-        tr("%1 (%2, %3), direction %4")
-            .arg(camera, numberOrDash(probe.px.x(), 1), numberOrDash(probe.px.y(), 1), degreesText(probe.angleRad));
+    QString heading = tr("%1 %2, direction %3").arg(camera, pointText(probe.px), degreesText(probe.angleRad));
     if (probe.rim)
         heading = tr("%1: %2").arg(jointText(*probe.rim), heading);
     m_heading->setText(heading);
     QString table =
-        QStringLiteral("<table cellspacing=\"0\">") +
-        htmlRow({tr("Method"), tr("Nearest, px"), tr("Distance, px"), tr("Direction"), tr("Bin"), tr("Cost, px"), tr("Match")}, "th");
+        QStringLiteral("<table cellspacing=\"0\">") + htmlRow({tr("Method"), tr("Nearest, px"), tr("Distance, px"),
+                                                               tr("Direction"), tr("Bin"), tr("Cost, px"), tr("Match")},
+                                                              "th");
     const QString none = QStringLiteral("\u2013");
     for (const ProbeRow& row : probe.rows) {
-        const QString at =
-            row.found()
-                ? QStringLiteral("(%1, %2)").arg(numberOrDash(row.contourPx.x(), 1), numberOrDash(row.contourPx.y(), 1))
-                : none;
+        const QString at = row.found() ? pointText(row.contourPx) : none;
         table += htmlRow({chip(row.method) + QString::fromStdString(row.method).toHtmlEscaped(), at,
                           row.found() ? numberOrDash(row.probe.distancePx, 1) : none,
                           row.found() ? degreesText(row.contourAngleRad) : none,
