@@ -5908,8 +5908,8 @@
         <translation>%1 hat keine Schätzung von Bild %2 aus Bild %3</translation>
     </message>
     <message>
-        <source>%1 has fewer than three joints of a hand: that hand cannot be drawn.</source>
-        <translation>%1 hat weniger als drei Gelenke einer Hand: diese Hand kann nicht gezeichnet werden.</translation>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>%1 hat weniger als drei Gelenke einer Hand, oder sie liegen auf einer Geraden: diese Hand kann nicht gezeichnet werden.</translation>
     </message>
 </context>
 <context>

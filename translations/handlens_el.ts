@@ -5908,8 +5908,8 @@
         <translation>Το %1 δεν έχει εκτίμηση του καρέ %2 από το καρέ %3</translation>
     </message>
     <message>
-        <source>%1 has fewer than three joints of a hand: that hand cannot be drawn.</source>
-        <translation>Το %1 έχει λιγότερες από τρεις αρθρώσεις ενός χεριού: αυτό το χέρι δεν μπορεί να σχεδιαστεί.</translation>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>Το %1 έχει λιγότερες από τρεις αρθρώσεις ενός χεριού ή βρίσκονται σε μία ευθεία: αυτό το χέρι δεν μπορεί να σχεδιαστεί.</translation>
     </message>
 </context>
 <context>

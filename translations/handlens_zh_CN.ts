@@ -5836,8 +5836,8 @@
         <translation>%1 没有由第 %3 帧得出的第 %2 帧的估计</translation>
     </message>
     <message>
-        <source>%1 has fewer than three joints of a hand: that hand cannot be drawn.</source>
-        <translation>%1 中有一只手的关节不足三个：无法绘制该手。</translation>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>%1 中有一只手的关节不足三个，或位于一条直线上：无法绘制该手。</translation>
     </message>
 </context>
 <context>

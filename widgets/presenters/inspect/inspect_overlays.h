@@ -43,7 +43,7 @@ public:
         int iteration = 0;
     };
     void show(Scene scene);
-    /// Draws again what somebody else has taken out of the views.
+    /// Draws everything again: the views have been cleared in the meantime.
     void drawAgain();
     const Scene& scene() const { return m_scene; }
     /// The difference or field that lies over a view; null for none.
