@@ -61,6 +61,11 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     takeColumns();
 }
 
+void WhatIfPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_runner.prepare();
+}
+
 void WhatIfPanel::connectParts() {
     connect(&m_columns, &InspectColumns::changed, this, &WhatIfPanel::takeColumns);
     connect(&m_columns, &InspectColumns::currentChanged, this, [this] { showColumn(m_columns.current()); });

@@ -20,7 +20,9 @@ namespace widgets {
 
 namespace {
 
-constexpr const char* kLive = "best:live=1";
+/// The real-time variant, from one start: others take many times longer, and the method itself looks at them
+/// afterwards.
+constexpr const char* kLive = "best:live=1:restarts=0";
 constexpr const char* kWithoutKey = "without"; ///< a camera, whose index is the place
 
 bool isBest(const std::string& method) {
@@ -33,6 +35,7 @@ std::string liveOf(const std::string& method) {
     if (!live.best)
         return kLive;
     live.best->live = true;
+    live.best->restarts = false;
     return core::methodName(live);
 }
 
@@ -99,11 +102,6 @@ void WhatIfPanel::takeColumns() {
         goBack();
     }
     showSweep();
-}
-
-void WhatIfPanel::showEvent(QShowEvent* event) {
-    QWidget::showEvent(event);
-    m_runner.prepare();
 }
 
 void WhatIfPanel::makeCameraBoxes() {
