@@ -4011,7 +4011,7 @@
     </message>
     <message>
         <source>observed silhouette</source>
-        <translation>παρατηρούμενη σιλουέτα</translation>
+        <translation>σιλουέτα-στόχος</translation>
     </message>
 </context>
 <context>
@@ -4073,7 +4073,7 @@
     <name>widgets::InspectProbe</name>
     <message>
         <source>the directions differ</source>
-        <translation>οι διευθύνσεις διαφέρουν</translation>
+        <translation>οι κατευθύνσεις διαφέρουν</translation>
     </message>
     <message>
         <source>beyond the gate</source>
@@ -4104,7 +4104,7 @@
     </message>
     <message>
         <source>%1 %2, direction %3</source>
-        <translation>%1 %2, διεύθυνση %3</translation>
+        <translation>%1 %2, κατεύθυνση %3</translation>
     </message>
     <message>
         <source>Method</source>
@@ -4112,7 +4112,7 @@
     </message>
     <message>
         <source>Direction</source>
-        <translation>Διεύθυνση</translation>
+        <translation>Κατεύθυνση</translation>
     </message>
     <message>
         <source>Bin</source>
@@ -4141,6 +4141,11 @@
     <message>
         <source>Match</source>
         <translation>Αντιστοιχία</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <comment>x and y; told apart where the decimal point is a comma, too</comment>
+        <translation>(%1· %2)</translation>
     </message>
 </context>
 <context>

@@ -4095,6 +4095,11 @@
         <source>Match</source>
         <translation>匹配</translation>
     </message>
+    <message>
+        <source>(%1, %2)</source>
+        <comment>x and y; told apart where the decimal point is a comma, too</comment>
+        <translation>(%1, %2)</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JointErrorDiagram</name>

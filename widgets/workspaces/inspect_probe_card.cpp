@@ -17,6 +17,8 @@ namespace widgets {
 
 namespace {
 
+constexpr int kLeastWidth = 400; ///< of the table, which is wider where there is room
+
 QString numberOrDash(double value, int decimals) {
     return std::isnan(value) ? QStringLiteral("\u2013") : QLocale().toString(value, 'f', decimals);
 }
@@ -25,11 +27,9 @@ QString degreesText(double rad) {
     return numberOrDash(rad * 180 / std::numbers::pi, 0) + QStringLiteral("\u00b0");
 }
 
-/// Told apart where the decimal point is a comma, too.
 QString pointText(QPointF px) {
-    const bool isComma = QLocale().decimalPoint() == QLatin1Char(',');
-    return QStringLiteral("(%1%2 %3)")
-        .arg(numberOrDash(px.x(), 1), isComma ? QStringLiteral(";") : QStringLiteral(","), numberOrDash(px.y(), 1));
+    return InspectProbeCard::tr("(%1, %2)", "x and y; told apart where the decimal point is a comma, too")
+        .arg(numberOrDash(px.x(), 1), numberOrDash(px.y(), 1));
 }
 
 /// A square of the method's colour.
@@ -37,12 +37,16 @@ QString chip(const std::string& method) {
     return QStringLiteral("<span style=\"color: %1\">\u25a0</span> ").arg(methodColour(method).name());
 }
 
+/// Where the card is narrow, heads and the last column are broken into lines.
 QString htmlRow(const QStringList& cells, const char* tag) {
+    const bool isHead = QLatin1String(tag) == QLatin1String("th");
     QString row = QStringLiteral("<tr>");
-    for (int i = 0; i < cells.size(); ++i)
-        row += QStringLiteral("<%1 align=\"%2\" style=\"padding: 1px 6px\">%3</%1>")
-                   .arg(QLatin1String(tag),
-                        i == 0 || i + 1 == cells.size() ? QStringLiteral("left") : QStringLiteral("right"), cells[i]);
+    for (int i = 0; i < cells.size(); ++i) {
+        const bool isLast = i + 1 == cells.size();
+        row += QStringLiteral("<%1 align=\"%2\" style=\"padding: 1px 6px; white-space: %3\">%4</%1>")
+                   .arg(QLatin1String(tag), i == 0 || isLast ? QStringLiteral("left") : QStringLiteral("right"),
+                        isHead || isLast ? QStringLiteral("normal") : QStringLiteral("nowrap"), cells[i]);
+    }
     return row + QStringLiteral("</tr>");
 }
 
@@ -71,6 +75,9 @@ InspectProbeCard::InspectProbeCard(QWidget* parent)
     column->addWidget(m_table);
     column->addStretch(1);
     m_table->setTextFormat(Qt::RichText);
+    m_table->setWordWrap(true);
+    m_table->setMinimumWidth(kLeastWidth);
+    m_heading->setWordWrap(true);
     hide();
 }
 

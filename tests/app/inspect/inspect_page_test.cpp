@@ -86,6 +86,7 @@ TEST_F(InspectPageTest, ThePinnedProbeCoversNoView) {
     ASSERT_TRUE(card->isVisible());
     const QRect place(card->mapTo(window.get(), QPoint()), card->size());
     EXPECT_GT(place.width(), 200);
+    EXPECT_LE(card->minimumSizeHint().width(), 440) << "small windows hold it beside the curves, in every language";
     for (const widgets::CameraView* one : page().grid()->views())
         EXPECT_FALSE(QRect(one->mapTo(window.get(), QPoint()), one->size()).intersects(place));
     for (const widgets::CurvePlot* plot : {page().errorPlot(), page().costPlot()})
