@@ -50,9 +50,11 @@ MethodOutcome trackerColumn(const core::Dataset& dataset, const FitOutcome& outc
     if (auto fit = fitModelToPoints(dataset, outcome.request.test, points))
         column.result.poses = std::move(fit->poses);
     if (lacksPose(dataset, points, column.result.poses))
-        column.note = text(QT_TRANSLATE_NOOP("widgets::TrackerColumn",
-                                             "%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn."))
-                          .arg(QString::fromStdString(estimates.name));
+        column.note =
+            text(QT_TRANSLATE_NOOP(
+                     "widgets::TrackerColumn",
+                     "%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn."))
+                .arg(QString::fromStdString(estimates.name));
     column.errorMm = core::jointErrors(core::jointNames(dataset.hands), found->second, outcome.reference).meanMm;
     return column;
 }
