@@ -4009,6 +4009,10 @@
         <source>field 0–%1 px; clear: no match</source>
         <translation>Feld 0–%1 px; klar: keine Zuordnung</translation>
     </message>
+    <message>
+        <source>observed silhouette</source>
+        <translation>beobachtete Silhouette</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4099,20 +4103,12 @@
         <translation>Nadel entfernen</translation>
     </message>
     <message>
-        <source>%1 (%2, %3), direction %4</source>
-        <translation>%1 (%2, %3), Richtung %4</translation>
+        <source>%1 %2, direction %3</source>
+        <translation>%1 %2, Richtung %3</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Methode</translation>
-    </message>
-    <message>
-        <source>Nearest</source>
-        <translation>Nächster</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -4123,16 +4119,33 @@
         <translation>Klasse</translation>
     </message>
     <message>
-        <source>Cost</source>
-        <translation>Kosten</translation>
-    </message>
-    <message>
         <source>kept</source>
         <translation>behalten</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nearest, px</source>
+        <translation>Nächster, px</translation>
+    </message>
+    <message>
+        <source>Distance, px</source>
+        <translation>Abstand, px</translation>
+    </message>
+    <message>
+        <source>Cost, px</source>
+        <translation>Kosten, px</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <comment>x and y; told apart where the decimal point is a comma, too</comment>
+        <translation>(%1; %2)</translation>
     </message>
 </context>
 <context>
@@ -5898,6 +5911,10 @@
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
         <translation>%1 hat keine Schätzung von Bild %2 aus Bild %3</translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>%1 hat weniger als drei Gelenke einer Hand, oder sie liegen auf einer Geraden: diese Hand kann nicht gezeichnet werden.</translation>
     </message>
 </context>
 <context>

@@ -4009,6 +4009,10 @@
         <source>field 0–%1 px; clear: no match</source>
         <translation>πεδίο 0–%1 px· διαφανές: καμία αντιστοιχία</translation>
     </message>
+    <message>
+        <source>observed silhouette</source>
+        <translation>σιλουέτα-στόχος</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4069,7 +4073,7 @@
     <name>widgets::InspectProbe</name>
     <message>
         <source>the directions differ</source>
-        <translation>οι διευθύνσεις διαφέρουν</translation>
+        <translation>οι κατευθύνσεις διαφέρουν</translation>
     </message>
     <message>
         <source>beyond the gate</source>
@@ -4099,32 +4103,20 @@
         <translation>Αφαίρεση της καρφίτσας</translation>
     </message>
     <message>
-        <source>%1 (%2, %3), direction %4</source>
-        <translation>%1 (%2, %3), διεύθυνση %4</translation>
+        <source>%1 %2, direction %3</source>
+        <translation>%1 %2, κατεύθυνση %3</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Μέθοδος</translation>
     </message>
     <message>
-        <source>Nearest</source>
-        <translation>Πλησιέστερο</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
         <source>Direction</source>
-        <translation>Διεύθυνση</translation>
+        <translation>Κατεύθυνση</translation>
     </message>
     <message>
         <source>Bin</source>
         <translation>Κλάση</translation>
-    </message>
-    <message>
-        <source>Cost</source>
-        <translation>Κόστος</translation>
     </message>
     <message>
         <source>kept</source>
@@ -4133,6 +4125,27 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Nearest, px</source>
+        <translation>Πλησιέστερο, px</translation>
+    </message>
+    <message>
+        <source>Distance, px</source>
+        <translation>Απόσταση, px</translation>
+    </message>
+    <message>
+        <source>Cost, px</source>
+        <translation>Κόστος, px</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>Αντιστοιχία</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <comment>x and y; told apart where the decimal point is a comma, too</comment>
+        <translation>(%1· %2)</translation>
     </message>
 </context>
 <context>
@@ -5898,6 +5911,10 @@
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
         <translation>Το %1 δεν έχει εκτίμηση του καρέ %2 από το καρέ %3</translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>Το %1 έχει λιγότερες από τρεις αρθρώσεις ενός χεριού ή βρίσκονται σε μία ευθεία: αυτό το χέρι δεν μπορεί να σχεδιαστεί.</translation>
     </message>
 </context>
 <context>

@@ -3962,6 +3962,10 @@
         <source>field 0–%1 px; clear: no match</source>
         <translation>距离场 0–%1 px；透明：无匹配</translation>
     </message>
+    <message>
+        <source>observed silhouette</source>
+        <translation>观测轮廓</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4052,20 +4056,12 @@
         <translation>取消固定</translation>
     </message>
     <message>
-        <source>%1 (%2, %3), direction %4</source>
-        <translation>%1 (%2, %3)，方向 %4</translation>
+        <source>%1 %2, direction %3</source>
+        <translation>%1 %2，方向 %3</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>方法</translation>
-    </message>
-    <message>
-        <source>Nearest</source>
-        <translation>最近点</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -4076,16 +4072,33 @@
         <translation>区间</translation>
     </message>
     <message>
-        <source>Cost</source>
-        <translation>代价</translation>
-    </message>
-    <message>
         <source>kept</source>
         <translation>保留</translation>
     </message>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Nearest, px</source>
+        <translation>最近点，px</translation>
+    </message>
+    <message>
+        <source>Distance, px</source>
+        <translation>距离，px</translation>
+    </message>
+    <message>
+        <source>Cost, px</source>
+        <translation>代价，px</translation>
+    </message>
+    <message>
+        <source>Match</source>
+        <translation>匹配</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <comment>x and y; told apart where the decimal point is a comma, too</comment>
+        <translation>(%1, %2)</translation>
     </message>
 </context>
 <context>
@@ -5826,6 +5839,10 @@
     <message>
         <source>%1 has no estimate of frame %2 from frame %3</source>
         <translation>%1 没有由第 %3 帧得出的第 %2 帧的估计</translation>
+    </message>
+    <message>
+        <source>%1 has fewer than three joints of a hand, or they lie on a line: that hand cannot be drawn.</source>
+        <translation>%1 中有一只手的关节不足三个，或位于一条直线上：无法绘制该手。</translation>
     </message>
 </context>
 <context>

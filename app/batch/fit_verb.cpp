@@ -130,6 +130,15 @@ void fit(const FitArguments& arguments) {
         printProfile(result, arguments.threads);
 }
 
+/// "a, b or c".
+std::string methodsText() {
+    const std::vector<std::string> names = core::plainMethodNames();
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+    return text;
+}
+
 } // namespace
 
 void addFitVerb(CLI::App& program) {
@@ -140,8 +149,7 @@ void addFitVerb(CLI::App& program) {
     verb->add_option("--sequence", arguments->sequence, "Name of the sequence")->required();
     verb->add_option("--start", arguments->start, "Frame whose recorded pose the fit starts from")->required();
     verb->add_option("--test", arguments->test, "Frame whose silhouettes are fitted")->required();
-    verb->add_option("--method", arguments->method,
-                     "ch, dch-thres, dch-quant, dch-quant2, dch-dt3 or best, with options as in dch-thres:tau=45")
+    verb->add_option("--method", arguments->method, methodsText() + ", with options as in dch-thres:tau=45")
         ->required();
     verb->add_option("--threads", arguments->threads, "Threads of the one fit (1)")->check(CLI::Range(1, 256));
     verb->add_flag("--profile", arguments->profile, "Print where the time went");

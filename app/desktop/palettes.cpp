@@ -25,7 +25,8 @@ const Tones kLight{QColor(0xEF, 0xF0, 0xF2), QColor(0xE3, 0xE5, 0xE8), QColor(0x
                    QColor(0xFF, 0xFF, 0xFF), QColor(0xFF, 0xFF, 0xFF), QColor(0xA9, 0xAE, 0xB6),
                    QColor(0x1A, 0x66, 0xBB)};
 
-/// Fusion, with boxes to tick whose edge is seen on a dark ground: its own is darker than the window.
+/// Fusion, with boxes to tick whose edge is seen on a dark ground, where its own is darker than the window, and with
+/// icons of one colour that are seen to be out of use.
 class ClearBoxStyle : public QProxyStyle {
 public:
     ClearBoxStyle()
@@ -49,6 +50,19 @@ public:
         else
             painter->drawEllipse(place);
         painter->restore();
+    }
+
+    QPixmap generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap, const QStyleOption* option) const override {
+        if (mode != QIcon::Disabled)
+            return QProxyStyle::generatedIconPixmap(mode, pixmap, option);
+        constexpr double kDisabledOpacity = 0.35;
+        QPixmap faint(pixmap.size());
+        faint.setDevicePixelRatio(pixmap.devicePixelRatio());
+        faint.fill(Qt::transparent);
+        QPainter painter(&faint);
+        painter.setOpacity(kDisabledOpacity);
+        painter.drawPixmap(0, 0, pixmap);
+        return faint;
     }
 };
 

@@ -20,7 +20,9 @@ std::vector<JointId> jointNames(const std::vector<HandModel>& hands) {
 
 JointPositions namedJointPositions(const std::vector<HandModel>& hands, const HandPoses& poses) {
     JointPositions joints;
-    for (std::size_t h = 0; h < hands.size(); ++h) {
+    for (std::size_t h = 0; h < hands.size() && h < poses.size(); ++h) {
+        if (poses[h].size() == 0)
+            continue;
         const std::vector<Eigen::Vector3d> positions = jointPositions(hands[h].skeleton, poses[h]);
         for (std::size_t b = 0; b < positions.size(); ++b)
             joints[{hands[h].side, hands[h].skeleton.bones[b].name}] = positions[b];

@@ -73,26 +73,37 @@ SimulatedWorld simulatedWorld(const std::vector<HandModel>& hands, const std::ve
             imperfection.forearm, imperfection.contourPx, seed};
 }
 
-cv::Mat withContourNoise(const cv::Mat& mask, double sigmaPx, std::uint64_t seed) {
+ContourNoise::ContourNoise(const cv::Mat& mask, double mostPx, std::uint64_t seed)
+    : m_size(mask.size()) {
     const cv::Rect lit = cv::boundingRect(mask);
-    cv::Mat noisy = cv::Mat::zeros(mask.size(), CV_8U);
     if (lit.empty())
-        return noisy;
-    const cv::Rect window = grown(lit, static_cast<int>(std::ceil(4 * (sigmaPx + kStepPx))), mask.size());
-    cv::Mat noise(window.size(), CV_32F), soft;
+        return;
+    m_window = grown(lit, static_cast<int>(std::ceil(4 * (mostPx + kStepPx))), mask.size());
+    m_noise.create(m_window.size(), CV_32F);
     RandomGenerator random(seed);
-    for (int y = 0; y < noise.rows; ++y)
-        for (int x = 0; x < noise.cols; ++x)
-            noise.at<float>(y, x) = static_cast<float>(standardNormal(random));
-    cv::GaussianBlur(noise, noise, {}, kSmoothPx, kSmoothPx, cv::BORDER_REFLECT_101);
+    for (int y = 0; y < m_noise.rows; ++y)
+        for (int x = 0; x < m_noise.cols; ++x)
+            m_noise.at<float>(y, x) = static_cast<float>(standardNormal(random));
+    cv::GaussianBlur(m_noise, m_noise, {}, kSmoothPx, kSmoothPx, cv::BORDER_REFLECT_101);
+    mask(m_window).convertTo(m_soft, CV_32F);
+    cv::GaussianBlur(m_soft, m_soft, {}, kStepPx, kStepPx, cv::BORDER_REPLICATE);
+}
+
+cv::Mat ContourNoise::applied(double sigmaPx) const {
+    cv::Mat noisy = cv::Mat::zeros(m_size, CV_8U);
+    if (m_window.empty())
+        return noisy;
     // White noise has this deviation after the blur; a step blurred by s has the slope 255 / (sqrt(2 pi) s).
     const double deviation = 1 / (2 * std::sqrt(std::numbers::pi) * kSmoothPx);
     const double slope = 255 / (std::sqrt(2 * std::numbers::pi) * kStepPx);
-    mask(window).convertTo(soft, CV_32F);
-    cv::GaussianBlur(soft, soft, {}, kStepPx, kStepPx, cv::BORDER_REPLICATE);
-    soft += noise * (sigmaPx * slope / deviation);
-    noisy(window).setTo(255, soft > 127.5);
+    cv::Mat moved = m_soft.clone();
+    moved += m_noise * (sigmaPx * slope / deviation);
+    noisy(m_window).setTo(255, moved > 127.5);
     return noisy;
+}
+
+cv::Mat withContourNoise(const cv::Mat& mask, double sigmaPx, std::uint64_t seed) {
+    return ContourNoise(mask, sigmaPx, seed).applied(sigmaPx);
 }
 
 std::vector<cv::Mat> simulatedMasks(const SimulatedWorld& world, const HandPoses& poses, const std::string& name) {

@@ -42,6 +42,22 @@ std::vector<cv::Mat> simulatedMasks(const SimulatedWorld& world, const HandPoses
 /// a soft edge with noise, cut again. From about 1.5 px on this makes specks and holes, too, as a threshold does.
 cv::Mat withContourNoise(const cv::Mat& mask, double sigmaPx, std::uint64_t seed);
 
+/// One draw of that noise for a silhouette, at any strength: the outline keeps its wiggles while they grow. Drawing it
+/// takes far longer than applying it.
+class ContourNoise {
+public:
+    /// For deviations of up to `mostPx`.
+    ContourNoise(const cv::Mat& mask, double mostPx, std::uint64_t seed);
+    /// CV_8U, 0 and 255, of the mask's size. At `mostPx` what withContourNoise gives for the seed.
+    cv::Mat applied(double sigmaPx) const;
+
+private:
+    cv::Size m_size;
+    cv::Rect m_window; ///< of the mask: all that the noise can change
+    cv::Mat m_soft;    ///< of the window, CV_32F: the mask with a soft edge, 0 to 255
+    cv::Mat m_noise;   ///< of the window, CV_32F: smooth noise, added in proportion to the deviation
+};
+
 /// The seed of one of many independent draws.
 std::uint64_t drawSeed(std::uint64_t seed, const std::string& name);
 

@@ -121,6 +121,34 @@ TEST_F(Access, TheToolbarHasIconsWithTextsAndCanBeHidden) {
     EXPECT_FALSE(window->findChild<QToolBar*>()->isVisible()) << "it stays hidden";
 }
 
+TEST_F(Access, ToolsForMarksAreDimmedWhereNothingCanBeMarked) {
+    app::applyLook(*qApp, app::Look::Dark);
+    QPixmap square(16, 16);
+    square.fill(Qt::lightGray);
+    const QImage dimmed = QIcon(square).pixmap(square.size(), QIcon::Disabled).toImage();
+    EXPECT_LT(dimmed.pixelColor(8, 8).alphaF(), 0.5) << "icons of one colour, too";
+    const auto* bar = window->findChild<QToolBar*>();
+    const auto isLit = [&](const char* id) { return bar->widgetForAction(action(id))->isEnabled(); };
+    const auto go = [&](const char* workspace) {
+        action(workspace)->trigger();
+        app::waitUntilIdle(*window);
+    };
+    for (const char* id : {"annotation.accept", "annotation.occluded", "annotation.unplaceable", "annotation.remove"}) {
+        go("workspace.annotate");
+        EXPECT_TRUE(isLit(id)) << id;
+        for (const char* workspace : {"workspace.inspect", "workspace.benchmark"}) {
+            go(workspace);
+            EXPECT_FALSE(isLit(id)) << id << " in " << workspace;
+            action(id)->setStatusTip(QString::fromLatin1(workspace)); // the button takes over what changes
+            app::waitUntilIdle(*window);
+            EXPECT_FALSE(isLit(id)) << id << " in " << workspace << ", still";
+            EXPECT_TRUE(action(id)->isEnabled()) << "keys and scripts go on";
+        }
+    }
+    go("workspace.inspect");
+    EXPECT_TRUE(isLit("fit.run"));
+}
+
 TEST_F(Access, KeysFrameTheHandsAndShowWholeImages) {
     widgets::CameraView& view = *window->workspaces().grid()->view(0);
     const double framed = view.scale();

@@ -27,6 +27,7 @@ struct MethodOutcome {
     double errorMm = 0;                   ///< mean joint distance to the pair's reference; NaN if it has none
     std::vector<double> iterationErrorMm; ///< the same after every iteration of result.history
     QString failure;                      ///< why there is no result; empty if there is one
+    QString note;                         ///< what of the result cannot be drawn, and why; mostly empty
     bool isFixed = false;                 ///< not fitted here: result.poses at every iteration, no history
 };
 

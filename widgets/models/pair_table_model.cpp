@@ -197,8 +197,10 @@ QVariant PairTableModel::headerData(int section, Qt::Orientation orientation, in
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
         return {};
     const PairQuantity& what = quantity(section);
+    // Styles draw icons at the left end: the name stands beside its chip.
+    const bool isLeft = what.field == PairField::Sequence || (what.field == PairField::ErrorMm && m_methodIcon);
     if (role == Qt::TextAlignmentRole)
-        return int((what.field == PairField::Sequence ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        return int((isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
     if (role == Qt::ToolTipRole)
         return headerTip(what);
     if (role == Qt::DecorationRole && what.field == PairField::ErrorMm)

@@ -20,12 +20,6 @@
 
 namespace widgets {
 
-namespace {
-
-constexpr int kUsualDifference = 5;
-
-} // namespace
-
 FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* parent)
     : QWidget(parent)
     , m_selection(selection)
@@ -51,6 +45,7 @@ FittingPanel::FittingPanel(Selection& selection, FitRunner& fits, QWidget* paren
     column->addLayout(makeRunRow());
     column->addWidget(m_table);
     column->addWidget(m_plot, 1);
+    column->addStretch(0); // where the plot is not shown
     m_target->addItem(tr("Silhouettes of the recorded pose"), static_cast<int>(FitTarget::Recorded));
     m_target->addItem(tr("Silhouettes of the mask files"), static_cast<int>(FitTarget::Masks));
     m_target->setToolTip(tr(
@@ -101,19 +96,46 @@ QLayout* FittingPanel::makeFrameRow() {
     here->setToolTip(tr("Test the current frame"));
     here->setFocusPolicy(Qt::NoFocus);
     row->addWidget(here);
-    connect(here, &QToolButton::clicked, this, [this] {
-        const int difference =
-            m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
-        m_test->setValue(m_selection.frame());
-        m_start->setValue(m_selection.frame() - difference);
-    });
+    connect(here, &QToolButton::clicked, this,
+            [this] { showPair(usualStart(m_selection.frame()), m_selection.frame()); });
+    for (QSpinBox* box : {m_start, m_test})
+        connect(box, qOverload<int>(&QSpinBox::valueChanged), this, &FittingPanel::takePair);
+    connect(&m_selection, &Selection::frameChanged, this, &FittingPanel::followFrame);
     connect(&m_selection, &Selection::frameCountChanged, this, [this](int count) {
-        for (QSpinBox* box : {m_start, m_test})
+        for (QSpinBox* box : {m_start, m_test}) {
+            const QSignalBlocker blocker(box);
             box->setRange(0, std::max(0, count - 1));
-        m_start->setValue(0);
-        m_test->setValue(kUsualDifference);
+        }
+        m_follows = true;
+        followFrame();
     });
     return row;
+}
+
+void FittingPanel::showPair(int start, int test) {
+    const QSignalBlocker startBlocker(m_start), testBlocker(m_test);
+    m_start->setValue(start);
+    m_test->setValue(test);
+}
+
+/// A person has chosen a pair.
+void FittingPanel::takePair() {
+    m_follows = false;
+    if (m_test->value() != m_start->value())
+        m_apart = m_test->value() - m_start->value();
+}
+
+/// Its button and that of the empty Inspect workspace do the same then.
+void FittingPanel::followFrame() {
+    if (m_follows)
+        showPair(usualStart(m_selection.frame()), m_selection.frame());
+}
+
+/// As far before as the last pair's; at the sequence's end from the other side.
+int FittingPanel::usualStart(int test) const {
+    const int last = std::max(0, m_selection.frameCount() - 1);
+    const int start = std::clamp(test - m_apart, 0, last);
+    return start != test ? start : std::clamp(test + m_apart, 0, last);
 }
 
 QLayout* FittingPanel::makeMethodRows() {
@@ -200,18 +222,14 @@ FitRequest FittingPanel::request() const {
 }
 
 void FittingPanel::fitCurrentFrame() {
-    const int difference = m_test->value() != m_start->value() ? m_test->value() - m_start->value() : kUsualDifference;
-    const int last = std::max(0, m_selection.frameCount() - 1);
-    const int test = m_selection.frame();
-    int start = std::clamp(test - difference, 0, last);
-    if (start == test) // at the sequence's end: from the other side
-        start = std::clamp(test + difference, 0, last);
-    fit({start, test, chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())});
+    const int apart = m_apart, test = m_selection.frame();
+    fit({usualStart(test), test, chosenMethods(), static_cast<FitTarget>(m_target->currentData().toInt())});
+    m_apart = apart; // at the sequence's end it may be another one
 }
 
 void FittingPanel::fit(const FitRequest& request) {
-    m_start->setValue(request.start);
-    m_test->setValue(request.test);
+    showPair(request.start, request.test);
+    takePair();
     for (QCheckBox* box : m_methods)
         box->setChecked(std::find(request.methods.begin(), request.methods.end(), box->text().toStdString()) !=
                         request.methods.end());

@@ -51,6 +51,10 @@ private:
     void showOutcome();
     void showTargets();
     void showRunning(bool running);
+    void showPair(int start, int test);
+    void takePair();
+    void followFrame();
+    int usualStart(int test) const;
     std::vector<Curve> curves() const;
 
     Selection& m_selection;
@@ -66,6 +70,8 @@ private:
     QTableView* m_table;
     ResultTableModel* m_model;
     CurvePlot* m_plot;
+    int m_apart = 5;       ///< test minus start, as a person chose it last
+    bool m_follows = true; ///< the fields show the pair of the current frame, until a person chooses another one
 };
 
 } // namespace widgets

@@ -147,6 +147,7 @@ bool InspectColumns::isAvailable(const InspectColumn& column) const {
 void InspectColumns::takeFits() {
     const std::shared_ptr<const FitOutcome> before = m_fitted;
     m_fitted = m_fits.outcome();
+    m_bareTrace = m_fitted ? bareTrace(*m_fitted) : nullptr;
     const bool isExtended = before && m_fitted && isSamePair(*before, *m_fitted);
     if (!isExtended)
         m_previews.clear(); // of the pair before
@@ -188,22 +189,23 @@ MethodOutcome InspectColumns::outcomeOf(const InspectColumn& column,
     return preview == m_previews.end() ? *fittedMethod(*m_fitted, column.name) : preview->second;
 }
 
+/// The pair with what its columns show, from left to right.
+std::shared_ptr<const FitOutcome> InspectColumns::arranged() const {
+    auto outcome = std::make_shared<FitOutcome>();
+    static_cast<FitPair&>(*outcome) = *m_fitted;
+    outcome->sequence = m_fitted->sequence;
+    outcome->request = m_fitted->request;
+    for (const InspectColumn& column : m_columns)
+        outcome->methods.push_back(outcomeOf(column, m_bareTrace));
+    return outcome;
+}
+
 void InspectColumns::arrange() {
-    m_outcome.reset();
     m_columns.clear();
-    if (m_fitted) {
-        for (const InspectColumn& column : m_wanted)
-            if (isAvailable(column))
-                m_columns.push_back(column);
-        auto arranged = std::make_shared<FitOutcome>();
-        static_cast<FitPair&>(*arranged) = *m_fitted;
-        arranged->sequence = m_fitted->sequence;
-        arranged->request = m_fitted->request;
-        const auto trace = bareTrace(*m_fitted);
-        for (const InspectColumn& column : m_columns)
-            arranged->methods.push_back(outcomeOf(column, trace));
-        m_outcome = arranged;
-    }
+    for (const InspectColumn& column : m_wanted)
+        if (isAvailable(column))
+            m_columns.push_back(column);
+    m_outcome = m_fitted ? arranged() : nullptr;
     m_current = std::min(m_current, m_columns.empty() ? 0 : m_columns.size() - 1);
     emit changed();
 }
@@ -277,7 +279,10 @@ void InspectColumns::setPreviews(std::map<std::string, MethodOutcome> previews) 
     if (previews.empty() && m_previews.empty())
         return;
     m_previews = std::move(previews);
-    arrange();
+    if (!m_fitted)
+        return;
+    m_outcome = arranged();
+    emit previewed();
 }
 
 bool InspectColumns::isPreview(std::size_t column) const {

@@ -76,7 +76,8 @@ public:
     void addTracker(const std::string& name, const QString& file);
     const std::vector<Tracker>& trackers() const { return m_trackers; }
 
-    /// Shows these in the places of columns, by id, until the columns or the pair change; empty for none.
+    /// Shows these in the places of columns, by id, until the columns or the pair change; empty for none. Says
+    /// previewed(), not changed().
     void setPreviews(std::map<std::string, MethodOutcome> previews);
     bool isPreview(std::size_t column) const;
 
@@ -96,6 +97,8 @@ public:
 signals:
     /// Other columns, another order, or another pair.
     void changed();
+    /// The same columns of the same pair, with something else in some of them.
+    void previewed();
     void currentChanged();
     /// A column was switched on or off in a view.
     void shownChanged();
@@ -104,6 +107,7 @@ signals:
 private:
     void takeFits();
     void arrange();
+    std::shared_ptr<const FitOutcome> arranged() const;
     void poseTrackers();
     MethodOutcome outcomeOf(const InspectColumn& column, const std::shared_ptr<const core::FitTrace>& trace) const;
     bool isFitted(const std::string& method) const;
@@ -112,7 +116,8 @@ private:
     const DatasetSession& m_datasets;
     Job m_reading;
     Job m_posing;
-    std::shared_ptr<const FitOutcome> m_fitted; ///< that m_columns are of
+    std::shared_ptr<const FitOutcome> m_fitted;        ///< that m_columns are of
+    std::shared_ptr<const core::FitTrace> m_bareTrace; ///< of m_fitted, for columns that no method made
     std::shared_ptr<const FitOutcome> m_outcome;
     std::vector<InspectColumn> m_wanted; ///< with those that are being fitted or read
     std::vector<InspectColumn> m_columns;

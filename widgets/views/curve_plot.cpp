@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kReadoutSpacing = 6;
+constexpr int kMarkSpacing = 3;
+constexpr int kLeastLetters = 3; ///< of a name that is cut
 
 /// y of the curve at x, between its points; NaN outside.
 double valueAt(const Curve& curve, double x) {
@@ -26,6 +28,15 @@ double valueAt(const Curve& curve, double x) {
             return b.x() > a.x() ? a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()) : a.y();
     }
     return kNone;
+}
+
+/// A name in that room: whole, its first word, or cut; empty where not even that fits.
+QString fittingName(const QString& name, const QFontMetricsF& metrics, double room) {
+    for (const QString& text : {name, name.section(QLatin1Char(' '), 0, 0)})
+        if (metrics.horizontalAdvance(text) <= room)
+            return text;
+    const QString cut = metrics.elidedText(name, Qt::ElideRight, room);
+    return cut.size() > kLeastLetters ? cut : QString();
 }
 
 } // namespace
@@ -109,7 +120,8 @@ std::vector<PlotLegendEntry> CurvePlot::legend() const {
     return entries;
 }
 
-/// A name stands to the right of its line, where it ends before the next one's; the tool tip has all of them.
+/// A name stands to the right of its line and ends before the next one's, in a short form where it has to; the tool
+/// tip has all of them. Only the last one may reach into the margin.
 void CurvePlot::paintMarks(QPainter& painter, const PlotFrame& f, const QPalette& colours) const {
     const QFontMetricsF metrics(font());
     QColor line = colours.color(QPalette::Text);
@@ -120,12 +132,17 @@ void CurvePlot::paintMarks(QPainter& painter, const PlotFrame& f, const QPalette
             continue;
         painter.setPen(QPen(line, 1, Qt::DotLine));
         painter.drawLine(QPointF(x, f.plot.top() - metrics.height()), QPointF(x, f.plot.bottom()));
-        const double end = i + 1 < m_marks.size() ? f.place({m_marks[i + 1].x, f.y.min}).x() : f.whole.right();
-        if (x + 3 + metrics.horizontalAdvance(m_marks[i].name) > end)
-            continue;
+        const bool isLast = i + 1 == m_marks.size();
+        const double from = x + kMarkSpacing;
+        double end = isLast ? f.plot.right() : f.place({m_marks[i + 1].x, f.y.min}).x();
+        QString name = fittingName(m_marks[i].name, metrics, end - from);
+        if (isLast && name.isEmpty()) {
+            end = f.whole.right();
+            name = fittingName(m_marks[i].name, metrics, end - from);
+        }
         painter.setPen(colours.color(QPalette::PlaceholderText));
-        painter.drawText(QRectF(x + 3, f.plot.top() - metrics.height() - 1, end - x, metrics.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, m_marks[i].name);
+        painter.drawText(QRectF(from, f.plot.top() - metrics.height() - 1, end - from, metrics.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter, name);
     }
 }
 

@@ -38,15 +38,22 @@ InspectGrid::InspectGrid(InspectColumns& columns, const DatasetSession& datasets
         clearHidden();
         showTitles();
     });
+    connect(&columns, &InspectColumns::changed, this, [this] {
+        m_posed.reset(); // of the columns before
+        layOut();
+    });
     connect(
-        &columns, &InspectColumns::changed, this,
+        &columns, &InspectColumns::previewed, this,
         [this] {
-            m_posed.reset(); // of the columns before
-            layOut();
+            for (int index = 0; index < m_grid->count(); ++index)
+                showPictureMessage(index); // a reason of before may be out of date
+            showTitles();
         });
-    connect(
-        &columns, &InspectColumns::currentChanged, this, [this] { m_grid->setCurrent(currentView()); });
-    connect(&columns, &InspectColumns::shownChanged, this, [this] { showPoses(m_posed, m_iteration); });
+    connect(&columns, &InspectColumns::currentChanged, this, [this] { m_grid->setCurrent(currentView()); });
+    connect(&columns, &InspectColumns::shownChanged, this, [this] {
+        showLayers();
+        m_overlays->drawAgain();
+    });
     layOut();
 }
 
@@ -165,11 +172,15 @@ void InspectGrid::showPicture(int camera, const ImagePyramid& picture) {
     for (int index = 0; index < m_grid->count(); ++index) {
         if (cameraOf(index) != camera)
             continue;
-        CameraView* view = m_grid->view(index);
-        view->setMessage(m_frames.lacksPicture(camera) ? tr("No picture at this instant.") : QString());
-        view->setImage(picture);
+        showPictureMessage(index);
+        m_grid->view(index)->setImage(picture);
     }
     emit pictureShown(camera);
+}
+
+void InspectGrid::showPictureMessage(int index) {
+    const bool isLacking = m_frames.lacksPicture(cameraOf(index));
+    m_grid->view(index)->setMessage(isLacking ? tr("No picture at this instant.") : QString());
 }
 
 void InspectGrid::showFailure(int camera, const QString& message) {
@@ -198,8 +209,8 @@ void InspectGrid::showTitles() {
                                  "which the fit leaves out")
                             : tr("IoU: intersection over union of both silhouettes in this view");
         view->setTitle(title);
-        if (!method.failure.isEmpty())
-            view->setMessage(method.failure);
+        if (const QString why = method.failure.isEmpty() ? method.note : method.failure; !why.isEmpty())
+            view->setMessage(why);
     }
 }
 

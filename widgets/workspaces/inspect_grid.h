@@ -79,6 +79,7 @@ private:
     void showPicture(int camera, const ImagePyramid& picture);
     void showFailure(int camera, const QString& message);
     void showTitles();
+    void showPictureMessage(int index);
     void showLayers();
     void clearHidden();
     void syncRow(int index);

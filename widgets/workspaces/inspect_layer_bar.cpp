@@ -12,6 +12,7 @@
 #include "widgets/panels/state_colours.h"
 #include "widgets/presenters/inspect/inspect_difference.h"
 #include "widgets/text/edit_text.h"
+#include "widgets/views/joint_colours.h"
 
 namespace widgets {
 
@@ -148,10 +149,17 @@ void InspectLayerBar::showState() {
     showLegend();
 }
 
+void InspectLayerBar::setSilhouetteShown(bool shown) {
+    m_silhouetteShown = shown;
+    showLegend();
+}
+
 void InspectLayerBar::showLegend() {
     using Sample = LegendEntry::Sample;
     const MatchChoice matches = m_overlays.matchChoice();
     std::vector<LegendEntry> entries;
+    if (m_silhouetteShown)
+        entries.push_back({Sample::Line, tr("observed silhouette"), methodColour("recorded")});
     if (m_overlays.isShown(InspectLayer::Contour))
         entries.push_back({Sample::Scale, tr("outline, by direction"), {}, Qt::SolidLine, directionScale()});
     if (m_overlays.isShown(InspectLayer::Rim) && matches != MatchChoice::ByFinger)

@@ -30,6 +30,8 @@ public:
     void clearProbe();
     /// What the tip of the choice of matches says, beside its key.
     void setMatchTip(const QString& tip) { m_matches->setToolTip(tip); }
+    /// Whether the views show the silhouette that is to be met, as a white line.
+    void setSilhouetteShown(bool shown);
     const LegendStrip& legend() const { return *m_legend; }
     /// What is said of the place under the pointer.
     QString probeText() const { return m_probe->text(); }
@@ -47,6 +49,7 @@ private:
     QSlider* m_direction;
     QLabel* m_directionText;
     QLabel* m_probe;
+    bool m_silhouetteShown = false;
 };
 
 } // namespace widgets

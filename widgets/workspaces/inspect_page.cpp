@@ -52,6 +52,7 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     connect(&fits, &FitRunner::finished, this, &InspectPage::showHint);
     connect(&fits, &FitRunner::cleared, this, &InspectPage::showHint);
     connect(m_columns, &InspectColumns::changed, this, &InspectPage::takeColumns);
+    connect(m_columns, &InspectColumns::previewed, this, &InspectPage::takePreviews);
     connect(m_columns, &InspectColumns::currentChanged, this, &InspectPage::showPhases);
     connect(m_fit, &QPushButton::clicked, this, &InspectPage::fitRequested);
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
@@ -178,13 +179,7 @@ void InspectPage::setIteration(int iteration) {
 void InspectPage::takeColumns() {
     const auto& outcome = m_columns->outcome();
     const bool isKept = m_shown && outcome && isSamePair(*m_shown, *outcome);
-    const bool wasAtEnd = m_slider->value() == m_slider->maximum();
-    {
-        const QSignalBlocker blocker(m_slider);
-        m_slider->setRange(0, lastIteration());
-        if (!isKept || wasAtEnd)
-            m_slider->setValue(lastIteration());
-    }
+    showRange(isKept);
     if (!isKept) {
         m_probeTargets.clear();
         m_posedBefore.reset();
@@ -204,6 +199,24 @@ void InspectPage::takeColumns() {
     showHint();
     showCurves();
     showPoses();
+    showLegend();
+}
+
+/// The pair and its columns are the same: nothing but poses, titles and curves is another.
+void InspectPage::takePreviews() {
+    showRange(true);
+    m_shown = m_columns->outcome();
+    showPoses();
+    showCurves();
+}
+
+/// As many iterations as the longest method made; the last one stays the last one.
+void InspectPage::showRange(bool isSamePair) {
+    const QSignalBlocker blocker(m_slider);
+    const bool wasAtEnd = m_slider->value() == m_slider->maximum();
+    m_slider->setRange(0, lastIteration());
+    if (!isSamePair || wasAtEnd)
+        m_slider->setValue(lastIteration());
 }
 
 void InspectPage::showCameras() {
@@ -285,6 +298,15 @@ void InspectPage::showPinned() {
 
 void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedShown) {
     m_views->setLook(look, startShown, recordedShown);
+    m_recordedShown = recordedShown;
+    showLegend();
+}
+
+/// The observed silhouette is the recorded pose's, which can be hidden, or what the mask files show.
+void InspectPage::showLegend() {
+    const auto& outcome = m_columns->outcome();
+    m_layerBar->setSilhouetteShown(
+        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {

@@ -83,6 +83,8 @@ private:
     void showHint();
     void showCameras();
     void takeColumns();
+    void takePreviews();
+    void showRange(bool isSamePair);
     void showPoses();
     void showCurves();
     void showPhases();
@@ -90,6 +92,7 @@ private:
     void showProbeAgain();
     void showErrors();
     void showPinned();
+    void showLegend();
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
@@ -117,6 +120,7 @@ private:
     std::shared_ptr<const InspectedPoses> m_posed;
     std::shared_ptr<const InspectedPoses> m_posedBefore; ///< the last ones of this pair
     std::optional<std::pair<int, QPointF>> m_pointed;    ///< view and pixel under the pointer
+    bool m_recordedShown = true;
 };
 
 } // namespace widgets

@@ -206,6 +206,7 @@ void Workspaces::showInScene() {
     const std::vector<MeshLayer> posed = inspects() ? m_inspect->posedLayers() : std::vector<MeshLayer>{};
     m_layers->setInspected(posed.empty() ? std::nullopt : std::optional(posed));
     m_scene->setJointsShown(!inspects() || outcome->request.test == m_session.selection.frame());
+    m_fitting->plot()->setVisible(!inspects()); // Inspect has the same curves, and larger
 }
 
 ImagePyramid Workspaces::shownPicture(int camera) const {
@@ -351,19 +352,20 @@ int Workspaces::tabOf(const QWidget* panel) const {
 }
 
 QWidget* Workspaces::part(const QString& name) const {
-    const std::map<QString, QWidget*> parts{{QStringLiteral("scene"), m_scene},
-                                            {QStringLiteral("joints"), m_joints},
-                                            {QStringLiteral("diagram"), m_joints->diagram()},
-                                            {QStringLiteral("fit"), m_fitting},
-                                            {QStringLiteral("quality"), m_quality},
-                                            {QStringLiteral("review"), m_review},
-                                            {QStringLiteral("raters"), m_raters},
-                                            {QStringLiteral("view"), m_viewPanel},
-                                            {QStringLiteral("whatif"), m_whatIf},
-                                            {QStringLiteral("inspect"), m_inspect},
-                                            {QStringLiteral("benchmark"), m_benchmark},
-                                            {QStringLiteral("curves"), m_fitting->plot()},
-                                            {QStringLiteral("views"), m_grid}};
+    const std::map<QString, QWidget*> parts{
+        {QStringLiteral("scene"), m_scene},
+        {QStringLiteral("joints"), m_joints},
+        {QStringLiteral("diagram"), m_joints->diagram()},
+        {QStringLiteral("fit"), m_fitting},
+        {QStringLiteral("quality"), m_quality},
+        {QStringLiteral("review"), m_review},
+        {QStringLiteral("raters"), m_raters},
+        {QStringLiteral("view"), m_viewPanel},
+        {QStringLiteral("whatif"), m_whatIf},
+        {QStringLiteral("inspect"), m_inspect},
+        {QStringLiteral("benchmark"), m_benchmark},
+        {QStringLiteral("curves"), inspects() ? m_inspect->errorPlot() : m_fitting->plot()},
+        {QStringLiteral("views"), m_grid}};
     const auto found = parts.find(name);
     return found == parts.end() ? m_grid->view(name) : found->second;
 }

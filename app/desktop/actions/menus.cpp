@@ -43,6 +43,19 @@ constexpr const char* kTools[] = {"edit.undo",
                                   "file.export",
                                   "help.shortcuts"};
 
+/// What works on marks: they are seen where one annotates.
+constexpr const char* kMarkTools[] = {"annotation.accept", "annotation.occluded", "annotation.unplaceable",
+                                      "annotation.remove"};
+
+/// Their buttons alone are dimmed elsewhere: keys and scripts reach the actions everywhere.
+void dimMarkTools(const QToolBar& bar, MainWindow& window) {
+    const bool annotates = window.workspaces().current() == widgets::Workspaces::Kind::Annotate;
+    for (const char* name : kMarkTools) {
+        QAction* action = window.actions().action(QString::fromLatin1(name));
+        bar.widgetForAction(action)->setEnabled(annotates && action->isEnabled());
+    }
+}
+
 /// Recent datasets, made anew each time the menu opens.
 void addRecentMenu(QMenu& file, QAction* before, MainWindow& window) {
     auto* recent = new QMenu(MainWindow::tr("Open &recent"), &file);
@@ -114,6 +127,11 @@ void buildToolbar(MainWindow& window) {
     for (QToolButton* button : bar->findChildren<QToolButton*>())
         button->setFocusPolicy(Qt::NoFocus);
     window.addToolBar(Qt::LeftToolBarArea, bar);
+    const auto dim = [bar, &window] { dimMarkTools(*bar, window); };
+    QObject::connect(&window.workspaces(), &widgets::Workspaces::currentChanged, bar, dim);
+    for (const char* name : kMarkTools) // the button takes its action's state over, after this
+        QObject::connect(window.actions().action(QString::fromLatin1(name)), &QAction::changed, bar, dim,
+                         Qt::QueuedConnection);
     QAction* shown = window.actions().action(QStringLiteral("view.toolbar"));
     shown->setChecked(window.settings().value(kToolbarSetting, true).toBool());
     bar->setVisible(shown->isChecked());

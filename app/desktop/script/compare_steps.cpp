@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QElapsedTimer>
+#include <QEvent>
 #include <QJsonArray>
+#include <QTimer>
 
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/idle_wait.h"
@@ -67,6 +70,47 @@ void showCameras(MainWindow& window, const QStringList& names) {
             throw notPossible("cameras", QStringLiteral("unknown camera \"%1\"").arg(name));
     }
     window.workspaces().inspectPage()->views()->chooseCameras(cameras);
+}
+
+/// How long it takes from now until the views show what the real-time variant found, and nothing of it is still to be
+/// painted.
+class LiveClock : public QObject {
+public:
+    LiveClock(const widgets::InspectPage& page, widgets::WhatIfPanel& panel) {
+        m_sinceWish.start();
+        for (widgets::CameraView* view : page.grid()->views())
+            view->viewport()->installEventFilter(this);
+        connect(&panel, &widgets::WhatIfPanel::answered, this, [this](bool isLive) { m_isLive = isLive; });
+    }
+
+    /// NaN if no view showed it.
+    double liveMs() const { return m_liveMs; }
+    /// Nothing has been painted since for a while.
+    bool isSettled() const { return m_liveMs + kSettledMs < static_cast<double>(m_sinceWish.elapsed()); }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint && m_isLive)
+            QTimer::singleShot(0, this, [this] { m_liveMs = static_cast<double>(m_sinceWish.nsecsElapsed()) / 1e6; });
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    static constexpr double kSettledMs = 60;
+    QElapsedTimer m_sinceWish;
+    bool m_isLive = false; ///< it has answered last
+    double m_liveMs = std::nan("");
+};
+
+QJsonObject pointsOf(const widgets::WhatIfPanel& panel) {
+    QJsonObject points;
+    for (const auto& [method, curve] : panel.points()) {
+        QJsonArray list;
+        for (const auto& [x, errorMm] : curve)
+            list.append(QJsonArray{x, errorMm});
+        points[QString::fromStdString(method)] = list;
+    }
+    return points;
 }
 
 double matchBytes(const widgets::FitOutcome& outcome) {
@@ -135,6 +179,7 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
         page.columns()->setCurrent(static_cast<std::size_t>(found - columns.begin()));
         panel->showColumn(static_cast<std::size_t>(found - columns.begin()));
     }
+    const LiveClock clock(page, *panel);
     if (step.contains(QLatin1String("camera"))) {
         const QString camera = textField(step, "camera");
         const auto& boxes = panel->cameras();
@@ -164,16 +209,15 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
                               QStringLiteral("the method has no option \"%1\"").arg(QString::fromStdString(key)));
         panel->sweep(key);
     }
-    if (!waitFor(window, [&] { return !panel->isRunning() && window.session().pool.isIdle(); }))
+    const bool untilLive = step.value(QLatin1String("until")) == QLatin1String("live");
+    if (!waitFor(window, [&] {
+            return (untilLive && clock.isSettled()) || (!panel->isRunning() && window.session().pool.isIdle());
+        }))
         throw notPossible("do", QStringLiteral("no answer in time"));
-    QJsonObject points;
-    for (const auto& [method, curve] : panel->points()) {
-        QJsonArray list;
-        for (const auto& [x, errorMm] : curve)
-            list.append(QJsonArray{x, errorMm});
-        points[QString::fromStdString(method)] = list;
-    }
-    return {{QStringLiteral("points"), points}};
+    QJsonObject answer{{QStringLiteral("points"), pointsOf(*panel)}};
+    if (std::isfinite(clock.liveMs()))
+        answer[QStringLiteral("liveMs")] = clock.liveMs();
+    return answer;
 }
 
 } // namespace app

@@ -29,6 +29,7 @@ struct Row {
     Cameras (*read)(const Source&, const Options&);
     void (*write)(const fs::path&, const Cameras&); ///< nullptr: cannot be written
     const char* note = "";                          ///< what a reader of the cameras should know, if no unit was given
+    std::vector<std::string> (*notesOf)(const Source&) = nullptr; ///< what the file itself gives reason to say
 };
 
 /// Programs of OpenCV's kind read fx, fy, cx and cy only: a skew would be lost in silence.
@@ -106,7 +107,9 @@ constexpr Row kRows[] = {
     {{"qualisys", "calibration .qca.txt of Qualisys", 1, false, "txt xml qca"},
      looksLikeQualisys,
      readQualisys,
-     nullptr},
+     nullptr,
+     "",
+     qualisysNotes},
     {{"xmalab", "a folder of XMALab's MayaCam 2.0 files", 1, false, "txt"},
      looksLikeXmaLab,
      readXmaLab,
@@ -281,9 +284,9 @@ std::vector<std::string> calibrationNotes(const fs::path& path, const Calibratio
         notes.push_back(unit);
     for (const std::string& lens : lensNotes(cameras))
         notes.push_back(lens);
-    if (row.kind.name == "qualisys")
-        for (const std::string& turned : qualisysNotes(source))
-            notes.push_back(turned);
+    if (row.notesOf)
+        for (const std::string& note : row.notesOf(source))
+            notes.push_back(note);
     return notes;
 }
 

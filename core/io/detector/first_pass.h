@@ -13,7 +13,7 @@
 namespace core {
 
 struct FirstPassOptions : PassOptions {
-    std::vector<HandModel> otherHands{}; ///< that are used where the dataset has none (makeDemoHands)
+    std::vector<HandModel> otherHands{}; ///< that are used where the dataset has none (demoHands)
     std::filesystem::path journal{};     ///< keeps what is done while it works; the same pass goes on from there
 };
 

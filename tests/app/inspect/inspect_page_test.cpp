@@ -86,6 +86,7 @@ TEST_F(InspectPageTest, ThePinnedProbeCoversNoView) {
     ASSERT_TRUE(card->isVisible());
     const QRect place(card->mapTo(window.get(), QPoint()), card->size());
     EXPECT_GT(place.width(), 200);
+    EXPECT_LE(card->minimumSizeHint().width(), 440) << "small windows hold it beside the curves, in every language";
     for (const widgets::CameraView* one : page().grid()->views())
         EXPECT_FALSE(QRect(one->mapTo(window.get(), QPoint()), one->size()).intersects(place));
     for (const widgets::CurvePlot* plot : {page().errorPlot(), page().costPlot()})
@@ -165,6 +166,32 @@ cv::Mat movedSilhouette(const core::Camera& camera, const std::vector<core::Hand
     return core::renderMask(camera, surfaces);
 }
 
+TEST_F(InspectPageTest, ATrackerWithTooFewJointsSaysSo) {
+    fit("\"ch\"");
+    const auto& hands = session().opened.dataset()->hands;
+    const core::JointPositions truth = session().fits.outcome()->reference;
+    const auto column = [&](const char* name, const std::map<core::Side, int>& joints) {
+        const std::string file = (folder / (std::string(name) + ".csv")).string();
+        std::ofstream csv(file);
+        csv << "sequence,start,test,hand,name,x,y,z\n";
+        for (const core::HandModel& hand : hands) {
+            int left = joints.count(hand.side) ? joints.at(hand.side) : 0;
+            for (const auto& [joint, xyz] : truth)
+                if (joint.hand == hand.side && left-- > 0)
+                    csv << session().opened.sequence()->name << ",4,7," << core::sideName(joint.hand) << ','
+                        << joint.joint << ',' << xyz.x() << ',' << xyz.y() << ',' << xyz.z() << '\n';
+        }
+        csv.close();
+        run(std::string(R"({"do":"columns","trackers":[{"name":")") + name + R"(","file":")" + file +
+            R"("}],"show":["ch","external:)" + name + R"("]})");
+        return view(1).message();
+    };
+    using core::Side;
+    const QString few = column("few", {{Side::Left, 2}, {Side::Right, 1}});
+    EXPECT_TRUE(few.contains(QStringLiteral("fewer than three joints"))) << few.toStdString();
+    EXPECT_TRUE(view(0).message().isEmpty());
+}
+
 TEST_F(InspectPageTest, ATrackersHandsAreDrawnWhereItSawThem) {
     const core::NewDataset demo = core::makeDemoDataset(); // whose hands have fingers that joints can tell
     core::writeDataset(demo.dataset, demo.motions, folder / "demo");
@@ -176,11 +203,21 @@ TEST_F(InspectPageTest, ATrackersHandsAreDrawnWhereItSawThem) {
     const Eigen::Vector3d offMm(30, 0, 0);
     std::ofstream file(folder / "other.csv");
     file.precision(15);
-    file << "sequence,start,test,hand,name,x,y,z\n";
-    for (const auto& [joint, xyz] : core::namedJointPositions(demo.dataset.hands, truth))
+    std::ofstream right(folder / "right.csv"); // sees one hand alone
+    for (std::ofstream* csv : {&file, &right})
+        *csv << "sequence,start,test,hand,name,x,y,z\n";
+    for (const auto& [joint, xyz] : core::namedJointPositions(demo.dataset.hands, truth)) {
+        if (joint.hand == core::Side::Right)
+            right << sequence << ",4,7,right," << joint.joint << ',' << xyz.x() << ',' << xyz.y() << ',' << xyz.z()
+                  << '\n';
         file << sequence << ",4,7," << core::sideName(joint.hand) << ',' << joint.joint << ',' << xyz.x() + offMm.x()
              << ',' << xyz.y() + offMm.y() << ',' << xyz.z() + offMm.z() << '\n';
+    }
     file.close();
+    right.close();
+    run(R"({"do":"columns","trackers":[{"name":"right","file":")" + (folder / "right.csv").string() +
+        R"("}],"show":["ch","external:right"]})");
+    EXPECT_TRUE(view(1).message().isEmpty()) << view(1).message().toStdString();
     run(R"({"do":"columns","trackers":[{"name":"other","file":")" + (folder / "other.csv").string() +
         R"("}],"show":["ch","external:other"]})");
     page().columns()->setCurrent(1);

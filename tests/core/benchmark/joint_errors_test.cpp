@@ -37,5 +37,19 @@ TEST(JointErrors, NamesFollowHandsAndBones) {
     EXPECT_EQ(positions.at({Side::Right, "index_mcp"}), right[1]);
 }
 
+TEST(NamedJointPositions, LeaveOutHandsWithoutAPose) {
+    const std::vector<HandModel> hands = test::tinyHands();
+    HandPoses poses = test::tinyMotion(4)[3];
+    const JointPositions both = namedJointPositions(hands, poses);
+    poses[0] = Pose();
+    const JointPositions right = namedJointPositions(hands, poses);
+    EXPECT_EQ(right.size(), both.size() / 2);
+    for (const auto& [joint, xyz] : right) {
+        EXPECT_EQ(joint.hand, hands[1].side);
+        EXPECT_EQ(xyz, both.at(joint));
+    }
+    EXPECT_TRUE(namedJointPositions(hands, {}).empty());
+}
+
 } // namespace
 } // namespace core

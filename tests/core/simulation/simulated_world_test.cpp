@@ -40,6 +40,25 @@ TEST(ContourNoise, MovesAnOutlineAcrossItselfByItsDeviation) {
     }
 }
 
+TEST(ContourNoise, KeepsItsWigglesWhileTheyGrow) {
+    cv::Mat square = cv::Mat::zeros(400, 300, CV_8U);
+    square(cv::Rect(60, 80, 170, 240)).setTo(255);
+    const ContourNoise noise(square, 1.5, 8);
+    cv::Mat before = square.clone();
+    int moved = 0;
+    for (const double sigma : {0.25, 0.5, 1.0, 1.5}) {
+        const cv::Mat changed = noise.applied(sigma) != square;
+        const cv::Mat changedBefore = before != square;
+        EXPECT_GT(cv::countNonZero(changed), moved) << "pixels, at " << sigma << " px";
+        // Corners that the soft edge cuts off come back where the noise pushes outward: next to nothing.
+        EXPECT_LT(cv::countNonZero(changedBefore & ~changed), 8) << "nothing moves back, at " << sigma << " px";
+        moved = cv::countNonZero(changed);
+        before = noise.applied(sigma);
+    }
+    EXPECT_EQ(cv::countNonZero(before != withContourNoise(square, 1.5, 8)), 0) << "the same draw at the most";
+    EXPECT_EQ(cv::countNonZero(ContourNoise(cv::Mat::zeros(20, 30, CV_8U), 1, 1).applied(1)), 0);
+}
+
 TEST(PerturbedCameras, AreOffByNormalNumbersOfThatSize) {
     const std::vector<Camera> cameras = test::cameraRing(400);
     const RigError error{0.08, 0.7, 0.001};

@@ -63,6 +63,15 @@ TEST_F(PairsViewTest, HasARowPerPairAndTheLargestDifferenceFirst) {
     EXPECT_FALSE(view.model().index(1, best).data(Qt::FontRole).value<QFont>().bold()) << "1 is less than 3";
 }
 
+TEST_F(PairsViewTest, AMethodsNameStandsBesideItsChip) {
+    const int error = view.model().columnOf({PairField::ErrorMm, 1, 0});
+    const auto head = [&](int column, int role) { return view.model().headerData(column, Qt::Horizontal, role); };
+    EXPECT_FALSE(head(error, Qt::DecorationRole).value<QIcon>().isNull());
+    EXPECT_TRUE(head(error, Qt::TextAlignmentRole).toInt() & Qt::AlignLeft) << "where styles draw the icon";
+    EXPECT_TRUE(head(view.model().columnOf({PairField::Seconds, 1, 0}), Qt::TextAlignmentRole).toInt() &
+                Qt::AlignRight);
+}
+
 TEST_F(PairsViewTest, ComparesOtherMethodsAndSortsByAnyColumn) {
     ASSERT_TRUE(view.setCompared(QStringLiteral("dch-dt3"), QStringLiteral("ch")));
     EXPECT_EQ(view.model().shown(), (Shown{0, 1, 3, 2})) << "+2, -1, -2, none";

@@ -85,6 +85,21 @@ TEST_F(FitPanelsTest, TheFirstFrameIsFittedFromALaterOne) {
     EXPECT_EQ(session.fits.outcome()->request.start, 5);
 }
 
+TEST_F(FitPanelsTest, TheFieldsFollowTheFrameUntilAPairIsChosen) {
+    const auto boxes = fitting.findChildren<QSpinBox*>();
+    const auto pair = [&] { return std::pair(fitting.request().start, fitting.request().test); };
+    session.selection.setFrame(17);
+    EXPECT_EQ(pair(), std::pair(12, 17)) << "as the button of the empty workspace would fit";
+    session.selection.setFrame(2);
+    EXPECT_EQ(pair(), std::pair(0, 2));
+    boxes[0]->setValue(1);
+    session.selection.setFrame(17);
+    EXPECT_EQ(pair(), std::pair(1, 2)) << "what a person has chosen stays";
+    session.opened.openSequence(QStringLiteral("b"), 9);
+    settle();
+    EXPECT_EQ(pair(), std::pair(8, 9)) << "another sequence: as far apart as the last pair";
+}
+
 TEST_F(FitPanelsTest, ColumnsLookAtTheHandsTogether) {
     fitting.fit({8, 12, {"ch", "best"}, widgets::FitTarget::Recorded});
     settle();

@@ -110,6 +110,40 @@ TEST_F(CurvePlotTest, MarksAreLinesWithNamesAboveThePlot) {
     EXPECT_EQ(plot.grab().toImage().copy(0, 0, 100, 260), plain.copy(0, 0, 100, 260));
 }
 
+/// Where the rows above the plot hold something else, as columns of the picture.
+std::set<int> columnsOfNames(const QImage& with, const QImage& without) {
+    std::set<int> columns;
+    for (int y = 0; y < with.height() / 4; ++y)
+        for (int x = 0; x < with.width(); ++x)
+            if (with.pixel(x, y) != without.pixel(x, y))
+                columns.insert(x);
+    return columns;
+}
+
+TEST_F(CurvePlotTest, ANameThatHasNoRoomIsShortened) {
+    plot.setCurves({line(Qt::red, 0, 5)});
+    const QString empty = QStringLiteral(" ");
+    const auto named = [&](const QString& middle, const QString& last) {
+        plot.setMarks({{4, middle, {}}, {6, last, {}}});
+        return plot.grab().toImage();
+    };
+    const QImage none = named(empty, empty);
+    const std::set<int> whole = columnsOfNames(named(QStringLiteral("middle"), empty), none);
+    EXPECT_GT(whole.size(), 20u) << "there is room for one word";
+    EXPECT_EQ(columnsOfNames(named(QStringLiteral("middle level of the mesh"), empty), none), whole)
+        << "its first word";
+    EXPECT_GT(columnsOfNames(named(QStringLiteral("extraordinarylongname"), empty), none).size(), 20u) << "cut";
+    const std::set<int> last = columnsOfNames(named(empty, QStringLiteral("the last name of them all, in full")), none);
+    ASSERT_FALSE(last.empty());
+    plot.setMarks({});
+    const QImage plain = plot.grab().toImage();
+    int right = 0; // of the frame: where the curve ends
+    for (int x = 0; x < plain.width(); ++x)
+        for (int y = 0; y < plain.height(); ++y)
+            right = qRed(plain.pixel(x, y)) > 200 && qGreen(plain.pixel(x, y)) < 80 ? x : right;
+    EXPECT_LE(*last.rbegin(), right + 4) << "not in the margin";
+}
+
 TEST_F(CurvePlotTest, AClickTellsItsX) {
     CurvePlotSettings settings;
     settings.xMin = 0;

@@ -141,6 +141,7 @@ ColumnBar::ColumnBar(InspectColumns& columns, QWidget* parent)
     m_add->setAccessibleName(tr("Add a column"));
     connect(m_menu, &QMenu::aboutToShow, this, &ColumnBar::fillMenu);
     connect(&columns, &InspectColumns::changed, this, &ColumnBar::showColumns);
+    connect(&columns, &InspectColumns::previewed, this, &ColumnBar::showColumns);
     connect(&columns, &InspectColumns::currentChanged, this, &ColumnBar::showCurrent);
     showColumns();
 }

@@ -109,6 +109,7 @@ void MethodForm::rebuild() {
 
 void MethodForm::addRow(const core::MethodOption& option, QGridLayout& grid) {
     const int line = grid.rowCount();
+    grid.setRowMinimumHeight(line, QDoubleSpinBox().sizeHint().height()); // also of boxes to tick
     const QString key = toQString(option.key), meaning = optionMeaning(option.key);
     Row row{&option};
     auto* label = new QLabel(key, this);

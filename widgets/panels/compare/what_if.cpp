@@ -2,11 +2,13 @@
 #include "widgets/panels/compare/what_if.h"
 
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include <opencv2/core/utility.hpp>
 
 #include "core/simulation/simulated_world.h"
+#include "widgets/presenters/inspect_columns.h"
 
 namespace widgets {
 
@@ -14,34 +16,64 @@ namespace {
 
 constexpr int kPauseMs = 150; ///< while a setting is dragged, the real-time variant has the processor to itself
 
-std::vector<cv::Mat> masksOf(const FitOutcome& outcome, const WhatIfCase& what) {
-    std::vector<cv::Mat> masks = outcome.masks;
-    const auto change = [&](std::size_t camera) {
-        if (camera < what.cameras.size() && !what.cameras[camera])
-            masks[camera] = cv::Mat();
-        else if (what.outlineNoisePx > 0 && !masks[camera].empty())
-            masks[camera] =
-                core::withContourNoise(masks[camera], what.outlineNoisePx, core::drawSeed(camera, outcome.sequence));
-    };
-    cv::parallel_for_(cv::Range(0, static_cast<int>(masks.size())), [&](const cv::Range& cameras) {
-        for (int camera = cameras.start; camera < cameras.end; ++camera)
-            change(static_cast<std::size_t>(camera));
-    });
-    return masks;
+template <typename Work>
+void forEachCamera(std::size_t count, Work&& work) {
+    cv::parallel_for_(
+        cv::Range(0, static_cast<int>(count)),
+        [&](const cv::Range& cameras) {
+            for (int camera = cameras.start; camera < cameras.end; ++camera)
+                work(static_cast<std::size_t>(camera));
+        });
 }
 
 } // namespace
+
+/// The noise of a pair's outlines; drawn by whoever needs it first, which takes a moment.
+struct WhatIf::PairNoise {
+    std::shared_ptr<const FitOutcome> outcome;
+    std::once_flag once;
+    std::vector<std::optional<core::ContourNoise>> ofCameras; ///< none where there is no mask
+
+    const std::vector<std::optional<core::ContourNoise>>& get() {
+        std::call_once(once, [this] {
+            ofCameras.resize(outcome->masks.size());
+            forEachCamera(ofCameras.size(), [this](std::size_t camera) {
+                if (!outcome->masks[camera].empty())
+                    ofCameras[camera].emplace(outcome->masks[camera], kMostOutlineNoisePx,
+                                              core::drawSeed(camera, outcome->sequence));
+            });
+        });
+        return ofCameras;
+    }
+};
 
 /// The silhouettes of a pair in a case; made by whoever needs them first.
 struct WhatIf::CaseMasks {
     std::shared_ptr<const FitOutcome> outcome;
     WhatIfCase what;
+    std::shared_ptr<PairNoise> noise;
     std::once_flag once;
     std::vector<cv::Mat> masks;
 
     const std::vector<cv::Mat>& get() {
-        std::call_once(once, [this] { masks = masksOf(*outcome, what); });
+        std::call_once(once, [this] {
+            masks = outcome->masks;
+            for (std::size_t camera = 0; camera < masks.size() && camera < what.cameras.size(); ++camera)
+                if (!what.cameras[camera])
+                    masks[camera] = cv::Mat();
+            if (what.outlineNoisePx > 0)
+                addNoise();
+        });
         return masks;
+    }
+
+private:
+    void addNoise() {
+        const auto& drawn = noise->get();
+        forEachCamera(masks.size(), [&](std::size_t camera) {
+            if (!masks[camera].empty())
+                masks[camera] = drawn[camera]->applied(what.outlineNoisePx);
+        });
     }
 };
 
@@ -49,7 +81,8 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
     : QObject(parent)
     , m_fits(fits)
     , m_datasets(datasets)
-    , m_job(pool) {
+    , m_job(pool)
+    , m_preparing(pool, Job::Kind::Background) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseMs);
     connect(&m_pause, &QTimer::timeout, this, &WhatIf::startNext);
@@ -58,7 +91,11 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
         m_waiting.clear();
         emit failed(message);
     });
-    connect(&fits, &FitRunner::cleared, this, &WhatIf::stop);
+    connect(&fits, &FitRunner::cleared, this, [this] {
+        stop();
+        m_noise.reset();
+        m_masks.reset();
+    });
 }
 
 void WhatIf::run(std::vector<WhatIfTrial> trials) {
@@ -83,6 +120,35 @@ void WhatIf::goOn() {
         startNext();
 }
 
+std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome) {
+    if (!m_noise || !isSamePair(*m_noise->outcome, *outcome)) {
+        m_noise = std::make_shared<PairNoise>();
+        m_noise->outcome = outcome;
+    }
+    return m_noise;
+}
+
+void WhatIf::prepare() {
+    if (!m_fits.outcome())
+        return;
+    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext&) {
+        noise->get();
+        return Job::Delivery();
+    });
+}
+
+std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,
+                                                   const WhatIfCase& what) {
+    const std::shared_ptr<PairNoise> noise = noiseOf(outcome);
+    if (!m_masks || m_masks->outcome != outcome || m_masks->what != what) {
+        m_masks = std::make_shared<CaseMasks>();
+        m_masks->outcome = outcome;
+        m_masks->what = what;
+        m_masks->noise = noise;
+    }
+    return m_masks;
+}
+
 void WhatIf::startNext() {
     const auto outcome = m_fits.outcome();
     const auto dataset = m_datasets.dataset();
@@ -94,12 +160,7 @@ void WhatIf::startNext() {
     const WhatIfTrial trial = m_waiting.front();
     m_waiting.pop_front();
     m_runsLive = trial.isLive;
-    if (!m_masks || m_masks->outcome != outcome || m_masks->what != trial.what) {
-        m_masks = std::make_shared<CaseMasks>();
-        m_masks->outcome = outcome;
-        m_masks->what = trial.what;
-    }
-    m_job.start([this, trial, outcome, dataset, masks = m_masks,
+    m_job.start([this, trial, outcome, dataset, masks = masksOf(outcome, trial.what),
                  estimator = m_fits.estimator()](const JobContext& context) {
         const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
         FitOutcome pair;

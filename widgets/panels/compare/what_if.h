@@ -15,10 +15,12 @@
 
 namespace widgets {
 
+inline constexpr double kMostOutlineNoisePx = 4;
+
 /// The pair of the columns under other circumstances.
 struct WhatIfCase {
     std::vector<bool> cameras; ///< which take part; empty: all
-    double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves
+    double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves, 0..kMostOutlineNoisePx
     bool operator==(const WhatIfCase&) const = default;
 };
 
@@ -45,6 +47,8 @@ public:
     /// In this order; what waits from a call before is forgotten.
     void run(std::vector<WhatIfTrial> trials);
     void stop();
+    /// In the background: what takes a moment the first time, before it is asked for.
+    void prepare();
     bool isRunning() const { return m_job.isRunning() || m_pause.isActive(); }
 
 signals:
@@ -53,16 +57,21 @@ signals:
     void finished();
 
 private:
+    struct PairNoise;
     struct CaseMasks;
+    std::shared_ptr<PairNoise> noiseOf(const std::shared_ptr<const FitOutcome>& outcome);
+    std::shared_ptr<CaseMasks> masksOf(const std::shared_ptr<const FitOutcome>& outcome, const WhatIfCase& what);
     void goOn();
     void startNext();
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
     Job m_job;
+    Job m_preparing;
     QTimer m_pause; ///< after the real-time variant
     std::deque<WhatIfTrial> m_waiting;
     bool m_runsLive = false;
+    std::shared_ptr<PairNoise> m_noise; ///< of the pair that was fitted last: one draw, whatever its strength
     std::shared_ptr<CaseMasks> m_masks; ///< of the case that was fitted last: its methods share them
 };
 

@@ -16,7 +16,6 @@ namespace widgets {
 namespace {
 
 constexpr int kPlotHeight = 130;
-constexpr double kMostNoisePx = 4;
 constexpr double kNoiseStepPx = 0.25;
 
 QPushButton* makeButton(const QString& text, const QString& icon, const QString& tip, QWidget* parent) {
@@ -60,6 +59,11 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     build();
     connectParts();
     takeColumns();
+}
+
+void WhatIfPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_runner.prepare();
 }
 
 void WhatIfPanel::connectParts() {
@@ -162,10 +166,10 @@ QLayout* WhatIfPanel::makeSilhouettes() {
     auto* row = new QHBoxLayout;
     auto* label = new QLabel(tr("Noise of the outlines"), this);
     const QString tip = tr("What if the silhouettes were noisier? By how much their outlines move, pixels");
-    m_noiseSlider->setRange(0, static_cast<int>(std::lround(kMostNoisePx / kNoiseStepPx)));
+    m_noiseSlider->setRange(0, static_cast<int>(std::lround(kMostOutlineNoisePx / kNoiseStepPx)));
     m_noiseSlider->setFocusPolicy(Qt::NoFocus);
     m_noiseSlider->setMinimumWidth(60);
-    m_noise->setRange(0, kMostNoisePx);
+    m_noise->setRange(0, kMostOutlineNoisePx);
     m_noise->setSingleStep(kNoiseStepPx);
     m_noise->setSuffix(tr(" px"));
     m_noise->setAlignment(Qt::AlignRight);

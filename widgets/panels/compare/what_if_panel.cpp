@@ -20,7 +20,9 @@ namespace widgets {
 
 namespace {
 
-constexpr const char* kLive = "best:live=1";
+/// The real-time variant, from one start: others take many times longer, and the method itself looks at them
+/// afterwards.
+constexpr const char* kLive = "best:live=1:restarts=0";
 constexpr const char* kWithoutKey = "without"; ///< a camera, whose index is the place
 
 bool isBest(const std::string& method) {
@@ -33,6 +35,7 @@ std::string liveOf(const std::string& method) {
     if (!live.best)
         return kLive;
     live.best->live = true;
+    live.best->restarts = false;
     return core::methodName(live);
 }
 
@@ -92,6 +95,8 @@ void WhatIfPanel::takeColumns() {
     const bool isOther = m_fits.outcome() && !(m_pair && isSamePair(*m_pair, *m_fits.outcome()));
     if (m_fits.outcome())
         m_pair = m_fits.outcome();
+    if (isOther && isVisible())
+        m_runner.prepare();
     if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base || isOther) {
         m_base = chosen; // of another pair, nothing stays
         goBack();
@@ -294,6 +299,7 @@ void WhatIfPanel::take(const WhatIfTrial& trial, const MethodOutcome& outcome) {
         m_previews[trial.column] = outcome;
         m_columns.setPreviews(m_previews);
     }
+    emit answered(trial.isLive);
 }
 
 void WhatIfPanel::showCurves() {

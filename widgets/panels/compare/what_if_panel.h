@@ -60,6 +60,14 @@ public:
     /// Which parameter the button goes over.
     std::string sweptKey() const;
 
+signals:
+    /// What was changed has an answer, of the real-time variant or of the method itself; the columns show it from now
+    /// on.
+    void answered(bool isLive);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
     void build();
     void connectParts();

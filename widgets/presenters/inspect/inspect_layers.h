@@ -63,6 +63,7 @@ struct OverlayChoice {
     double fieldAngleRad = 0; ///< direction of the field's rim point
     MatchChoice matches = MatchChoice::ByDistance;
     bool isShown(InspectLayer layer) const { return shown.count(layer) > 0; }
+    bool operator==(const OverlayChoice&) const = default;
 };
 
 /// Everything that lies over one view.

@@ -16,7 +16,7 @@
 namespace widgets {
 
 /// Draws the layers of inspected methods over the views of a grid whose columns are methods and whose rows are cameras.
-/// Made in the background.
+/// Made in the background; what has not changed since the last time is neither made nor drawn again.
 class InspectOverlays : public QObject {
     Q_OBJECT
 
@@ -43,7 +43,11 @@ public:
         int iteration = 0;
     };
     void show(Scene scene);
+    /// Draws everything again: the views have been cleared in the meantime.
+    void drawAgain();
     const Scene& scene() const { return m_scene; }
+    /// The difference or field that lies over a view; null for none.
+    QImage picture(int view) const;
     /// Of the silhouettes of one view, while their difference is shown; else NaN.
     double iou(int view) const;
     /// Whether a forearm is in the view's difference, which does not count.
@@ -57,13 +61,18 @@ signals:
     void drawn();
 
 private:
+    struct Part;
+    using Parts = std::vector<std::shared_ptr<const Part>>; ///< of every view the shapes, then the picture
+    static Parts makeParts(const Scene& scene, const OverlayChoice& choice, const Parts& before,
+                           const std::stop_token& stop);
     void rebuild();
-    void hand(std::vector<InspectOverlay> overlays);
+    void hand(Parts parts);
 
     CameraGrid& m_grid;
     Job m_job;
     OverlayChoice m_choice;
     Scene m_scene;
+    Parts m_drawn;                       ///< in the views; null where nothing is
     std::vector<double> m_ious;          ///< per view
     std::vector<char> m_withoutForearms; ///< per view
     std::set<core::MatchVerdict> m_refusals;

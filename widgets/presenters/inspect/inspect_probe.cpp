@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/presenters/inspect/inspect_probe.h"
 
-#include <array>
-
 #include "core/fitting/method_name.h"
 
 namespace widgets {
 
 namespace {
 
-constexpr std::array kCompared{"ch", "dch-thres", "dch-quant", "dch-dt3"};
+/// The methods with their defaults that take one contour point per rim point: those that a probe can show side by side.
+const std::vector<std::string>& comparedMethods() {
+    static const std::vector<std::string> methods = [] {
+        std::vector<std::string> compared;
+        for (const std::string& name : core::plainMethodNames())
+            if (const core::Method method = core::parseMethod(name);
+                !method.best && core::traitsOf(method.distance).bins < 2)
+                compared.push_back(name);
+        return compared;
+    }();
+    return methods;
+}
 
 bool usesBins(const core::MatchRule& rule) {
     const core::DistanceTraits& traits = core::traitsOf(rule.distance);
@@ -71,7 +80,7 @@ std::optional<InspectProbe> inspectProbe(const MethodOutcome& method, const Show
     InspectProbe probe{px, static_cast<double>(rim->rimAngleRad), rimBone(*rim, hands), {}};
     if (auto own = ownRow(method, shown, *rim, px))
         probe.rows.push_back(std::move(*own));
-    for (const char* const name : kCompared) {
+    for (const std::string& name : comparedMethods()) {
         if (name == method.method)
             continue;
         const core::MatchRule rule = core::matchRule(core::parseMethod(name));

@@ -27,8 +27,8 @@ struct ProbeRow {
     bool kept() const { return found() && probe.verdict == core::MatchVerdict::Kept; }
 };
 
-/// A point of a view as `method` (none for a fixed pose) and, after it, CH, DCH-Thres, DCH-Quant and DCH-DT3 would
-/// match it, with the direction of the rim point that lies nearest.
+/// A point of a view as `method` (none for a fixed pose) and, after it, the plain methods with one match per point (CH,
+/// DCH-DT3, DCH-Quant, DCH-Thres) would match it, with the direction of the rim point that lies nearest.
 struct InspectProbe {
     QPointF px;
     double angleRad = 0;

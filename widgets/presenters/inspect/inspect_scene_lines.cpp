@@ -31,11 +31,14 @@ void addDisplacements(const InspectOverlays::Scene& scene, const MethodOutcome& 
             lines.push_back({found->second, estimate, scaleColour((estimate - found->second).norm() / kErrorScaleMm)});
 }
 
-/// The vertex that lies nearest to a viewing ray: where a rim point stands on the hand. Empty without vertices.
-std::optional<Eigen::Vector3d> nearestVertex(const MeshLayer& posed, const core::PlueckerLine& ray) {
+/// The vertex of the rim point's hand that lies nearest to its viewing ray: where it stands on the hand. Empty without
+/// vertices.
+std::optional<Eigen::Vector3d> nearestVertex(const MeshLayer& posed, core::Side hand, const core::PlueckerLine& ray) {
     std::optional<Eigen::Vector3d> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (const ViewSurfacePtr& surface : posed.surfaces) {
+        if (surface->side != hand)
+            continue;
         for (const Eigen::Vector3d& vertex : surface->verticesInWorld) {
             const double distance = ray.offset(vertex).squaredNorm();
             if (distance < least) {
@@ -47,19 +50,19 @@ std::optional<Eigen::Vector3d> nearestVertex(const MeshLayer& posed, const core:
     return nearest;
 }
 
-void addMatchRays(const core::Camera& camera, const ShownMatches& shown, const MeshLayer& posed,
-                  std::vector<SceneBone>& lines) {
+void addMatchRays(const core::Camera& camera, const std::vector<core::HandModel>& hands, const ShownMatches& shown,
+                  const MeshLayer& posed, std::vector<SceneBone>& lines) {
     std::vector<const core::MatchRecord*> kept;
     for (std::size_t i = 0; shown.matches && i < shown.matches->size(); ++i)
         if (const core::MatchRecord& match = (*shown.matches)[i];
-            match.verdict == core::MatchVerdict::Kept && match.contourPoint >= 0)
+            match.verdict == core::MatchVerdict::Kept && match.contourPoint >= 0 && match.hand < hands.size())
             kept.push_back(&match);
     const std::size_t step = std::max<std::size_t>(1, (kept.size() + kMostMatches - 1) / kMostMatches);
     for (std::size_t i = 0; i < kept.size(); i += step) {
         const core::MatchGeometry geometry = core::matchGeometry(*kept[i], shown.target->contour);
         const auto ofRim = core::viewingRay(camera, kept[i]->rimPx.cast<double>());
         const auto ofContour = core::viewingRay(camera, geometry.contourPx.cast<double>());
-        const auto vertex = ofRim && ofContour ? nearestVertex(posed, *ofRim) : std::nullopt;
+        const auto vertex = ofRim && ofContour ? nearestVertex(posed, hands[kept[i]->hand].side, *ofRim) : std::nullopt;
         if (!vertex)
             continue;
         const Eigen::Vector3d& along = ofContour->direction;
@@ -94,7 +97,7 @@ std::vector<SceneBone> inspectSceneLines(const InspectOverlays::Scene& scene, st
         addDisplacements(scene, outcome, lines);
     if (shown.count(InspectLayer::Matches))
         for (const int camera : scene.rowCameras)
-            addMatchRays(scene.dataset->cameras[static_cast<std::size_t>(camera)],
+            addMatchRays(scene.dataset->cameras[static_cast<std::size_t>(camera)], scene.dataset->hands,
                          shownMatches(outcome, camera, scene.iteration), scene.poses->methods[method], lines);
     if (shown.count(InspectLayer::Uncertainty) && isAtResult(outcome, scene.iteration))
         addEllipsoidAxes(scene, outcome, lines);

@@ -13,7 +13,7 @@
 namespace widgets {
 
 /// Draws one view's mesh layers off the window's thread. Of the requests that come while it draws, only the last one
-/// counts.
+/// counts. Layers that are the same as in the picture before, seen alike, are not drawn again.
 class MeshLayerPainter : public QObject {
     Q_OBJECT
 public:
@@ -43,6 +43,7 @@ private:
     void take(const std::shared_ptr<Drawing>& drawing);
 
     std::shared_ptr<Drawing> m_running;
+    std::shared_ptr<const Drawing> m_last; ///< whose picture is shown
     std::optional<Request> m_next;
     MeshPicture m_picture;
 };

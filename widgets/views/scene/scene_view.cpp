@@ -28,7 +28,7 @@ constexpr double kClickScreenPx = 3;
 constexpr double kReachScreenPx = 10;
 constexpr double kZoomPerStep = 1.2;
 constexpr double kFastMs = 8; ///< a picture that takes less is drawn at once
-constexpr int kPauseMs = 80;
+constexpr int kPauseMs = 200; ///< longer than a step of a dragged setting takes: the views have the processor first
 constexpr int kLongestWaitMs = 500;
 
 bool hasOpenGl() {

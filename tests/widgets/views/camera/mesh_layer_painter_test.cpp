@@ -43,6 +43,36 @@ TEST(MeshLayerPainter, OfManyRequestsTheLastOneCounts) {
     EXPECT_LE(changed.count(), 3) << "those in between were skipped";
 }
 
+TEST(MeshLayerPainter, LayersThatStayAreDrawnAsBefore) {
+    MeshLayerPainter painter;
+    MeshLayerPainter::Request request = requestAt(0.2);
+    request.layers.push_back(test::ballLayer(Qt::red));
+    request.layers[1].opacity = 0;
+    const auto drawn = [&] {
+        painter.request(request);
+        painter.finish();
+        return painter.picture().picture;
+    };
+    const auto wanted = [&] {
+        return drawMeshLayers(request.camera, request.layers, request.topLeftPx, request.size, request.scale).picture;
+    };
+    const QImage first = drawn();
+    EXPECT_EQ(first, wanted());
+    EXPECT_EQ(drawn(), first) << "the same again";
+    request.layers[0].colour = Qt::yellow;
+    EXPECT_EQ(drawn(), wanted()) << "another layer below";
+    std::swap(request.layers[0], request.layers[1]);
+    EXPECT_EQ(drawn(), wanted()) << "another order";
+    request.topLeftPx += QPointF(3, 5);
+    EXPECT_EQ(drawn(), wanted()) << "another crop";
+    request.camera = test::cameraRing(5)[2];
+    EXPECT_EQ(drawn(), wanted()) << "another camera";
+    request.layers.pop_back();
+    EXPECT_EQ(drawn(), wanted()) << "a layer less";
+    request.layers.clear();
+    EXPECT_TRUE(drawn().isNull());
+}
+
 TEST(MeshLayerPainter, FinishLeavesNothingToWaitFor) {
     MeshLayerPainter painter;
     painter.request(requestAt(0.2));
