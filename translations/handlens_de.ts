@@ -2140,6 +2140,10 @@
             <numerusform>%n Marken von Bild %1 folgen dem korrigierten Gelenk.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Silhouettes lie %1 px beside the hands: refine the calibration.</source>
+        <translation>Silhouetten liegen %1 px neben den Händen: Kalibrierung verfeinern.</translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>

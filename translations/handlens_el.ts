@@ -2140,6 +2140,10 @@
             <numerusform>%n σημάδια του καρέ %1 ακολουθούν τη διορθωμένη άρθρωση.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Silhouettes lie %1 px beside the hands: refine the calibration.</source>
+        <translation>Οι σιλουέτες απέχουν %1 px από τα χέρια: βελτιώστε τη βαθμονόμηση.</translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>

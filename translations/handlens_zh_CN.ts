@@ -2128,6 +2128,10 @@
             <numerusform>第 %1 帧的 %n 个标记已随更正的关节更新。</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Silhouettes lie %1 px beside the hands: refine the calibration.</source>
+        <translation>轮廓偏离手部 %1 像素：请优化标定。</translation>
+    </message>
 </context>
 <context>
     <name>app::MasksPage</name>

@@ -44,6 +44,11 @@ std::string_view sourceName(core::FitSource source) {
 void printHands(const core::FirstPassResult& result) {
     if (result.pass.unitMm != 1)
         std::printf("the calibration's unit is %.4g mm, as the hands tell it\n", result.pass.unitMm);
+    if (result.pass.camerasOffPx > 0)
+        std::printf(
+            "silhouettes lie %.1f px beside the hands: the calibration is off, and the pass adjusted its own copy; "
+            "refine it from clicks (rig --refine)\n",
+            result.pass.camerasOffPx);
     for (const core::SubjectHand& hand : result.pass.measured)
         std::printf("%s hand: %.3f of the model's size (+-%.3f), %+.1f mm thicker (+-%.1f)\n",
                     std::string(core::sideName(hand.hand.side)).c_str(), hand.scale.value, hand.scale.sigma,

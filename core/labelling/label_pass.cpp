@@ -210,10 +210,11 @@ bool Run::measureSilhouettes() {
     if (measured.size() < kFewestPilots)
         return true;
     if (auto adjusted = camerasByOutlines(m_cameras, m_result.hands, measured, m_stop)) {
-        m_cameras = *adjusted;
-        for (Camera& camera : *adjusted)
+        m_result.camerasOffPx = adjusted->shiftPx;
+        m_cameras = adjusted->cameras;
+        for (Camera& camera : adjusted->cameras)
             camera.cameraFromWorld.translation /= m_result.unitMm;
-        m_result.cameras = std::move(*adjusted);
+        m_result.cameras = std::move(adjusted->cameras);
     }
     takeHands(measureHands(m_result.hands, m_cameras, measured, m_stop));
     return !isStopped();

@@ -56,6 +56,7 @@ struct PassResult {
     /// That the hands were fitted with, in the calibration's unit: as given, or adjusted to how silhouettes lie beside
     /// hands (camerasByOutlines).
     std::vector<Camera> cameras;
+    double camerasOffPx = 0; ///< by how much silhouettes lay beside the hands, if that is why cameras were adjusted
     bool isFinished = false; ///< else it was stopped
 };
 

@@ -93,9 +93,9 @@ std::optional<Eigen::Vector2d> outlineShift(const Camera& camera, const std::vec
     return shift;
 }
 
-std::optional<std::vector<Camera>> camerasByOutlines(const std::vector<Camera>& cameras,
-                                                     const std::vector<HandModel>& hands,
-                                                     const std::vector<MeasuredFrame>& frames, std::stop_token stop) {
+std::optional<AdjustedCameras> camerasByOutlines(const std::vector<Camera>& cameras,
+                                                 const std::vector<HandModel>& hands,
+                                                 const std::vector<MeasuredFrame>& frames, std::stop_token stop) {
     std::vector<RigJoint> joints;
     double squares = 0;
     int shifts = 0;
@@ -128,7 +128,9 @@ std::optional<std::vector<Camera>> camerasByOutlines(const std::vector<Camera>& 
     options.focalShare = 1e-5; // the shift of a picture tells of its direction
     options.distortion = 1e-5;
     auto refined = refineRig(cameras, joints, options, stop);
-    return refined ? std::optional(std::move(refined->cameras)) : std::nullopt;
+    if (!refined)
+        return std::nullopt;
+    return AdjustedCameras{std::move(refined->cameras), std::sqrt(squares / shifts)};
 }
 
 } // namespace core

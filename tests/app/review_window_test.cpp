@@ -3,6 +3,7 @@
 #include <atomic>
 #include <thread>
 
+#include <QSignalSpy>
 #include <QTableView>
 #include <QToolButton>
 
@@ -42,6 +43,21 @@ TEST_F(ReviewWindow, TheFirstPassFillsTheQueueAndTheListOfJointsFollows) {
     EXPECT_EQ(cell(0, widgets::ReviewModel::Neighbours), QStringLiteral("2"));
     EXPECT_EQ(session().document.undoStack()->count(), 1);
     EXPECT_FALSE(panel()->firstPass()->isVisible()) << "it makes room for the queue";
+}
+
+TEST_F(ReviewWindow, ThatCamerasAreOffIsSaid) {
+    QSignalSpy said(&window->statusLine(), &widgets::StatusLine::said);
+    const auto isSaid = [&said] {
+        return std::any_of(said.begin(), said.end(), [](const QList<QVariant>& one) {
+            return one[0].toString().contains(QStringLiteral("4.3 px beside the hands: refine the calibration"));
+        });
+    };
+    run();
+    EXPECT_GT(said.size(), 0);
+    EXPECT_FALSE(isSaid()) << "these are right";
+    fake->camerasOffPx = 4.31;
+    run();
+    EXPECT_TRUE(isSaid());
 }
 
 TEST_F(ReviewWindow, ViewsShowTheHandsOfTheFrameThatIsLookedAt) {

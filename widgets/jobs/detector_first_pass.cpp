@@ -44,7 +44,7 @@ FirstPassLabels labelWithDetector(const FirstPassWork& work, std::stop_token sto
     measured.folder = work.dataset->folder;
     measured.dataset = work.dataset;
     measured.last = {result.pass.hands, result.pass.cameras};
-    return {std::move(result.labels), result.isFinished};
+    return {std::move(result.labels), result.isFinished, result.pass.camerasOffPx};
 }
 
 /// What frames are labelled anew with: what was measured, if anything was of this dataset.

@@ -137,13 +137,15 @@ void FirstPass::run(const FirstPassRequest& request) {
                  rater = m_document.rater()](const JobContext& context) -> Job::Delivery {
         FirstPassResult result;
         result.wanted = static_cast<int>(work.frames.size());
-        auto [labels, isFinished] = label(work, context.stop, [&context](core::PassStage stage, int done, int total) {
-            context.report(static_cast<double>(done) / std::max(1, total),
-                           QStringLiteral("%1 %2 %3").arg(static_cast<int>(stage)).arg(done).arg(total));
-        });
+        auto [labels, isFinished, camerasOffPx] =
+            label(work, context.stop, [&context](core::PassStage stage, int done, int total) {
+                context.report(static_cast<double>(done) / std::max(1, total),
+                               QStringLiteral("%1 %2 %3").arg(static_cast<int>(stage)).arg(done).arg(total));
+            });
         keepHands(labels, wanted.hands);
         result.frames = static_cast<int>(labels.size());
         result.isFinished = isFinished;
+        result.camerasOffPx = camerasOffPx;
         const auto edit = std::make_shared<core::Edit>(core::autoLabelEdit(set, *work.dataset, labels, rater));
         if (!wanted.joints.empty())
             keepJoints(*edit, wanted.joints);

@@ -39,6 +39,7 @@ struct FirstPassWork {
 struct FirstPassLabels {
     core::AutoLabels labels;
     bool isFinished = false; ///< false: it was stopped, and the journal has what is done
+    double camerasOffPx = 0; ///< core::PassResult::camerasOffPx
 };
 
 /// What labels frames; tests put something else in its place. All run on a worker's thread but isInstalled.
@@ -66,6 +67,7 @@ struct FirstPassResult {
     int proposed = 0;                 ///< marks
     std::set<core::JointId> joints{}; ///< that were proposed
     bool isFinished = false;          ///< false: it was stopped
+    double camerasOffPx = 0;          ///< above 0: the calibration is off; the pass adjusted its own copy
 };
 
 /// Labels the frames of the open sequence without a click, in the background: proposals for the document's rater, one

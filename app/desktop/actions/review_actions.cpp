@@ -96,8 +96,14 @@ QString finishedText(const widgets::FirstPassResult& result) {
         return MainWindow::tr("Stopped: %n mark(s) in %1 frames are proposed; the next start goes on from there.",
                               nullptr, result.proposed)
             .arg(frames);
-    return MainWindow::tr("First pass: hands in %1 of %2 frames, %n mark(s) proposed.", nullptr, result.proposed)
-        .arg(frames, QLocale().toString(result.wanted));
+    const QString text =
+        MainWindow::tr("First pass: hands in %1 of %2 frames, %n mark(s) proposed.", nullptr, result.proposed)
+            .arg(frames, QLocale().toString(result.wanted));
+    if (result.camerasOffPx <= 0)
+        return text;
+    return text + QLatin1Char(' ') +
+           MainWindow::tr("Silhouettes lie %1 px beside the hands: refine the calibration.")
+               .arg(QLocale().toString(result.camerasOffPx, 'f', 1));
 }
 
 /// The run is seen in the status line; the queue comes to the front when it has something.

@@ -24,7 +24,8 @@ inline std::vector<std::pair<std::string, Eigen::Vector3d>> madeUpHand(core::Sid
 /// What the fake does; shared with the test.
 struct FakeFirstPass {
     bool installed = true;
-    std::map<int, double> doubts{};         ///< of both hands in these frames; 0.05 in others
+    std::map<int, double> doubts{}; ///< of both hands in these frames; 0.05 in others
+    double camerasOffPx = 0;
     std::function<void(int)> beforeFrame{}; ///< on the worker's thread
     std::vector<int> followed{};            ///< frames that were followed from
     std::vector<int> refitted{};            ///< frames in which joints were placed
@@ -69,6 +70,7 @@ inline widgets::FirstPassProgram fakeFirstPass(const std::shared_ptr<FakeFirstPa
             progress(core::PassStage::Detecting, static_cast<int>(labels.size()), static_cast<int>(work.frames.size()));
         }
         result.isFinished = labels.size() == work.frames.size();
+        result.camerasOffPx = fake->camerasOffPx;
         return result;
     };
     program.follow = [fake](const widgets::FirstPassWork&, const core::AnnotationSet&, const std::string&, int frame,
