@@ -108,7 +108,7 @@ struct FastCamera {
         , centre(c.centreInWorld().cast<float>())
         , intrinsics(c.intrinsics.cast<float>())
         , hasLens(c.hasLens())
-        , lens(c) {}
+        , lens(c.distortion, c.fisheye) {}
 
     Eigen::Vector2f project(const Eigen::Vector3f& world) const {
         const Eigen::Vector3f p = rotation * world + translation;

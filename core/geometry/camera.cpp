@@ -16,11 +16,11 @@ bool Camera::hasLens() const {
 }
 
 Eigen::Vector2d distort(const Camera& camera, const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian) {
-    return LensModel(camera).distort(normalised, jacobian);
+    return LensModel(camera.distortion, camera.fisheye).distort(normalised, jacobian);
 }
 
 bool lensHolds(const Camera& camera, const Eigen::Vector2d& normalised) {
-    return LensModel(camera).holds(normalised);
+    return LensModel(camera.distortion, camera.fisheye).holds(normalised);
 }
 
 std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector3d& pointInWorld) {

@@ -6,8 +6,6 @@
 
 #include <Eigen/LU>
 
-#include "core/geometry/camera.h"
-
 namespace core {
 
 namespace {
@@ -61,10 +59,10 @@ double foldMargin(const LensCoefficients& k, double u) {
 
 } // namespace
 
-LensModel::LensModel(const Camera& camera)
-    : m_isFisheye(camera.fisheye) {
+LensModel::LensModel(std::span<const double> distortion, bool isFisheye)
+    : m_isFisheye(isFisheye) {
     LensCoefficients& k = m_coefficients;
-    std::copy_n(camera.distortion.begin(), std::min(k.size(), camera.distortion.size()), k.begin());
+    std::copy_n(distortion.begin(), std::min(k.size(), distortion.size()), k.begin());
     m_isPolynomial = !m_isFisheye && k[5] == 0 && k[6] == 0 && k[7] == 0;
 }
 

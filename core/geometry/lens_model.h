@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include <Eigen/Core>
 
 #include "core/geometry/lens_fold.h"
 
 namespace core {
 
-struct Camera;
-
 /// A camera's lens with its coefficients read, for many points. distort() and lensHolds() of a camera make one for
 /// each point.
 class LensModel {
 public:
-    explicit LensModel(const Camera& camera);
+    /// As a Camera has them.
+    LensModel(std::span<const double> distortion, bool isFisheye);
 
     /// Lens distortion of normalised coordinates (x/z, y/z), and its 2x2 Jacobian if asked for.
     Eigen::Vector2d distort(const Eigen::Vector2d& normalised, Eigen::Matrix2d* jacobian = nullptr) const;
