@@ -18,7 +18,7 @@ namespace {
 /// The demo on the disk, with recorded motion and rendered views.
 class FirstPass : public testing::Test {
 protected:
-    FirstPass() {
+    void SetUp() override {
         static const core::NewDataset demo = core::makeDemoDataset(); // takes longer than most tests
         core::writeDataset(demo.dataset, demo.motions, m_folder / "demo");
         m_dataset = core::readDataset(m_folder / "demo");
@@ -97,6 +97,7 @@ protected:
         const char* package = std::getenv("HANDLENS_DETECTOR_PACKAGE");
         if (!package)
             GTEST_SKIP() << "HANDLENS_DETECTOR_PACKAGE names no package of @mediapipe/hands";
+        FirstPass::SetUp();
         core::installDetector(package, m_folder / "detector");
         m_networks = core::readDetector(m_folder / "detector");
     }
