@@ -8,7 +8,7 @@
 
 #include "app/desktop/script/workspace_player.h"
 #include "core/fitting/method_name.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/inspect/inspect_fixture.h"
 #include "widgets/panels/compare/what_if_panel.h"
 
 namespace {
@@ -16,13 +16,9 @@ namespace {
 using nlohmann::json;
 using Ids = std::vector<std::string>;
 
-/// The columns of the Inspect workspace, on a fitted pair: frame 7 from frame 4 of the tiny dataset.
-class CompareTest : public test::WindowTest {
+/// The columns of the Inspect workspace.
+class CompareTest : public test::InspectTest {
 protected:
-    void fit(const std::string& methods) {
-        run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods +
-            "]}\n{\"do\":\"action\",\"id\":\"workspace.inspect\"}\n");
-    }
     json show(const std::string& ids) { return run("{\"do\":\"columns\",\"show\":[" + ids + "]}\n")[0]["columns"]; }
     Ids ids() {
         Ids names;
@@ -30,19 +26,12 @@ protected:
             names.push_back(widgets::columnId(column));
         return names;
     }
-    void trigger(const char* action) {
-        window->actions().action(QString::fromLatin1(action))->trigger();
-        app::waitUntilIdle(*window);
-        page().grid()->finishDrawing();
-    }
     double errorOf(const std::string& method) {
         for (const widgets::MethodOutcome& outcome : session().fits.outcome()->methods)
             if (outcome.method == method)
                 return outcome.errorMm;
         return std::nan("");
     }
-    widgets::InspectPage& page() { return *window->workspaces().inspectPage(); }
-    widgets::InspectColumns& columns() { return *page().columns(); }
     widgets::WhatIfPanel& panel() { return *window->workspaces().whatIfPanel(); }
     /// Of the views: their height, and how many stand in the first row.
     struct CameraGridGeometry {

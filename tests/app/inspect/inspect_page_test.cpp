@@ -16,32 +16,14 @@
 #include "core/hand/skeleton.h"
 #include "core/io/dataset/dataset.h"
 #include "core/io/demo/demo_dataset.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/inspect/inspect_fixture.h"
 #include "tests/support/pointer.h"
 
 namespace {
 
 using nlohmann::json;
 
-/// A fitted pair: frame 7 from frame 4 of the tiny dataset.
-class InspectPageTest : public test::WindowTest {
-protected:
-    void fit(const std::string& methods) {
-        run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods +
-            "]}\n{\"do\":\"action\",\"id\":\"workspace.inspect\"}\n");
-    }
-    void setLayer(const char* layer, bool on) {
-        run(std::string("{\"do\":\"layer\",\"id\":\"") + layer + "\",\"on\":" + (on ? "true" : "false") + "}\n");
-        page().grid()->finishDrawing();
-    }
-    void trigger(const char* action) {
-        window->actions().action(QString::fromLatin1(action))->trigger();
-        app::waitUntilIdle(*window);
-        page().grid()->finishDrawing();
-    }
-    widgets::InspectPage& page() { return *window->workspaces().inspectPage(); }
-    widgets::CameraView& view(int index) { return *page().grid()->view(index); }
-};
+class InspectPageTest : public test::InspectTest {};
 
 QString millimetres(double mm) {
     return QLocale().toString(mm, 'f', 2) + QStringLiteral(" mm");

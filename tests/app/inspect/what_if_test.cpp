@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QSignalSpy>
 
-#include "tests/app/window_fixture.h"
+#include "tests/app/inspect/inspect_fixture.h"
 #include "widgets/panels/compare/what_if_panel.h"
 #include "widgets/panels/fitting_panel.h"
 
@@ -11,25 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// A fitted pair: frame 7 from frame 4 of the tiny dataset.
-class WhatIfTest : public test::WindowTest {
+class WhatIfTest : public test::InspectTest {
 protected:
-    void fit(const std::string& methods) {
-        run(R"({"do":"fit","start":4,"test":7,"methods":[)" + methods +
-            "]}\n{\"do\":\"action\",\"id\":\"workspace.inspect\"}\n");
-    }
-    void setLayer(const char* layer, bool on) {
-        run(std::string("{\"do\":\"layer\",\"id\":\"") + layer + "\",\"on\":" + (on ? "true" : "false") + "}\n");
-        page().grid()->finishDrawing();
-    }
-    void trigger(const char* action) {
-        window->actions().action(QString::fromLatin1(action))->trigger();
-        app::waitUntilIdle(*window);
-        page().grid()->finishDrawing();
-    }
-    widgets::InspectPage& page() { return *window->workspaces().inspectPage(); }
-    widgets::InspectColumns& columns() { return *page().columns(); }
-    widgets::CameraView& view(int index) { return *page().grid()->view(index); }
     std::vector<QImage> pictures() {
         std::vector<QImage> taken;
         for (const widgets::CameraView* one : page().grid()->views())
