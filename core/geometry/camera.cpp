@@ -29,9 +29,10 @@ std::optional<Eigen::Vector2d> project(const Camera& camera, const Eigen::Vector
         return std::nullopt;
     Eigen::Vector2d n = p.head<2>() / p.z();
     if (camera.hasLens()) {
-        if (!lensHolds(camera, n))
+        const LensModel lens(camera.distortion, camera.fisheye);
+        if (!lens.holds(n))
             return std::nullopt;
-        n = distort(camera, n);
+        n = lens.distort(n);
     }
     return camera.intrinsics.topLeftCorner<2, 2>() * n + camera.intrinsics.topRightCorner<2, 1>();
 }
@@ -63,18 +64,19 @@ std::optional<Eigen::Vector2d> undistort(const Camera& camera, const Eigen::Vect
         const double theta = std::min(target.norm(), 1.5);
         n = theta > 1e-12 ? Eigen::Vector2d(target * (std::tan(theta) / target.norm())) : target;
     }
+    const LensModel lens(camera.distortion, camera.fisheye);
     constexpr int kMaxIterations = 30;
     for (int i = 0; i < kMaxIterations; ++i) {
         Eigen::Matrix2d jacobian;
-        const Eigen::Vector2d error = distort(camera, n, &jacobian) - target;
+        const Eigen::Vector2d error = lens.distort(n, &jacobian) - target;
         if (error.cwiseAbs().maxCoeff() < 1e-13)
-            return lensHolds(camera, n) ? std::optional(n) : std::nullopt;
+            return lens.holds(n) ? std::optional(n) : std::nullopt;
         if (!(jacobian.determinant() > 1e-6))
             return std::nullopt; // the lens model folds over here
         n -= jacobian.inverse() * error;
     }
-    const double left = (distort(camera, n) - target).norm();
-    return left < 1e-10 && lensHolds(camera, n) ? std::optional(n) : std::nullopt;
+    const double left = (lens.distort(n) - target).norm();
+    return left < 1e-10 && lens.holds(n) ? std::optional(n) : std::nullopt;
 }
 
 std::optional<PlueckerLine> viewingRay(const Camera& camera, const Eigen::Vector2d& px) {

@@ -36,14 +36,6 @@ Outline freeOutline(const ModelInView& view) {
     return free;
 }
 
-/// Signed distance from the outline of a mask, px: positive inside.
-cv::Mat signedDistance(const cv::Mat& mask) {
-    cv::Mat inside, outside;
-    cv::distanceTransform(mask, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    cv::distanceTransform(255 - mask, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-    return inside - outside;
-}
-
 } // namespace
 
 std::optional<Eigen::Vector2d> outlineShift(const Camera& camera, const std::vector<HandModel>& hands,
@@ -54,7 +46,8 @@ std::optional<Eigen::Vector2d> outlineShift(const Camera& camera, const std::vec
     if (view.window.empty())
         return std::nullopt;
     const Outline points = freeOutline(view);
-    const cv::Mat seen = signedDistance(mask(view.window)), drawn = signedDistance(view.model);
+    const cv::Mat seen = signedDistance(mask(view.window), cv::DIST_MASK_PRECISE);
+    const cv::Mat drawn = signedDistance(view.model, cv::DIST_MASK_PRECISE);
     cv::Mat gradientX, gradientY;
     cv::Sobel(drawn, gradientX, CV_32F, 1, 0, 3, 1.0 / 8);
     cv::Sobel(drawn, gradientY, CV_32F, 0, 1, 3, 1.0 / 8);

@@ -182,10 +182,10 @@ CorrectedFrame correctedFrame(const AnnotationSet& set, const std::vector<Camera
             corrected.guesses.emplace(id, joint.result.point->pointInWorld);
         else if (joint.proposal && joint.manualViews == 0)
             corrected.guesses.emplace(id, *joint.proposal);
-    for (auto& [id, joint] :
-         reconstructFrame(set, fitted.empty() ? cameras : fitted, frame, rater, {{}, false, std::nullopt}))
-        if (corrected.joints.contains(id) && joint.hasPoint())
-            corrected.joints[id] = *joint.result.point;
+    if (!fitted.empty())
+        for (auto& [id, joint] : reconstructFrame(set, fitted, frame, rater, {{}, false, std::nullopt}))
+            if (corrected.joints.contains(id) && joint.hasPoint())
+                corrected.joints[id] = *joint.result.point;
     for (const auto& [key, mark] : set.marks)
         if (key.rater == rater && (mark.isProposal() || mark.isAcceptedGuess())) {
             double& doubt = corrected.doubts.try_emplace(key.frame, 0).first->second;

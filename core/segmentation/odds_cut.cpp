@@ -45,14 +45,6 @@ std::vector<float> spread(const std::vector<float>& counts, int stride) {
     return result;
 }
 
-/// Distance from the model's outline, px: positive inside.
-cv::Mat signedDistance(const cv::Mat& model) {
-    cv::Mat inside, outside;
-    cv::distanceTransform(model, inside, cv::DIST_L2, 3);
-    cv::distanceTransform(255 - model, outside, cv::DIST_L2, 3);
-    return inside - outside;
-}
-
 /// 255 within a distance of what is lit in a mask.
 cv::Mat reachOf(const cv::Mat& mask, double px) {
     if (cv::countNonZero(mask) == 0)
@@ -67,7 +59,7 @@ cv::Mat reachOf(const cv::Mat& mask, double px) {
 OddsCut::OddsCut(const cv::Mat& picture, const ModelInView& view)
     : m_view(view)
     , m_bins(colourBins(picture(view.window)))
-    , m_distance(signedDistance(view.model))
+    , m_distance(signedDistance(view.model, cv::DIST_MASK_3))
     , m_pull(cv::min(cv::max(m_distance * (kModelPull / view.bandPx), -kModelPull), kModelPull))
     , m_first{m_distance > std::min(0.35 * view.bandPx, 6.0), view.armCores, (m_distance < -view.bandPx) & ~view.arms} {
 }

@@ -25,4 +25,11 @@ cv::Mat grown(const cv::Mat& mask, double radiusPx) {
     return shrinks ? cv::Mat(distance > -radiusPx) : cv::Mat(distance <= radiusPx);
 }
 
+cv::Mat signedDistance(const cv::Mat& mask, int exactness) {
+    cv::Mat inside, outside;
+    cv::distanceTransform(mask, inside, cv::DIST_L2, exactness);
+    cv::distanceTransform(255 - mask, outside, cv::DIST_L2, exactness);
+    return inside - outside;
+}
+
 } // namespace core

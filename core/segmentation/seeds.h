@@ -27,4 +27,8 @@ cv::Rect grownWindow(const cv::Rect& rect, int marginPx, const cv::Size& picture
 /// lies outside the mask's own rectangle does not shrink it.
 cv::Mat grown(const cv::Mat& mask, double radiusPx);
 
+/// Distance from the outline of a mask (CV_8U, 0 and 255), px, CV_32F: positive inside. `exactness`: a value of
+/// cv::DistanceTransformMasks.
+cv::Mat signedDistance(const cv::Mat& mask, int exactness);
+
 } // namespace core
