@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QCoreApplication>
@@ -89,6 +91,12 @@ public:
     int frames() const { return m_frames; }
     widgets::FrameLoader& loader() { return m_loader; }
     int completed() const { return m_completed; }
+    std::uintmax_t bytesOfSmallPictures() const {
+        std::uintmax_t bytes = 0;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(m_folder.path()))
+            bytes += entry.path().extension() == ".smallpictures" ? entry.file_size() : 0;
+        return bytes;
+    }
 
     Times go(int frame) {
         m_seen.clear();
@@ -138,12 +146,24 @@ void steps(Trial& trial, const char* what, int from, int direction, int pauseMs)
     print(what, times);
 }
 
-void jumps(Trial& trial) {
+void jumps(Trial& trial, const char* what) {
     std::mt19937 random(5);
     std::vector<Times> times;
     for (int i = 0; i < 10; ++i)
         times.push_back(trial.go(static_cast<int>(random() % static_cast<unsigned>(trial.frames()))));
-    print("jump anywhere", times);
+    print(what, times);
+}
+
+/// Until every picture is kept small, as while nothing else is done.
+void waitForSurvey(const Trial& trial) {
+    const double start = nowMs();
+    std::uintmax_t bytes = 0, before = 1;
+    while (bytes != before) {
+        wait(3000);
+        before = std::exchange(bytes, trial.bytesOfSmallPictures());
+    }
+    std::printf("small pictures of everything: within %.0f s, %.0f MB\n", (nowMs() - start) / 1000,
+                static_cast<double>(bytes) / (1 << 20));
 }
 
 void play(Trial& trial) {
@@ -213,7 +233,11 @@ int main(int argc, char** argv) {
     steps(trial, "forward, nothing decoded ahead", middle + 65, 1, 0);
     steps(trial, "back, nothing decoded ahead", middle + 5, -1, 0);
     trial.loader().setFetchingAhead(true);
-    jumps(trial);
+    jumps(trial, "jump anywhere");
+    scrub(trial);
+    play(trial);
+    waitForSurvey(trial);
+    jumps(trial, "jump, all pictures kept small");
     scrub(trial);
     play(trial);
     std::printf("memory: %.0f MB\n", residentMb());

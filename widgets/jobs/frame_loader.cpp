@@ -7,12 +7,14 @@
 #include <QThread>
 
 #include "core/io/dataset/frames.h"
+#include "core/io/footage/video_file.h"
 
 namespace widgets {
 
 namespace {
 
 constexpr std::int64_t kDefaultBudget = std::int64_t(1) << 30;
+constexpr int kSurveyPauseMs = 1000, kHurryMs = 150;
 constexpr int kAheadPriority = -1, kGlancePriority = 1, kFirstPriority = 2;
 
 QImage toImage(const cv::Mat& bgr) {
@@ -31,6 +33,21 @@ ImagePyramid pyramidOf(const cv::Mat& picture, QSize size) {
     return picture.cols < size.width() ? ImagePyramid(toImage(picture), size) : ImagePyramid(toImage(picture));
 }
 
+/// Does something for each camera, again and again, while any has something to do.
+template <typename Work>
+void repeatForEach(const std::vector<int>& cameras, const Work& work) {
+    for (bool isBusy = true; isBusy;) {
+        isBusy = false;
+        for (const int camera : cameras)
+            isBusy = work(camera) || isBusy;
+    }
+}
+
+/// What is kept of the frame, if a draft may be as small.
+cv::Mat keptDraft(const core::PictureSource& source, int camera, int frame, int shrink) {
+    return shrink == core::kGlanceShrink ? source.keptSmall(camera, frame) : cv::Mat();
+}
+
 } // namespace
 
 FrameLoader::FrameLoader(JobPool& pool, QObject* parent)
@@ -42,6 +59,15 @@ FrameLoader::FrameLoader(JobPool& pool, QObject* parent)
         m_decodingJobs.push_back(std::make_unique<Job>(m_decodingPool, Job::Kind::Background));
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, this, &FrameLoader::beginNext);
+    m_settling.setSingleShot(true);
+    m_settling.setInterval(kHurryMs);
+    connect(&m_settling, &QTimer::timeout, this, &FrameLoader::readPostponed);
+    m_surveyPause.setSingleShot(true);
+    m_surveyPause.setInterval(kSurveyPauseMs);
+    connect(&m_surveyPause, &QTimer::timeout, this, [this] {
+        if (m_fetchesAhead && m_source && m_missing.empty())
+            decodeAhead();
+    });
 }
 
 FrameLoader::~FrameLoader() = default;
@@ -63,6 +89,7 @@ void FrameLoader::setSource(std::shared_ptr<core::PictureSource> source, const s
     m_cache.clear();
     m_missing.clear();
     m_unseen.clear();
+    m_postponed.clear();
     m_next.reset();
     m_bytes = 0;
     m_frame = -1;
@@ -114,7 +141,10 @@ void FrameLoader::begin(int frame) {
     m_next.reset();
     m_direction = frame < m_frame ? -1 : 1;
     m_frame = frame;
+    m_isHurrying = m_sinceBegin.isValid() && m_sinceBegin.elapsed() < kHurryMs;
+    m_sinceBegin.start();
     m_missing.clear();
+    m_postponed.clear();
     for (std::size_t i = 0; i < m_jobs.size(); ++i) {
         m_jobs[i]->stop();
         m_aheadJobs[i]->stop();
@@ -210,6 +240,8 @@ void FrameLoader::startLoad(int camera, bool mayGlance) {
          shrink](const JobContext& context) -> Job::Delivery {
             if (context.stop.stop_requested())
                 return {};
+            if (const cv::Mat small = keptDraft(*source, camera, frame, shrink); !small.empty())
+                return loaded(camera, frame, pyramidOf(small, size));
             if (const auto glance = mayGlance ? source->glance(camera, frame, context.stop) : std::nullopt) {
                 const ImagePyramid picture = pyramidOf(glance->picture, size);
                 return [this, camera, picture, isExact = glance->isExact] { showGlance(camera, picture, isExact); };
@@ -233,8 +265,20 @@ Job::Delivery FrameLoader::loaded(int camera, int frame, const ImagePyramid& pic
     };
 }
 
+void FrameLoader::readPostponed() {
+    for (const int camera : camerasByUrgency())
+        if (m_postponed.erase(camera) > 0)
+            startLoad(camera, false);
+}
+
+/// While frames follow each other quickly, decoding a whole picture would hold up the next one.
 void FrameLoader::showGlance(int camera, const ImagePyramid& picture, bool isExact) {
-    startLoad(camera, false);
+    if (isExact && m_isHurrying) {
+        m_postponed.insert(camera);
+        m_settling.start();
+    } else {
+        startLoad(camera, false);
+    }
     if (isExact)
         emit pictureLoaded(camera, picture);
     else
@@ -247,8 +291,11 @@ void FrameLoader::startAhead(int frame, int camera) {
     m_aheadJobs[static_cast<std::size_t>(camera)]->start(
         [this, source = m_source, frame, camera, shrink,
          size = m_sizes[static_cast<std::size_t>(camera)]](const JobContext& context) -> Job::Delivery {
-            const cv::Mat read =
-                context.stop.stop_requested() ? cv::Mat() : source->read(camera, frame, context.stop, shrink);
+            if (context.stop.stop_requested())
+                return {};
+            cv::Mat read = keptDraft(*source, camera, frame, shrink);
+            if (read.empty())
+                read = source->read(camera, frame, context.stop, shrink);
             if (read.empty())
                 return {};
             return [this, frame, camera, picture = pyramidOf(read, size)] { store(frame, camera, picture); };
@@ -301,22 +348,23 @@ void FrameLoader::prefetch() {
     decodeAhead();
 }
 
-/// Every thread has its cameras and decodes a picture of each in turn.
+/// Every thread has its cameras and decodes a picture of each in turn; then, if nothing else is to be done, small
+/// pictures of the whole recording.
 void FrameLoader::decodeAhead() {
     const std::vector<int> cameras = camerasByUrgency();
     for (std::size_t i = 0; i < m_decodingJobs.size(); ++i) {
         std::vector<int> mine;
         for (std::size_t c = i; c < cameras.size(); c += m_decodingJobs.size())
             mine.push_back(cameras[c]);
-        m_decodingJobs[i]->start(
-            [source = m_source, mine, direction = m_direction](const JobContext& context) -> Job::Delivery {
-                for (bool isBusy = true; isBusy && !context.stop.stop_requested();) {
-                    isBusy = false;
-                    for (const int camera : mine)
-                        isBusy = source->fetchAhead(camera, direction, context.stop) || isBusy;
-                }
+        m_decodingJobs[i]->start([this, source = m_source, mine, direction = m_direction, isMoving = m_isMoving,
+                                  &pool = std::as_const(m_pool)](const JobContext& context) -> Job::Delivery {
+            repeatForEach(mine, [&](int camera) { return source->fetchAhead(camera, direction, context.stop); });
+            if (isMoving)
                 return {};
-            });
+            const auto survey = [&](int camera) { return pool.isIdle() && source->survey(camera, context.stop); };
+            repeatForEach(mine, survey);
+            return pool.isIdle() ? Job::Delivery() : [this] { m_surveyPause.start(); };
+        });
     }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 #include <QTimer>
@@ -25,7 +26,8 @@ namespace widgets {
 
 /// Brings the pictures of all cameras of a frame, from files or drawn from the recorded motion, without keeping the
 /// window waiting. Pictures of recent frames are kept within a budget: some ready to be drawn, those of videos mostly
-/// as decoded. Time that nobody needs goes into the frames that lie ahead, on all cores but one.
+/// as decoded. Time that nobody needs goes into the frames that lie ahead, on all cores but one, and then into small
+/// pictures of the whole recording, which outlast the program.
 ///
 /// A jump within a video shows something at once: the frame in a low resolution if it is kept, else a picture near it.
 /// Frames that are asked for faster than they come are dropped: while one is on its way into all views, only the last
@@ -87,6 +89,7 @@ private:
     void startLoad(int camera, bool mayGlance);
     void startAhead(int frame, int camera);
     Job::Delivery loaded(int camera, int frame, const ImagePyramid& picture);
+    void readPostponed();
     void showGlance(int camera, const ImagePyramid& picture, bool isExact);
     void store(int frame, int camera, const ImagePyramid& picture);
     void see(int camera);
@@ -106,9 +109,12 @@ private:
     std::vector<std::unique_ptr<Job>> m_aheadJobs;    ///< one per camera: the next frame
     std::vector<std::unique_ptr<Job>> m_decodingJobs; ///< one per thread: the frames after that
     std::map<Key, Entry> m_cache;
-    std::set<int> m_missing; ///< cameras without the wanted picture
-    std::set<int> m_unseen;  ///< cameras that still show another frame
-    QTimer m_patience;       ///< while it runs, a frame is not dropped before it was seen in all views
+    std::set<int> m_missing;   ///< cameras without the wanted picture
+    std::set<int> m_unseen;    ///< cameras that still show another frame
+    std::set<int> m_postponed; ///< missing cameras that show the frame small, while frames follow each other quickly
+    QTimer m_settling;         ///< until these are read whole
+    QTimer m_surveyPause;      ///< while other work is done in the background
+    QTimer m_patience;         ///< while it runs, a frame is not dropped before it was seen in all views
     std::optional<int> m_next;
     std::int64_t m_budget;
     std::int64_t m_drawableBudget = 0; ///< the part for pictures that are ready to be drawn
@@ -122,6 +128,8 @@ private:
     bool m_isMoving = false;
     int m_draftShrink = 4;
     int m_patienceMs = 400;
+    QElapsedTimer m_sinceBegin;
+    bool m_isHurrying = false; ///< the frame was asked for soon after the one before
 };
 
 } // namespace widgets

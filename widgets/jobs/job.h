@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <stop_token>
@@ -20,7 +21,8 @@ public:
     explicit JobPool(int threads = 0, QObject* parent = nullptr);
     ~JobPool() override;
 
-    /// True when every foreground job has delivered its result, its error, or nothing because it was stopped.
+    /// True when every foreground job has delivered its result, its error, or nothing because it was stopped. From any
+    /// thread.
     bool isIdle() const { return m_foreground == 0; }
 
 signals:
@@ -29,7 +31,7 @@ signals:
 private:
     friend class Job;
     QThreadPool m_threads;
-    int m_foreground = 0;
+    std::atomic<int> m_foreground = 0;
 };
 
 /// What running work may ask and say; used from the worker's thread.

@@ -235,6 +235,24 @@ bool FrameSource::fetchAhead(int camera, int direction, const std::stop_token& s
     return view.video->fetchAhead(direction, stop);
 }
 
+cv::Mat FrameSource::keptSmall(int camera, int frame) const {
+    View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
+    if (!hasPicture(camera, frame))
+        return {};
+    const std::lock_guard lock(view.mutex);
+    const cv::Mat found = view.video ? view.video->keptSmall(footageFrameAt(view.source, frame)) : cv::Mat();
+    const cv::Mat picture = turned(found, view.source.rotateDegrees);
+    const ImageSize size = m_impl->cameras[static_cast<std::size_t>(camera)].size;
+    return isSizeOf(picture, size, kGlanceShrink) ? picture : cv::Mat();
+}
+
+bool FrameSource::survey(int camera, const std::stop_token& stop) const {
+    View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
+    const std::lock_guard lock(view.mutex);
+    return view.video && view.video->survey(footageFrameAt(view.source, 0),
+                                            footageFrameAt(view.source, m_impl->frameCount - 1), stop);
+}
+
 cv::Mat FrameSource::read(int camera, int frame, const std::stop_token& stop, int shrink) const {
     const Camera& calibrated = m_impl->cameras.at(static_cast<std::size_t>(camera));
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));

@@ -31,6 +31,8 @@ public:
     virtual void setBudget(std::int64_t bytes) = 0;
     virtual void setFirstCamera(int camera) = 0;
     virtual bool fetchAhead(int camera, int direction, const std::stop_token& stop) const = 0;
+    virtual cv::Mat keptSmall(int camera, int frame) const = 0;
+    virtual bool survey(int camera, const std::stop_token& stop) const = 0;
 };
 
 /// The pictures of one sequence, whatever they come from: videos, image files, or the recorded motion ("rendered").
@@ -73,6 +75,11 @@ public:
     /// read last, so that reading it takes a few milliseconds. False if there is nothing to do for this camera (all
     /// that fits is kept, it has no video, nothing of it was read yet), or it was stopped.
     bool fetchAhead(int camera, int direction, const std::stop_token& stop) const override;
+    /// The picture of a video at 1 / kGlanceShrink of its size, turned, if it is kept so; else empty.
+    cv::Mat keptSmall(int camera, int frame) const override;
+    /// Decodes a picture of a video that is not kept small yet, near the frame that was read last, and keeps it so.
+    /// False if there is nothing to do for this camera, or it was stopped.
+    bool survey(int camera, const std::stop_token& stop) const override;
 
 private:
     struct Impl;

@@ -14,8 +14,8 @@ constexpr int kMostSkipped = 64; ///< packets between where a container leads an
 
 } // namespace
 
-KeyPictures::KeyPictures(std::filesystem::path file, std::shared_ptr<const VideoIndex> index)
-    : m_file(std::move(file))
+KeyPictures::KeyPictures(const VideoDemuxer& video, std::shared_ptr<const VideoIndex> index)
+    : m_video(video)
     , m_index(std::move(index)) {}
 
 std::optional<int> KeyPictures::nearest(int picture) const {
@@ -40,8 +40,8 @@ bool KeyPictures::open() {
     if (m_demuxer || !m_isUsable)
         return m_isUsable;
     try {
-        m_demuxer = std::make_unique<VideoDemuxer>(m_file);
-        m_decoder = std::make_unique<VideoDecoder>(m_demuxer->stream(), m_file.string());
+        m_demuxer = std::make_unique<VideoDemuxer>(m_video.another());
+        m_decoder = std::make_unique<VideoDecoder>(m_demuxer->stream(), m_demuxer->file().string());
         m_decoder->setQuick();
     } catch (const Error&) { // it is thrown again when a picture is read
         m_isUsable = false;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -16,7 +15,8 @@ namespace core {
 /// first use.
 class KeyPictures {
 public:
-    KeyPictures(std::filesystem::path file, std::shared_ptr<const VideoIndex> index);
+    /// `video` tells what to open, and outlives this object.
+    KeyPictures(const VideoDemuxer& video, std::shared_ptr<const VideoIndex> index);
 
     /// The number of the key picture nearest to this one. No value if none can be told.
     std::optional<int> nearest(int picture) const;
@@ -27,7 +27,7 @@ private:
     bool open();
     bool goTo(int packet);
 
-    std::filesystem::path m_file;
+    const VideoDemuxer& m_video;
     std::shared_ptr<const VideoIndex> m_index;
     std::unique_ptr<VideoDemuxer> m_demuxer;
     std::unique_ptr<VideoDecoder> m_decoder;

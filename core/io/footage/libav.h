@@ -23,12 +23,14 @@ struct LibavDeleter {
         avio_closep(&file);
     }
     void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
+    void operator()(AVCodecParameters* parameters) const { avcodec_parameters_free(&parameters); }
     void operator()(AVPacket* packet) const { av_packet_free(&packet); }
     void operator()(AVFrame* frame) const { av_frame_free(&frame); }
 };
 
 using ContainerPointer = std::unique_ptr<AVFormatContext, LibavDeleter>;
 using CodecPointer = std::unique_ptr<AVCodecContext, LibavDeleter>;
+using CodecParametersPointer = std::unique_ptr<AVCodecParameters, LibavDeleter>;
 using PacketPointer = std::unique_ptr<AVPacket, LibavDeleter>;
 using FramePointer = std::unique_ptr<AVFrame, LibavDeleter>;
 

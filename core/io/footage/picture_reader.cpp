@@ -32,14 +32,13 @@ bool isEntry(const AVFrame& frame) {
 
 } // namespace
 
-PictureReader::PictureReader(std::filesystem::path file, std::shared_ptr<const VideoIndex> index, int threads)
-    : m_file(std::move(file))
-    , m_sharedIndex(std::move(index))
+PictureReader::PictureReader(VideoDemuxer video, std::shared_ptr<const VideoIndex> index, int threads)
+    : m_sharedIndex(std::move(index))
     , m_index(*m_sharedIndex)
-    , m_demuxer(m_file)
+    , m_demuxer(std::move(video))
     , m_threads(threads)
     , m_decodingThreads(threads)
-    , m_decoder(std::make_unique<VideoDecoder>(m_demuxer.stream(), m_file.string(), threads))
+    , m_decoder(std::make_unique<VideoDecoder>(m_demuxer.stream(), m_demuxer.file().string(), threads))
     , m_budget(kUsualBudget) {
     for (std::size_t p = 0; p < m_index.packets.size(); ++p)
         m_numberByHash.emplace_back(m_index.packets[p].hash, static_cast<int>(p));
@@ -73,7 +72,7 @@ const AVFrame* PictureReader::decode(int picture, const std::stop_token& stop) {
     if (!isKnownDamaged && stop.stop_requested())
         return nullptr;
     m_damaged.insert(picture);
-    throw Error(ErrorCode::BadInput, m_file.string(), "frame " + std::to_string(picture),
+    throw Error(ErrorCode::BadInput, m_demuxer.file().string(), "frame " + std::to_string(picture),
                 "the picture is damaged and cannot be decoded");
 }
 
@@ -181,7 +180,7 @@ void PictureReader::startAt(int packet) {
     if (m_threads == m_decodingThreads) {
         m_decoder->restart();
     } else {
-        m_decoder = std::make_unique<VideoDecoder>(m_demuxer.stream(), m_file.string(), m_threads);
+        m_decoder = std::make_unique<VideoDecoder>(m_demuxer.stream(), m_demuxer.file().string(), m_threads);
         m_decodingThreads = m_threads;
     }
     m_firstPicture = packet == 0 ? 0 : m_index.packets[static_cast<std::size_t>(packet)].picture;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -26,8 +25,10 @@ namespace core {
 /// was read, the side that reading goes to before the other.
 class PictureReader {
 public:
-    /// `threads` decode. Throws Error(BadInput) if the video cannot be opened.
-    PictureReader(std::filesystem::path file, std::shared_ptr<const VideoIndex> index, int threads);
+    /// `video` is at its first packet. `threads` decode. Throws Error(BadInput) if there is no decoder.
+    PictureReader(VideoDemuxer video, std::shared_ptr<const VideoIndex> index, int threads);
+
+    const VideoDemuxer& video() const { return m_demuxer; }
 
     const VideoIndex& index() const { return m_index; }
     /// How many threads decode, from the next start at a key packet on: going on never changes them.
@@ -70,7 +71,6 @@ private:
     int numberOf(const AVPacket& packet) const;
     const AVFrame* searchFrom(int start, int picture, const std::stop_token& stop);
 
-    std::filesystem::path m_file;
     std::shared_ptr<const VideoIndex> m_sharedIndex;
     const VideoIndex& m_index;
     VideoDemuxer m_demuxer;

@@ -69,10 +69,18 @@ void requirePictureSizes(const AVFormatContext& container, const fs::path& file)
 } // namespace
 
 VideoDemuxer::VideoDemuxer(fs::path file)
+    : VideoDemuxer(std::move(file), nullptr) {}
+
+VideoDemuxer::VideoDemuxer(fs::path file, std::shared_ptr<const Analysis> known)
     : m_file(std::move(file))
-    , m_packet(av_packet_alloc()) {
+    , m_packet(av_packet_alloc())
+    , m_analysis(std::move(known)) {
     silenceLibrary();
     open();
+}
+
+VideoDemuxer VideoDemuxer::another() const {
+    return {m_file, m_analysis};
 }
 
 void VideoDemuxer::open() {
@@ -80,16 +88,44 @@ void VideoDemuxer::open() {
     if (std::string_view(container->iformat->name) == "tty") // text drawn as pictures
         throw notReadable(m_file, "it is a text file");
     requirePictureSizes(*container, m_file);
-    if (const int failed = findStreams(*container); failed < 0)
+    if (!isKnown(*container))
+        analyse(*container);
+    AVStream& stream = *container->streams[m_analysis->stream];
+    avcodec_parameters_copy(stream.codecpar, m_analysis->codec.get());
+    stream.avg_frame_rate = m_analysis->averageRate;
+    stream.r_frame_rate = m_analysis->rate;
+    for (unsigned s = 0; s < container->nb_streams; ++s)
+        container->streams[s]->discard = static_cast<int>(s) == m_analysis->stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
+    m_container = std::move(container); // the former one stays where the file cannot be opened again
+}
+
+void VideoDemuxer::analyse(AVFormatContext& container) {
+    if (const int failed = findStreams(container); failed < 0)
         throw notReadable(m_file, libavMessage(failed));
-    requirePictureSizes(*container, m_file); // some are only told by the pictures
-    const int stream = av_find_best_stream(container.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+    requirePictureSizes(container, m_file); // some are only told by the pictures
+    const int stream = av_find_best_stream(&container, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (stream < 0)
         throw notReadable(m_file, "it has no video stream");
-    for (unsigned s = 0; s < container->nb_streams; ++s)
-        container->streams[s]->discard = static_cast<int>(s) == stream ? AVDISCARD_DEFAULT : AVDISCARD_ALL;
-    m_stream = stream;
-    m_container = std::move(container); // the former one stays where the file cannot be opened again
+    const AVStream& video = *container.streams[stream];
+    auto analysis = std::make_shared<Analysis>();
+    analysis->stream = stream;
+    analysis->codec.reset(avcodec_parameters_alloc());
+    avcodec_parameters_copy(analysis->codec.get(), video.codecpar);
+    analysis->averageRate = video.avg_frame_rate;
+    analysis->rate = video.r_frame_rate;
+    m_analysis = std::move(analysis);
+}
+
+/// Whether the stream is the one that was analysed, in a container that says all about its packets itself.
+bool VideoDemuxer::isKnown(const AVFormatContext& container) const {
+    const std::string_view format = container.iformat->name;
+    if (!m_analysis || (!format.starts_with("mov,") && !format.starts_with("matroska,")) ||
+        (container.ctx_flags & AVFMTCTX_NOHEADER) != 0 || m_analysis->stream >= static_cast<int>(container.nb_streams))
+        return false;
+    const AVCodecParameters& now = *container.streams[m_analysis->stream]->codecpar;
+    const AVCodecParameters& then = *m_analysis->codec;
+    return now.codec_type == AVMEDIA_TYPE_VIDEO && now.codec_id == then.codec_id && now.width == then.width &&
+           now.height == then.height && now.extradata_size == then.extradata_size;
 }
 
 const AVPacket* VideoDemuxer::next() {
@@ -101,7 +137,7 @@ const AVPacket* VideoDemuxer::next() {
             return nullptr;
         if (result < 0)
             ++failures;
-        else if (m_packet->stream_index == m_stream && m_packet->size > 0)
+        else if (m_packet->stream_index == m_analysis->stream && m_packet->size > 0)
             return m_packet.get();
     }
     return nullptr;
@@ -117,10 +153,10 @@ bool VideoDemuxer::seekNear(const VideoPacket& packet) {
     if (hasTimes) {
         const std::int64_t time = packet.dts != VideoPacket::kNoTime ? packet.dts : packet.pts;
         return time != VideoPacket::kNoTime &&
-               av_seek_frame(m_container.get(), m_stream, time, AVSEEK_FLAG_BACKWARD) >= 0;
+               av_seek_frame(m_container.get(), m_analysis->stream, time, AVSEEK_FLAG_BACKWARD) >= 0;
     }
     return packet.position >= 0 && (flags & AVFMT_NO_BYTE_SEEK) == 0 &&
-           av_seek_frame(m_container.get(), m_stream, packet.position, AVSEEK_FLAG_BYTE) >= 0;
+           av_seek_frame(m_container.get(), m_analysis->stream, packet.position, AVSEEK_FLAG_BYTE) >= 0;
 }
 
 VideoPacket describe(const AVPacket& packet) {

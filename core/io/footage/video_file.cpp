@@ -2,13 +2,14 @@
 #include "core/io/footage/video_file.h"
 
 #include <cstdlib>
-#include <map>
 #include <utility>
 
 #include "core/error.h"
 #include "core/io/footage/key_pictures.h"
 #include "core/io/footage/picture_converter.h"
 #include "core/io/footage/picture_reader.h"
+#include "core/io/footage/picture_survey.h"
+#include "core/io/footage/small_pictures.h"
 #include "core/io/footage/video_indexer.h"
 
 namespace core {
@@ -17,18 +18,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The kept index, or a new one, which is then kept.
-VideoIndex indexOf(const fs::path& file, const fs::path& indexFile) {
+/// Throws Error(NotFound) if there is no such video.
+std::optional<VideoIndex> keptIndex(const fs::path& file, const fs::path& indexFile) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored))
         throw Error(ErrorCode::NotFound, file.string(), "", "no such video");
-    std::optional<VideoIndex> index = indexFile.empty() ? std::nullopt : readVideoIndex(indexFile, file);
-    if (!index) {
-        index = indexVideo(file);
-        if (!indexFile.empty())
-            keepVideoIndex(*index, indexFile);
-    }
-    return std::move(*index);
+    return indexFile.empty() ? std::nullopt : readVideoIndex(indexFile, file);
+}
+
+/// Which is then kept.
+VideoIndex newIndex(VideoDemuxer& video, const fs::path& indexFile) {
+    VideoIndex index = indexVideo(video);
+    if (!indexFile.empty())
+        keepVideoIndex(index, indexFile);
+    return index;
 }
 
 VideoInfo infoOf(const VideoIndex& index) {
@@ -47,54 +50,42 @@ std::string sizeText(int width, int height) {
 
 } // namespace
 
-/// Pictures that there was no more room for, shrunk.
-class ShrunkPictures {
-public:
-    void setBudget(std::int64_t bytes) { m_budget = bytes; }
-    bool isUsed() const { return m_budget > 0; }
-    void keep(int frame, const cv::Mat& picture, int focus) {
-        m_bytes += bytesOf(picture) - bytesOf(std::exchange(m_kept[frame], picture));
-        while (m_bytes > m_budget && !m_kept.empty()) { // the farthest goes
-            const auto first = m_kept.begin(), last = std::prev(m_kept.end());
-            const auto least = focus - first->first > last->first - focus ? first : last;
-            m_bytes -= bytesOf(least->second);
-            m_kept.erase(least);
-        }
-    }
-    cv::Mat find(int frame) const {
-        const auto found = m_kept.find(frame);
-        return found == m_kept.end() ? cv::Mat() : found->second;
-    }
-
-private:
-    static std::int64_t bytesOf(const cv::Mat& picture) {
-        return static_cast<std::int64_t>(picture.total() * picture.elemSize());
-    }
-
-    std::map<int, cv::Mat> m_kept;
-    std::int64_t m_bytes = 0, m_budget = 0;
-};
-
 struct VideoFile::Handle {
+    Handle(VideoDemuxer video, const std::shared_ptr<const VideoIndex>& kept, fs::path fileOfSmall, int threads)
+        : index(kept)
+        , smallFile(std::move(fileOfSmall))
+        , reader(std::move(video), index, threads > 0 ? threads : VideoDecoder::usualThreads())
+        , keys(reader.video(), index)
+        , survey(reader.video(), index) {
+        reader.setOnForgotten([this](int frame, const AVFrame& picture) { keepSmall(frame, picture); });
+    }
+    void keepSmall(int frame, const AVFrame& picture) {
+        if (small && !small->has(frame) && picture.width == index->size.width && picture.height == index->size.height)
+            small->keep(frame, converter.toBgr(picture, kGlanceShrink), focus);
+    }
+
+    std::shared_ptr<const VideoIndex> index;
+    fs::path smallFile; ///< empty: none
     PictureReader reader;
     KeyPictures keys;
+    PictureSurvey survey;
     PictureConverter converter;
-    ShrunkPictures shrunk;
-    int focus = 0; ///< the last frame that was read
+    std::optional<SmallPictures> small; ///< from the first budget on
+    int focus = 0;                      ///< the last frame that was read
 };
 
 VideoFile::VideoFile(fs::path file, const fs::path& indexFile, int threads)
     : m_file(std::move(file)) {
-    const auto index = std::make_shared<const VideoIndex>(indexOf(m_file, indexFile));
+    std::optional<VideoIndex> index = keptIndex(m_file, indexFile);
+    VideoDemuxer video(m_file);
+    if (!index) {
+        index = newIndex(video, indexFile);
+        video.rewind();
+    }
     m_info = infoOf(*index);
-    m_handle.reset(new Handle{PictureReader(m_file, index, threads > 0 ? threads : VideoDecoder::usualThreads()),
-                              KeyPictures(m_file, index),
-                              {},
-                              {}});
-    m_handle->reader.setOnForgotten([this](int frame, const AVFrame& picture) {
-        if (m_handle->shrunk.isUsed() && picture.width == m_info.size.width && picture.height == m_info.size.height)
-            m_handle->shrunk.keep(frame, m_handle->converter.toBgr(picture, kGlanceShrink), m_handle->focus);
-    });
+    const fs::path small = indexFile.empty() ? fs::path() : fs::path(indexFile).replace_extension(".smallpictures");
+    m_handle = std::make_unique<Handle>(std::move(video), std::make_shared<const VideoIndex>(std::move(*index)), small,
+                                        threads);
 }
 
 VideoFile::~VideoFile() = default;
@@ -126,13 +117,13 @@ std::optional<VideoGlance> VideoFile::glance(int frame) {
     PictureReader& reader = m_handle->reader;
     if (frame < 0 || frame >= m_info.frames || reader.packetsUntil(frame) <= kQuick)
         return std::nullopt;
-    if (cv::Mat exact = m_handle->shrunk.find(frame); !exact.empty())
+    if (cv::Mat exact = keptSmall(frame); !exact.empty())
         return VideoGlance{frame, exact};
     int number = 0;
     const AVFrame* picture = reader.nearest(frame, number);
     if (const std::optional<int> key = m_handle->keys.nearest(frame);
         key && (picture == nullptr || std::abs(*key - frame) < std::abs(number - frame))) {
-        if (cv::Mat kept = m_handle->shrunk.find(*key); !kept.empty())
+        if (cv::Mat kept = keptSmall(*key); !kept.empty())
             return VideoGlance{*key, kept};
         number = *key;
         picture = m_handle->keys.read(*key);
@@ -141,8 +132,8 @@ std::optional<VideoGlance> VideoFile::glance(int frame) {
         picture->height != m_info.size.height)
         return std::nullopt;
     VideoGlance glance{number, m_handle->converter.toBgr(*picture, kGlanceShrink)};
-    if (m_handle->shrunk.isUsed() && !glance.picture.empty())
-        m_handle->shrunk.keep(number, glance.picture, frame);
+    if (m_handle->small && !glance.picture.empty())
+        m_handle->small->keep(number, glance.picture, frame);
     return glance.picture.empty() ? std::nullopt : std::optional(std::move(glance));
 }
 
@@ -150,10 +141,24 @@ void VideoFile::setThreads(int threads) {
     m_handle->reader.setThreads(threads);
 }
 
-/// As decoded, a picture takes eight times the memory of a shrunk one.
 void VideoFile::setBudget(std::int64_t bytes) {
-    m_handle->shrunk.setBudget(bytes / 4);
-    m_handle->reader.setBudget(bytes - bytes / 4);
+    Handle& handle = *m_handle;
+    if (!handle.small) {
+        const VideoIndex& index = *handle.index;
+        const auto shrunk = [](int side) { return (side + kGlanceShrink - 1) / kGlanceShrink; };
+        handle.small.emplace(handle.smallFile, FileStamp{index.fileSize, index.fileTime},
+                             cv::Size(shrunk(index.size.width), shrunk(index.size.height)));
+    }
+    handle.small->setBudget(bytes / 4, bytes);
+    handle.reader.setBudget(bytes - bytes / 4);
+}
+
+cv::Mat VideoFile::keptSmall(int frame) {
+    return m_handle->small ? m_handle->small->find(frame) : cv::Mat();
+}
+
+bool VideoFile::survey(int first, int last, const std::stop_token& stop) {
+    return m_handle->small && m_handle->survey.step(*m_handle->small, m_handle->focus, first, last, stop);
 }
 
 bool VideoFile::fetchAhead(int direction, const std::stop_token& stop) {
@@ -170,7 +175,12 @@ ImageSize readVideoSize(const fs::path& file) {
 }
 
 VideoInfo readVideoInfo(const fs::path& file, const fs::path& indexFile) {
-    return infoOf(indexOf(file, indexFile));
+    std::optional<VideoIndex> index = keptIndex(file, indexFile);
+    if (!index) {
+        VideoDemuxer video(file);
+        index = newIndex(video, indexFile);
+    }
+    return infoOf(*index);
 }
 
 } // namespace core

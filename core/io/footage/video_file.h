@@ -51,9 +51,15 @@ public:
     std::optional<VideoGlance> glance(int frame);
     /// How many threads decode, from the next jump on.
     void setThreads(int threads);
-    /// How much memory pictures near the last frame may take: most of it as decoded, a part shrunk, farther away. A few
-    /// are kept at first, none of them shrunk.
+    /// How much memory pictures near the last frame may take: most of it as decoded, a part small, farther away. Small
+    /// ones are kept beside the index instead, if there is one, and may take as much of the disk. A few are kept at
+    /// first, none of them small.
     void setBudget(std::int64_t bytes);
+    /// The frame at 1 / kGlanceShrink of its size, if it is kept so; else empty.
+    cv::Mat keptSmall(int frame);
+    /// Decodes a frame from `first` to `last` that is not kept small, near the last one that was read, and keeps it so.
+    /// Decoding ahead and reading go on unharmed. False if nothing is left to do, or it was stopped.
+    bool survey(int first, int last, const std::stop_token& stop);
     /// Decodes the nearest frame that is not kept before (direction -1) or after (+1) the last one that was read. False
     /// if all that fits is kept, or it was stopped.
     bool fetchAhead(int direction, const std::stop_token& stop);

@@ -109,6 +109,7 @@ Decoded decodeFromStart(VideoDemuxer& demuxer, const std::string& file, std::siz
                         const std::function<void(const AVPacket&)>& each) {
     Decoded decoded;
     VideoDecoder decoder(demuxer.stream(), file, VideoDecoder::usualThreads());
+    decoder.setQuick(); // which pictures come counts, not how they look
     int number = 0;
     for (bool ended = false; !ended && decoded.packets.size() < most;) {
         const AVPacket* packet = demuxer.next();
@@ -213,17 +214,17 @@ int rotationOf(const AVStream& stream) {
 
 } // namespace
 
-VideoIndex indexVideo(const fs::path& file) {
+VideoIndex indexVideo(VideoDemuxer& demuxer) {
     VideoIndex index;
-    const FileStamp stamp = stampOf(file);
+    const std::string file = demuxer.file().string();
+    const FileStamp stamp = stampOf(demuxer.file());
     index.fileSize = stamp.size;
     index.fileTime = stamp.time;
-    VideoDemuxer demuxer(file);
     const bool isOrdered = hasReliableTimes(demuxer) &&
                            orderByTime(index, readPackets(demuxer, index), isIntraOnly(demuxer.stream())) &&
-                           confirmStart(demuxer, file.string(), index);
+                           confirmStart(demuxer, file, index);
     if (!isOrdered)
-        orderByDecoding(demuxer, file.string(), index);
+        orderByDecoding(demuxer, file, index);
     index.timesSec = timesOf(index, demuxer.stream().time_base);
     index.framesPerSecond = rateOf(index, demuxer.stream());
     index.rotationDegrees = rotationOf(demuxer.stream());

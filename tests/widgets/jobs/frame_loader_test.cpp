@@ -57,6 +57,12 @@ public:
         ahead.push_back({camera, direction, 0});
         return ++fetched < 100;
     }
+    cv::Mat keptSmall(int, int frame) const override {
+        const bool isKept = smallUntil > frame;
+        return isKept ? cv::Mat(kSize.height() / 4, kSize.width() / 4, CV_8UC3, cv::Scalar::all(frame % 256))
+                      : cv::Mat();
+    }
+    bool survey(int, const std::stop_token& stop) const override { return !stop.stop_requested() && ++surveyed < 200; }
     std::size_t readsBegun() const {
         const std::lock_guard lock(mutex);
         return begun.size();
@@ -70,7 +76,8 @@ public:
     std::atomic<bool> isHeld = false, glances = false, exactGlances = false;
     std::atomic<std::int64_t> budget = 0;
     std::atomic<int> first = -1;
-    mutable std::atomic<int> fetched = 0;
+    std::atomic<int> smallUntil = 0; ///< frames before it are kept small
+    mutable std::atomic<int> fetched = 0, surveyed = 0;
     mutable std::mutex mutex;
     mutable std::vector<Read> reads, ahead;
     mutable std::vector<int> begun; ///< cameras, in the order in which their reads began
@@ -207,6 +214,46 @@ TEST_F(FramesComing, WholePicturesUnderWayAreStoppedByTheNextJumpOnceAllViewsSho
     EXPECT_EQ(complete, std::vector<int>{120});
 }
 
+TEST_F(FramesComing, WholePicturesWaitWhileFramesThatAreKeptSmallFollowEachOtherQuickly) {
+    source->glances = source->exactGlances = true;
+    loader.request(10);
+    finish();
+    source->takeReads();
+    shown.clear();
+    complete.clear();
+    for (int frame = 20; frame < 30; ++frame) {
+        loader.request(frame);
+        ASSERT_TRUE(test::waitUntil([&] { return shown.size() >= std::size_t((frame - 19) * kCameras); }));
+    }
+    finish();
+    EXPECT_EQ(complete, std::vector<int>{29});
+    ASSERT_EQ(shown.size(), std::size_t(11 * kCameras));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        EXPECT_EQ(shown[i].grey, std::min(20 + static_cast<int>(i) / kCameras, 29));
+        EXPECT_EQ(shown[i].isDraft, i < std::size_t(10 * kCameras)) << "whole ones of the last frame alone";
+    }
+    for (const FakeSource::Read& read : source->takeReads())
+        EXPECT_EQ(read.frame, 29);
+}
+
+TEST_F(FramesComing, TheWholeRecordingIsKeptSmallOnceNothingElseIsToBeDone) {
+    loader.setFetchingAhead(true);
+    widgets::Job other(pool);
+    std::atomic<bool> mayEnd = false;
+    other.start([&](const widgets::JobContext&) -> widgets::Job::Delivery {
+        while (!mayEnd)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return {};
+    });
+    loader.request(50);
+    finish();
+    ASSERT_TRUE(test::waitUntil([this] { return source->fetched >= 100; }));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(source->surveyed, 0) << "while other work is done";
+    mayEnd = true;
+    ASSERT_TRUE(test::waitUntil([this] { return source->surveyed >= 200; })) << "it goes on by itself";
+}
+
 TEST_F(FramesComing, FetchesAheadOnlyWhenAllIsThereAndTheWayOfTravel) {
     loader.setFetchingAhead(true);
     source->isHeld = true;
@@ -278,6 +325,21 @@ TEST_F(Playing, ShowsTheFrameThatIsDueInAllViewsAtOnce) {
     for (int camera = 0; camera < kCameras; ++camera) {
         EXPECT_FALSE(loader.picture(camera).isDraft()) << "whole once it stands";
         EXPECT_EQ(qRed(loader.picture(camera).image().pixel(2, 2)), 20);
+    }
+}
+
+TEST_F(Playing, DecodesNothingWhereSmallPicturesAreKept) {
+    source->smallUntil = 9;
+    source->takeReads();
+    playback.play();
+    for (int i = 1; i <= 6; ++i)
+        at(40 * i);
+    for (const FakeSource::Read& read : source->takeReads())
+        EXPECT_GE(read.frame, 9);
+    ASSERT_EQ(shown.size(), std::size_t(6 * kCameras));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        EXPECT_EQ(shown[i].grey, 2 * (static_cast<int>(i) / kCameras + 1));
+        EXPECT_TRUE(shown[i].isDraft);
     }
 }
 

@@ -24,6 +24,11 @@ using enum core::ErrorCode;
 
 constexpr int kCount = 130;
 
+core::VideoIndex indexOf(const fs::path& file) {
+    core::VideoDemuxer video(file);
+    return core::indexVideo(video);
+}
+
 /// A codec with its options for open or closed groups and B-frames, and the containers that take it.
 struct Codec {
     std::string name;
@@ -137,7 +142,7 @@ TEST_F(Video, KeepsItsIndexAndMakesADamagedOrStaleOneAnew) {
     EXPECT_EQ(test::numberInPicture(core::VideoFile(file, kept).read(33)), 33);
     const std::optional<core::VideoIndex> index = core::readVideoIndex(kept, file);
     ASSERT_TRUE(index);
-    EXPECT_EQ(*index, core::indexVideo(file));
+    EXPECT_EQ(*index, indexOf(file));
     std::string bytes = test::readText(kept);
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] + 1);
     for (const std::string& damaged : {bytes, bytes.substr(0, 100), std::string("no index"), std::string()}) {
@@ -153,7 +158,7 @@ TEST_F(Video, KeepsItsIndexAndMakesADamagedOrStaleOneAnew) {
 
 TEST_F(Video, RefusesAnIndexThatIndexingCannotHaveMade) {
     const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 20", 12), kept = m_folder / "a.videoindex";
-    const core::VideoIndex index = core::indexVideo(file);
+    const core::VideoIndex index = indexOf(file);
     const auto isKept = [&](const std::function<void(core::VideoIndex&)>& change) {
         core::VideoIndex changed = index;
         change(changed);
@@ -178,7 +183,7 @@ TEST_F(Video, RefusesAnIndexThatIndexingCannotHaveMade) {
 
 TEST_F(Video, TakesNoMemoryForWhatAnIndexClaims) {
     const fs::path file = encode("a.mp4", "-c:v mpeg4 -g 20", 12), kept = m_folder / "a.videoindex";
-    core::keepVideoIndex(core::indexVideo(file), kept);
+    core::keepVideoIndex(indexOf(file), kept);
     const std::string whole = test::readText(kept);
     const std::size_t header = std::string("handlens-video-index-1\n").size() + 8 + 8 + 4 + 4 + 8 + 4 + 1;
     for (const std::uint64_t count : {std::uint64_t(13), std::uint64_t(1'000'000'000), UINT64_MAX}) {
@@ -230,7 +235,7 @@ TEST_F(Video, NamesADamagedFrameAndShowsTheOthers) {
          {std::pair("a.avi", "-c:v mjpeg"), std::pair("a.mp4", "-c:v libx264 -bf 3 -g 20 -pix_fmt yuv420p"),
           std::pair("b.mp4", "-c:v mpeg4 -g 20")}) {
         const fs::path file = encode(name, options);
-        const core::VideoIndex index = core::indexVideo(file);
+        const core::VideoIndex index = indexOf(file);
         // The last picture of a group, on which no other leans.
         const core::VideoPacket& packet = index.packets[39];
         {
@@ -310,7 +315,7 @@ TEST_F(Video, BeginsWithTheFirstPictureThatCanBeDecoded) {
         "a.ts",
         "-c:v libx264 -pix_fmt yuv420p -x264-params open-gop=1:keyint=30:min-keyint=30:scenecut=0:bframes=3:threads=1",
         120);
-    const core::VideoIndex index = core::indexVideo(file);
+    const core::VideoIndex index = indexOf(file);
     const auto key = std::find_if(index.packets.begin() + 1, index.packets.end(),
                                   [](const core::VideoPacket& packet) { return packet.isKey; });
     ASSERT_NE(key, index.packets.end());
