@@ -14,7 +14,7 @@ namespace widgets {
 namespace {
 
 constexpr std::int64_t kDefaultBudget = std::int64_t(1) << 30;
-constexpr int kSurveyPauseMs = 1000, kHurryMs = 150;
+constexpr int kSurveyPauseMs = 1000, kHurryMs = 80;
 constexpr int kAheadPriority = -1, kGlancePriority = 1, kFirstPriority = 2;
 
 QImage toImage(const cv::Mat& bgr) {
@@ -236,13 +236,13 @@ void FrameLoader::startLoad(int camera, bool mayGlance) {
     const int shrink = m_isMoving ? m_draftShrink : 1;
     const QSize size = m_sizes[static_cast<std::size_t>(camera)];
     m_jobs[static_cast<std::size_t>(camera)]->start(
-        [this, source = m_source, frame = m_frame, camera, size, mayGlance,
+        [this, source = m_source, frame = m_frame, camera, size, mayGlance, hurried = m_isHurrying,
          shrink](const JobContext& context) -> Job::Delivery {
             if (context.stop.stop_requested())
                 return {};
             if (const cv::Mat small = keptDraft(*source, camera, frame, shrink); !small.empty())
                 return loaded(camera, frame, pyramidOf(small, size));
-            if (const auto glance = mayGlance ? source->glance(camera, frame, context.stop) : std::nullopt) {
+            if (const auto glance = mayGlance ? source->glance(camera, frame, hurried, context.stop) : std::nullopt) {
                 const ImagePyramid picture = pyramidOf(glance->picture, size);
                 return [this, camera, picture, isExact = glance->isExact] { showGlance(camera, picture, isExact); };
             }

@@ -200,7 +200,7 @@ void FrameSource::setFirstCamera(int camera) {
     m_impl->firstCamera = camera;
 }
 
-std::optional<Glance> FrameSource::glance(int camera, int frame, const std::stop_token& stop) const {
+std::optional<Glance> FrameSource::glance(int camera, int frame, bool hurried, const std::stop_token& stop) const {
     View& view = *m_impl->views.at(static_cast<std::size_t>(camera));
     if (view.source.kind != ViewKind::Video || frame < 0 || frame >= m_impl->frameCount ||
         !hasPictureAt(view.source, frame))
@@ -210,7 +210,7 @@ std::optional<Glance> FrameSource::glance(int camera, int frame, const std::stop
         return std::nullopt;
     m_impl->applyBudget(view);
     const int wanted = footageFrameAt(view.source, frame);
-    const std::optional<VideoGlance> found = view.video->glance(wanted);
+    const std::optional<VideoGlance> found = view.video->glance(wanted, hurried);
     if (!found)
         return std::nullopt;
     const Glance glance{turned(found->picture, view.source.rotateDegrees), found->frame == wanted};

@@ -26,7 +26,7 @@ public:
     virtual ViewKind kind(int camera) const = 0;
     virtual bool hasPicture(int camera, int frame) const = 0;
     virtual cv::Mat read(int camera, int frame, const std::stop_token& stop, int shrink) const = 0;
-    virtual std::optional<Glance> glance(int camera, int frame, const std::stop_token& stop) const = 0;
+    virtual std::optional<Glance> glance(int camera, int frame, bool hurried, const std::stop_token& stop) const = 0;
     virtual bool hasVideos() const = 0;
     virtual void setBudget(std::int64_t bytes) = 0;
     virtual void setFirstCamera(int camera) = 0;
@@ -63,7 +63,8 @@ public:
     cv::Mat read(int camera, int frame, const std::stop_token& stop = {}, int shrink = 1) const override;
     /// What can be shown at once, where reading this frame of a video takes long. No value where it does not, or where
     /// the video was not read before.
-    std::optional<Glance> glance(int camera, int frame, const std::stop_token& stop) const override;
+    /// `hurried`: frames follow each other so quickly that decoding even one picture takes too long.
+    std::optional<Glance> glance(int camera, int frame, bool hurried, const std::stop_token& stop) const override;
 
     bool hasVideos() const override;
     /// Its video is decoded by all cores when a jump is made, the others by their share of them; -1: none.

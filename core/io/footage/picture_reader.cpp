@@ -138,7 +138,20 @@ int PictureReader::packetsUntil(int picture) const {
     if (kept(picture) != nullptr)
         return 0;
     const int last = m_index.packetOfPicture[static_cast<std::size_t>(picture)];
-    return std::max(1, last + 1 - (canGoOn(picture) ? m_nextPacket : m_index.startFor(picture, INT_MAX)));
+    return std::max(1, last + 1 - nextPacketFor(picture));
+}
+
+std::int64_t PictureReader::bytesUntil(int picture) const {
+    std::int64_t bytes = 0;
+    if (kept(picture) == nullptr)
+        for (int p = nextPacketFor(picture); p <= m_index.packetOfPicture[static_cast<std::size_t>(picture)]; ++p)
+            bytes += m_index.packets[static_cast<std::size_t>(p)].size;
+    return bytes;
+}
+
+/// Which packet is decoded next if this picture is wanted.
+int PictureReader::nextPacketFor(int picture) const {
+    return canGoOn(picture) ? m_nextPacket : m_index.startFor(picture, INT_MAX);
 }
 
 const AVFrame* PictureReader::nearest(int picture, int& number) const {

@@ -48,6 +48,8 @@ public:
     bool isKept(int picture) const { return m_kept.contains(picture); }
     /// How many packets must be decoded before this picture comes; 0: it is kept.
     int packetsUntil(int picture) const;
+    /// How many bytes these are; they tell better how long it takes.
+    std::int64_t bytesUntil(int picture) const;
     /// The kept picture nearest to this one, with its number; null if none is kept.
     const AVFrame* nearest(int picture, int& number) const;
 
@@ -61,6 +63,7 @@ private:
     std::optional<int> wantedAhead() const;
     const AVFrame* decode(int picture, const std::stop_token& stop);
     bool canGoOn(int picture) const;
+    int nextPacketFor(int picture) const;
     void startAt(int packet);
     bool seekTo(int packet);
     void skipTo(int packet);

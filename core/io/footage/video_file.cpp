@@ -112,13 +112,18 @@ cv::Mat VideoFile::read(int frame, const std::stop_token& stop, int shrink) {
     return image;
 }
 
-std::optional<VideoGlance> VideoFile::glance(int frame) {
-    constexpr int kQuick = 3; ///< packets
+std::optional<VideoGlance> VideoFile::glance(int frame, bool hurried) {
+    constexpr int kQuickPackets = 3;
+    constexpr std::int64_t kQuickBytes = 1 << 21; ///< which take about a quarter of a second
     PictureReader& reader = m_handle->reader;
-    if (frame < 0 || frame >= m_info.frames || reader.packetsUntil(frame) <= kQuick)
+    if (frame < 0 || frame >= m_info.frames || reader.isKept(frame))
         return std::nullopt;
-    if (cv::Mat exact = keptSmall(frame); !exact.empty())
-        return VideoGlance{frame, exact};
+    const bool isQuick = reader.packetsUntil(frame) <= kQuickPackets && reader.bytesUntil(frame) <= kQuickBytes;
+    if (!isQuick || hurried)
+        if (cv::Mat exact = keptSmall(frame); !exact.empty())
+            return VideoGlance{frame, exact};
+    if (isQuick)
+        return std::nullopt;
     int number = 0;
     const AVFrame* picture = reader.nearest(frame, number);
     if (const std::optional<int> key = m_handle->keys.nearest(frame);

@@ -48,7 +48,8 @@ public:
     cv::Mat read(int frame, const std::stop_token& stop = {}, int shrink = 1);
     /// What can be shown at once while that frame would take long to read: the frame itself, kept at 1 / kGlanceShrink
     /// of its size, or the nearest one that is kept or a key picture. No value where read() is quick, or there is none.
-    std::optional<VideoGlance> glance(int frame);
+    /// `hurried`: reading a frame that is not kept counts as slow, however near it is, if it is kept small.
+    std::optional<VideoGlance> glance(int frame, bool hurried = false);
     /// How many threads decode, from the next jump on.
     void setThreads(int threads);
     /// How much memory pictures near the last frame may take: most of it as decoded, a part small, farther away. Small

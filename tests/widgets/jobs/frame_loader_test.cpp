@@ -42,8 +42,8 @@ public:
         reads.push_back({camera, frame, shrink});
         return cv::Mat(kSize.height() / shrink, kSize.width() / shrink, CV_8UC3, cv::Scalar::all(frame % 256));
     }
-    std::optional<core::Glance> glance(int, int frame, const std::stop_token&) const override {
-        if (!glances)
+    std::optional<core::Glance> glance(int, int frame, bool hurried, const std::stop_token&) const override {
+        if (!glances || (onlyHurried && !hurried))
             return std::nullopt;
         const int shown = exactGlances ? frame : frame / 50 * 50;
         return core::Glance{cv::Mat(kSize.height() / 4, kSize.width() / 4, CV_8UC3, cv::Scalar::all(shown % 256)),
@@ -73,7 +73,7 @@ public:
     }
 
     std::atomic<int> readMs = 0;
-    std::atomic<bool> isHeld = false, glances = false, exactGlances = false;
+    std::atomic<bool> isHeld = false, glances = false, exactGlances = false, onlyHurried = false;
     std::atomic<std::int64_t> budget = 0;
     std::atomic<int> first = -1;
     std::atomic<int> smallUntil = 0; ///< frames before it are kept small
@@ -215,7 +215,7 @@ TEST_F(FramesComing, WholePicturesUnderWayAreStoppedByTheNextJumpOnceAllViewsSho
 }
 
 TEST_F(FramesComing, WholePicturesWaitWhileFramesThatAreKeptSmallFollowEachOtherQuickly) {
-    source->glances = source->exactGlances = true;
+    source->glances = source->exactGlances = source->onlyHurried = true;
     loader.request(10);
     finish();
     source->takeReads();

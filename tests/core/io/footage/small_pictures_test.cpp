@@ -179,6 +179,10 @@ TEST_F(VideoSurvey, KeepsEveryFrameSmallForTheNextRun) {
         ASSERT_TRUE(glance) << name;
         EXPECT_EQ(glance->frame, 100);
         EXPECT_FALSE(video.survey(20, 1000, {})) << "nothing is left to do";
+        video.read(100);
+        EXPECT_FALSE(video.glance(101)) << "reading it is quick";
+        EXPECT_TRUE(video.glance(101, true)) << "but not as quick";
+        EXPECT_FALSE(video.glance(100, true)) << "it is decoded";
     }
 }
 
