@@ -59,6 +59,7 @@ TEST_P(Corpus, IsReadOrRefusedSoon) {
 
 INSTANTIATE_TEST_SUITE_P(OfEveryReader, Corpus,
                          testing::Values(Target{"video", fuzz::readVideo}, Target{"video_index", fuzz::readIndex},
+                                         Target{"small_pictures", fuzz::readSmallPictures},
                                          Target{"network", fuzz::runNetwork},
                                          Target{"flat_buffer", fuzz::readFlatBuffer},
                                          Target{"archive", fuzz::readArchive},

@@ -11,6 +11,8 @@ namespace fuzz {
 void readVideo(std::string_view bytes);
 /// The kept index of a video, with that video, which it need not fit.
 void readIndex(std::string_view bytes);
+/// Small pictures that are kept of a video: records in their file, and the pictures in them.
+void readSmallPictures(std::string_view bytes);
 /// The network of a TensorFlow Lite file.
 void readNetwork(std::string_view bytes);
 /// The same, run once where it is a sound one.

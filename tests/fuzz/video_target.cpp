@@ -21,6 +21,8 @@ void readVideo(std::string_view bytes) {
                 video.read(frame);
                 video.read(frame, {}, 4);
                 video.fetchAhead(-1, {});
+                video.survey(0, last, {});
+                video.glance(frame, true);
             } catch (const core::Error&) { // this frame is damaged; the others may be whole
             }
         }
