@@ -39,13 +39,6 @@ std::vector<double> errorsOf(const Rows& rows, double PairResult::*error) {
     return errors;
 }
 
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values)
-        sum += value;
-    return values.empty() ? 0 : sum / static_cast<double>(values.size());
-}
-
 ErrorStatistics statisticsOf(std::vector<double> errorsMm) {
     ErrorStatistics statistics;
     statistics.pairs = static_cast<int>(errorsMm.size());

@@ -41,9 +41,10 @@ std::optional<double> landmarkDistanceMm(const HandModel& hand, const Pose& pose
 
 double widestRaySine(const std::vector<Camera>& cameras, const SpatialHand& hand) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    const int landmarks = std::max(hand.landmarkCount(), 1);
     for (const auto& landmark : hand.landmarks)
         if (landmark)
-            mean += landmark->triangulated.pointInWorld / std::max(hand.landmarkCount(), 1);
+            mean += landmark->triangulated.pointInWorld / landmarks;
     std::vector<Eigen::Vector3d> rays;
     for (const auto& [camera, view] : hand.views)
         rays.push_back((mean - cameras[static_cast<std::size_t>(camera)].centreInWorld()).normalized());

@@ -6,6 +6,7 @@
 
 #include "core/annotation/bone_lengths.h"
 #include "core/annotation/reconstruction.h"
+#include "core/numeric/median.h"
 
 namespace core {
 
@@ -22,13 +23,6 @@ constexpr double kHandMissingDoubt = 0.5;
 
 double sign(double value, double half) {
     return 1 - std::exp2(-(value / half) * (value / half));
-}
-
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values)
-        sum += value;
-    return sum / static_cast<double>(values.size());
 }
 
 std::ptrdiff_t jointsOf(const JointPoints& points, Side hand) {

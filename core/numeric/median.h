@@ -5,6 +5,8 @@
 
 namespace core {
 
+/// The mean; 0 of no values.
+double meanOf(const std::vector<double>& values);
 /// The median; of an even number of values, the mean of the two in the middle. At least one value, none of them NaN.
 double medianOf(std::vector<double> values);
 

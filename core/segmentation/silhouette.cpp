@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <opencv2/core/utility.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/contour/side_by_side.h"
 #include "core/segmentation/background_difference.h"
 #include "core/segmentation/colour_mask.h"
 #include "core/segmentation/landmark_seeds.h"
@@ -148,18 +148,6 @@ bool showsArms(const std::vector<ArmSigns>& views) {
     return own > kOwnShare * pixels;
 }
 
-template <typename Work>
-void forEachView(std::size_t count, const Work& work) {
-    const int all = static_cast<int>(count);
-    cv::parallel_for_(
-        cv::Range(0, all),
-        [&](const cv::Range& range) {
-            for (int c = range.start; c < range.end; ++c)
-                work(static_cast<std::size_t>(c));
-        },
-        all);
-}
-
 } // namespace
 
 std::optional<Silhouette> findSilhouette(const cv::Mat& picture, const Camera& camera,
@@ -188,7 +176,7 @@ std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, cons
     std::vector<ModelInView> views(count);
     std::vector<std::optional<OddsCut>> cuts(count);
     std::vector<ArmSigns> arms(count);
-    forEachView(count, [&](std::size_t c) {
+    forEachSideBySide(count, [&](std::size_t c) {
         if (pictures[c].empty())
             return;
         views[c] = modelInView(cameras[c], hands, poses, {bandMm, 2 * bandMm});
@@ -199,7 +187,7 @@ std::vector<cv::Mat> silhouettesByModel(const std::vector<Camera>& cameras, cons
     });
     const bool armsAreSeen = showsArms(arms);
     std::vector<cv::Mat> masks(count);
-    forEachView(count, [&](std::size_t c) {
+    forEachSideBySide(count, [&](std::size_t c) {
         if (cuts[c])
             masks[c] = pasted(cuts[c]->mask(armsAreSeen), views[c].window, pictures[c].size());
     });

@@ -57,15 +57,13 @@ TEST_P(Corpus, IsReadOrRefusedSoon) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryReader, Corpus,
-                         testing::Values(Target{"video", fuzz::readVideo}, Target{"video_index", fuzz::readIndex},
-                                         Target{"small_pictures", fuzz::readSmallPictures},
-                                         Target{"network", fuzz::runNetwork},
-                                         Target{"flat_buffer", fuzz::readFlatBuffer},
-                                         Target{"archive", fuzz::readArchive},
-                                         Target{"package_text", fuzz::readPackageText},
-                                         Target{"matlab", fuzz::readMatlab}, Target{"hdf5", fuzz::readHdf5},
-                                         Target{"pickle", fuzz::readPickle}),
-                         [](const auto& one) { return std::string(one.param.folder); });
+INSTANTIATE_TEST_SUITE_P(
+    OfEveryReader, Corpus,
+    testing::Values(Target{"video", fuzz::readVideo}, Target{"video_index", fuzz::readIndex},
+                    Target{"small_pictures", fuzz::readSmallPictures}, Target{"network", fuzz::runNetwork},
+                    Target{"flat_buffer", fuzz::readFlatBuffer}, Target{"archive", fuzz::readArchive},
+                    Target{"package_text", fuzz::readPackageText}, Target{"matlab", fuzz::readMatlab},
+                    Target{"hdf5", fuzz::readHdf5}, Target{"pickle", fuzz::readPickle}),
+    [](const auto& one) { return std::string(one.param.folder); });
 
 } // namespace

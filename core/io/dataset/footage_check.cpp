@@ -13,7 +13,7 @@
 #include "core/io/dataset/footage_presence.h"
 #include "core/io/dataset/instants.h"
 #include "core/io/dataset/measured_footage.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/footage/image_orientation.h"
 
 namespace core {

@@ -6,7 +6,7 @@
 #include "core/error.h"
 #include "core/io/dataset/frames.h"
 #include "core/io/dataset/picture_setup.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/footage/image_orientation.h"
 #include "core/io/footage/video_file.h"

@@ -14,7 +14,7 @@
 #include "core/error.h"
 #include "core/io/dataset/instants.h"
 #include "core/io/dataset/measured_footage.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/footage/grey_levels.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/footage/video_file.h"

@@ -6,7 +6,7 @@
 
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/footage/image_folder.h"
 #include "core/io/footage/video_file.h"

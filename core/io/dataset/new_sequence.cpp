@@ -9,7 +9,7 @@
 #include "core/io/dataset/dataset_paths.h"
 #include "core/io/dataset/footage_notes.h"
 #include "core/io/dataset/measured_footage.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/footage/image_folder.h"
 #include "core/io/footage/video_file.h"
 

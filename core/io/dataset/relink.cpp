@@ -8,7 +8,7 @@
 #include "core/error.h"
 #include "core/io/dataset/dataset_paths.h"
 #include "core/io/dataset/footage_presence.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 
 namespace core {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include <opencv2/core/utility.hpp>
+#include "core/contour/side_by_side.h"
 
 namespace core {
 
@@ -14,15 +14,10 @@ constexpr int kSearchEvery = 25; ///< looks after which a second hand is looked 
 /// The pictures of all cameras, read side by side; empty where there is none.
 std::vector<cv::Mat> readPictures(const FrameSource& source, std::size_t cameras, int frame) {
     std::vector<cv::Mat> pictures(cameras);
-    const int count = static_cast<int>(cameras);
-    cv::parallel_for_(
-        cv::Range(0, count),
-        [&](const cv::Range& range) {
-            for (int camera = range.start; camera < range.end; ++camera)
-                if (source.hasPicture(camera, frame))
-                    pictures[static_cast<std::size_t>(camera)] = source.read(camera, frame);
-        },
-        count);
+    forEachSideBySide(cameras, [&](std::size_t c) {
+        if (const int camera = static_cast<int>(c); source.hasPicture(camera, frame))
+            pictures[c] = source.read(camera, frame);
+    });
     return pictures;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/error.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 
 namespace core {
 

@@ -5,7 +5,6 @@
 #include <climits>
 
 #include "core/error.h"
-#include "core/io/footage/video_file.h"
 
 namespace core {
 

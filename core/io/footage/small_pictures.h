@@ -13,6 +13,9 @@
 
 namespace core {
 
+/// By how much small pictures are smaller than whole ones; sides are rounded up.
+inline constexpr int kGlanceShrink = 4;
+
 /// Small pictures of a video, by frame, as JPEG: for looking only. They are kept in a file between runs, each from the
 /// moment it is written; in memory where there is no such file, it cannot be written or another program has it.
 class SmallPictures {

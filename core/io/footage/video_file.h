@@ -10,6 +10,7 @@
 #include <opencv2/core/mat.hpp>
 
 #include "core/geometry/camera.h"
+#include "core/io/footage/small_pictures.h"
 
 namespace core {
 
@@ -27,7 +28,6 @@ struct VideoGlance {
     int frame = 0; ///< which one it is
     cv::Mat picture;
 };
-inline constexpr int kGlanceShrink = 4;
 
 /// A video with exact access to every frame: frame n is the n-th picture of decoding from the start, in the order of
 /// presentation, in whatever order frames are read. It is indexed once. Not for several threads at once.

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/io/dataset/instants.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 #include "core/io/formats/format_requests.h"
 
 namespace core {

@@ -5,8 +5,7 @@
 #include <exception>
 #include <mutex>
 
-#include <opencv2/core/utility.hpp>
-
+#include "core/contour/side_by_side.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/footage/image_file.h"
 #include "core/io/segmentation/mask_record.h"
@@ -105,24 +104,21 @@ void segmentPicture(const SegmentationWork& work, const FrameSource& source, con
 
 SegmentationSummary segmentFrames(const SegmentationWork& work, const FrameSource& source, std::stop_token stop,
                                   const std::function<void(int done, int total)>& progress) {
-    const int cameras = static_cast<int>(work.dataset->cameras.size());
-    Tally tally(cameras * static_cast<int>(work.frames.size()), progress);
+    const std::size_t cameras = work.dataset->cameras.size();
+    Tally tally(static_cast<int>(cameras * work.frames.size()), progress);
     for (const int frame : work.frames) {
         if (stop.stop_requested() || tally.hasFailed())
             break;
         const HandEvidence evidence = work.evidence ? work.evidence->at(frame, work.options.method) : HandEvidence();
-        cv::parallel_for_(
-            cv::Range(0, cameras),
-            [&](const cv::Range& range) {
-                for (int camera = range.start; camera < range.end && !stop.stop_requested(); ++camera) {
-                    try {
-                        segmentPicture(work, source, evidence, camera, frame, stop, tally);
-                    } catch (...) {
-                        tally.fail(std::current_exception());
-                    }
-                }
-            },
-            cameras);
+        forEachSideBySide(cameras, [&](std::size_t camera) {
+            if (stop.stop_requested())
+                return;
+            try {
+                segmentPicture(work, source, evidence, static_cast<int>(camera), frame, stop, tally);
+            } catch (...) {
+                tally.fail(std::current_exception());
+            }
+        });
     }
     return tally.summary();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/io/dataset/frames.h"
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 
 #include <thread>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "core/io/footage/file_pattern.h"
+#include "core/io/files/file_pattern.h"
 
 #include <algorithm>
 #include <cstdio>
