@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include <QFont>
 
@@ -19,6 +23,23 @@ bool isOfMethod(PairField field) {
     return field == PairField::ErrorMm || field == PairField::Iterations || field == PairField::Seconds;
 }
 
+bool isOfMethods(PairField field) {
+    return isOfMethod(field) || field == PairField::ErrorDifferenceMm;
+}
+
+/// Where each of these methods stands in another table; nothing if one is not there.
+std::optional<std::vector<std::size_t>> placesOf(const std::vector<std::string>& methods,
+                                                 const std::vector<std::string>& others) {
+    std::vector<std::size_t> places;
+    for (const std::string& method : methods) {
+        const auto found = std::find(others.begin(), others.end(), method);
+        if (found == others.end())
+            return std::nullopt;
+        places.push_back(static_cast<std::size_t>(found - others.begin()));
+    }
+    return places;
+}
+
 } // namespace
 
 PairTableModel::PairTableModel(QObject* parent)
@@ -28,9 +49,17 @@ PairTableModel::PairTableModel(QObject* parent)
 
 void PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
     beginResetModel();
-    const bool sameMethods = m_table && table && m_table->methods == table->methods;
-    m_table = std::move(table);
-    if (!sameMethods) {
+    const std::shared_ptr<const core::PairTable> before = std::exchange(m_table, std::move(table));
+    if (const auto now = before && m_table ? placesOf(before->methods, m_table->methods) : std::nullopt) {
+        m_compared = {(*now)[m_compared.a], (*now)[m_compared.b]};
+        if (m_sorted) {
+            m_sorted->method = isOfMethods(m_sorted->field) ? (*now)[m_sorted->method] : m_sorted->method;
+            m_sorted->other =
+                m_sorted->field == PairField::ErrorDifferenceMm ? (*now)[m_sorted->other] : m_sorted->other;
+        }
+        if (before->methods != m_table->methods)
+            m_filter.clear(); // it names methods by their places
+    } else {
         m_filter.clear();
         m_compared = {m_table && m_table->methods.size() > 1 ? 1u : 0u, 0u};
         m_sorted = PairQuantity{PairField::ErrorDifferenceMm, m_compared.a, m_compared.b};
@@ -108,7 +137,7 @@ QString PairTableModel::cell(const PairQuantity& quantity, std::size_t pair) con
     if (quantity.field == PairField::Sequence)
         return QString::fromStdString(m_table->pairs[pair].sequence);
     const double value = core::pairValue(*m_table, quantity, pair);
-    if (std::isnan(value))
+    if (std::isnan(value) || (quantity.field == PairField::Seconds && value == 0)) // of an external tracker
         return {};
     switch (quantity.field) {
     case PairField::StartErrorMm:

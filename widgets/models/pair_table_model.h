@@ -25,7 +25,8 @@ public:
 
     /// What stands in the headers before a method's name.
     void setMethodIcon(std::function<QIcon(const std::string& method)> icon) { m_methodIcon = std::move(icon); }
-    /// Null for no results. Keeps filter, order and compared methods where they still make sense.
+    /// Null for no results. Keeps order and compared methods if all methods of before are still there, and the filter
+    /// if they are the same.
     void setTable(std::shared_ptr<const core::PairTable> table);
     /// Which methods A and B are.
     void setCompared(const core::ComparedMethods& compared);

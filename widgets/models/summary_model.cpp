@@ -43,8 +43,8 @@ QString SummaryModel::cell(int row, int column) const {
         return QLocale().toString(found.pairs);
     if (found.pairs == 0 || (isStart && column == last))
         return {};
-    if (column == last)
-        return QLocale().toString(found.meanSeconds, 'f', 3);
+    if (column == last) // external trackers have none
+        return found.meanSeconds > 0 ? QLocale().toString(found.meanSeconds, 'f', 3) : QString();
     return QStringLiteral("%1 \u00b1 %2")
         .arg(QLocale().toString(found.meanMm, 'f', 2), QLocale().toString(found.stdMm, 'f', 2));
 }

@@ -12,7 +12,7 @@ namespace widgets {
 
 namespace {
 
-constexpr double kDot = 4, kHighlightedDot = 7; ///< diameters
+constexpr double kDot = 5, kHighlightedDot = 7; ///< diameters
 constexpr double kReach = 8;                    ///< of the pointer
 
 } // namespace
@@ -32,7 +32,24 @@ void ScatterPlot::setPoints(std::vector<ScatterPoint> points, std::vector<PlotLe
     });
     m_groups = std::move(groups);
     m_pointed.reset();
+    if (!m_isAxisChosen)
+        m_isLogarithmic = isCrowded();
     contentChanged();
+}
+
+/// Half of the points take less than a twentieth of linear axes, and logarithmic ones can show all.
+bool ScatterPlot::isCrowded() const {
+    constexpr double kShare = 0.05;
+    std::vector<double> values;
+    for (const ScatterPoint& point : m_points)
+        values.push_back(std::max(point.value.x(), point.value.y()));
+    const bool isPositive = std::all_of(m_points.begin(), m_points.end(), [](const ScatterPoint& point) {
+        return point.value.x() > 0 && point.value.y() > 0;
+    });
+    if (values.empty() || !isPositive)
+        return false;
+    std::sort(values.begin(), values.end());
+    return values[values.size() / 2] < kShare * values.back();
 }
 
 void ScatterPlot::setHighlighted(std::vector<std::size_t> ids) {
@@ -43,6 +60,7 @@ void ScatterPlot::setHighlighted(std::vector<std::size_t> ids) {
 
 void ScatterPlot::setLogarithmic(bool on) {
     m_isLogarithmic = on;
+    m_isAxisChosen = true;
     contentChanged();
 }
 

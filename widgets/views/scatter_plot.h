@@ -30,6 +30,7 @@ public:
     void setHighlighted(std::vector<std::size_t> ids);
     /// What is said of the point under the pointer.
     void setNames(std::function<QString(std::size_t id)> names) { m_names = std::move(names); }
+    /// By itself where most points would lie in a corner of linear axes; as set from then on.
     bool isLogarithmic() const { return m_isLogarithmic; }
     void setLogarithmic(bool on);
 
@@ -55,6 +56,7 @@ protected:
 
 private:
     std::optional<std::size_t> pointNear(QPointF place) const;
+    bool isCrowded() const;
 
     PlotLabels m_labels;
     std::vector<ScatterPoint> m_points;
@@ -62,7 +64,7 @@ private:
     std::vector<std::size_t> m_highlighted; ///< ids, ascending
     std::function<QString(std::size_t id)> m_names;
     std::optional<std::size_t> m_pointed; ///< an index into m_points
-    bool m_isLogarithmic = false;
+    bool m_isLogarithmic = false, m_isAxisChosen = false;
 };
 
 } // namespace widgets

@@ -177,14 +177,18 @@ void BenchmarkPage::connectRunner() {
     });
     connect(&m_runner, &BenchmarkRunner::updated, this, &BenchmarkPage::takeResults);
     connect(&m_runner, &BenchmarkRunner::finished, this, [this] { showRunning(false); });
-    connect(
-        &m_runner, &BenchmarkRunner::cleared, this,
-        [this] {
-            showRunning(false);
-            m_message->setMessage({});
-        });
-    connect(&m_runner, &BenchmarkRunner::opened, this,
-            [this](const QString&, const QString& note) { m_message->setMessage(note); });
+    connect(&m_runner, &BenchmarkRunner::cleared, this, [this] {
+        showRunning(false);
+        m_message->setMessage({});
+    });
+    connect(&m_runner, &BenchmarkRunner::opened, this, [this](const QString& folder, const QString& note) {
+        const QString from = tr("Results of %1; the settings on the left are those of the next run.")
+                                 .arg(QDir::toNativeSeparators(folder));
+        if (note.isEmpty())
+            m_message->offer(from, {});
+        else
+            m_message->setMessage(from + QLatin1Char(' ') + note);
+    });
     connect(&m_runner, &BenchmarkRunner::saved, this, &BenchmarkPage::offerReport);
     connect(&m_runner, &BenchmarkRunner::fileFailed, m_message, &MessageBar::setMessage);
     connect(m_results, &BenchmarkResultsView::pairOpened, this,

@@ -24,11 +24,18 @@ QColor differenceColour(std::size_t place, std::size_t count) {
         count < 2 ? 1 : kPalest + (1 - kPalest) * static_cast<double>(place) / static_cast<double>(count - 1));
 }
 
-std::vector<int> differencesShown(const PairTableModel& model) {
+std::vector<int> differencesOf(const std::vector<core::FramePair>& pairs) {
     std::set<int> differences;
-    for (const std::size_t pair : model.shown())
-        differences.insert(model.table()->pairs[pair].difference());
+    for (const core::FramePair& pair : pairs)
+        differences.insert(pair.difference());
     return {differences.begin(), differences.end()};
+}
+
+std::vector<int> differencesShown(const PairTableModel& model) {
+    std::vector<core::FramePair> shown;
+    for (const std::size_t pair : model.shown())
+        shown.push_back(model.table()->pairs[pair]);
+    return differencesOf(shown);
 }
 
 std::size_t placeIn(const std::vector<int>& differences, int difference) {
@@ -92,9 +99,10 @@ void BenchmarkPairPlots::showScatter(const PairTableModel& model) {
                                core::pairValue(*table, {PairField::ErrorMm, b, 0}, pair)},
                               pair,
                               placeIn(m_differences, table->pairs[pair].difference())});
+        const std::vector<int> all = differencesOf(table->pairs); // a filter changes no colour
         for (std::size_t i = 0; i < m_differences.size(); ++i)
             groups.push_back({i == 0 ? tr("frames apart: %1").arg(m_differences[i]) : QString::number(m_differences[i]),
-                              differenceColour(i, m_differences.size())});
+                              differenceColour(placeIn(all, m_differences[i]), all.size())});
         m_scatter->setNames([table](std::size_t pair) {
             const core::FramePair& named = table->pairs[pair];
             return tr("%1, %2 to %3").arg(toQString(named.sequence)).arg(named.start).arg(named.test);

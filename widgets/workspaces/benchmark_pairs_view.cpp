@@ -137,11 +137,17 @@ QLayout* BenchmarkPairsView::makeChoiceRow() {
 
 void BenchmarkPairsView::setTable(const std::shared_ptr<const core::PairTable>& table) {
     const std::vector<std::size_t> kept = selected();
-    const bool sameMethods = table && m_model->table() && table->methods == m_model->table()->methods;
+    const auto before = m_model->table();
+    const core::ComparedMethods compared = m_model->compared();
+    const auto nameOf = [](const core::PairTable& of, std::size_t method) { return of.methods[method]; };
     m_model->setTable(table);
     showChoice();
-    if (sameMethods) {
-        select(kept);
+    const bool goesOn = before && table && !before->methods.empty() &&
+                        nameOf(*before, compared.a) == nameOf(*table, m_model->compared().a) &&
+                        nameOf(*before, compared.b) == nameOf(*table, m_model->compared().b);
+    if (goesOn) {
+        if (before->pairs == table->pairs)
+            select(kept);
     } else {
         const QSignalBlocker blocker(m_filter);
         m_filter->clear();

@@ -199,7 +199,7 @@ void InspectLayerBar::showProbe(const std::optional<InspectProbe>& probe) {
     parts << tr("(%1, %2), direction %3\u00b0")
                  .arg(number(probe->px.x(), 1), number(probe->px.y(), 1), number(degrees(probe->angleRad), 0));
     for (const ProbeRow& row : probe->rows) {
-        const QString text = row.found() ? tr("%1 px").arg(number(row.probe.cost, 1)) : tr("none");
+        const QString text = row.found() ? tr("%1 px").arg(number(row.probe.distancePx, 1)) : tr("none");
         parts << QStringLiteral("%1 %2").arg(QString::fromStdString(row.method),
                                              row.found() && !row.kept() ? tr("%1, refused").arg(text) : text);
     }

@@ -9,6 +9,7 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
+#include "core/fitting/match_rule.h"
 #include "core/fitting/method_name.h"
 #include "core/fitting/method_options.h"
 #include "core/io/files/atomic_file.h"
@@ -160,6 +161,16 @@ std::string jointTable(const Compared& compared) {
     return text + "</tbody>\n</table>\n";
 }
 
+/// What the option is in effect; 0 of bins and gate stands for what is usual for the distance.
+std::string effectiveValue(const core::MethodOption& option, const core::Method& method) {
+    const core::MatchRule rule = core::matchRule(method);
+    if (option.key == "bins" && method.bins == 0)
+        return std::to_string(rule.bins.count());
+    if (option.key == "gate" && method.gatePx == 0)
+        return std::isfinite(rule.gatePx) ? QString::number(static_cast<double>(rule.gatePx)).toStdString() : "none";
+    return option.print(method);
+}
+
 /// Every option of every method: what is set, else its default.
 std::string settingsTable(const Compared& compared) {
     std::string text = "<table>\n" +
@@ -176,8 +187,8 @@ std::string settingsTable(const Compared& compared) {
         for (const core::MethodOption& option : core::methodOptions())
             if (option.appliesTo(method))
                 text += "<tr>" + core::htmlTextCell(name) + core::htmlTextCell(std::string(option.key)) +
-                        core::htmlTextCell(option.print(method)) + core::htmlTextCell(std::string(option.defaultText)) +
-                        "</tr>\n";
+                        core::htmlTextCell(effectiveValue(option, method)) +
+                        core::htmlTextCell(std::string(option.defaultText)) + "</tr>\n";
     }
     return text + "</tbody>\n</table>\n";
 }

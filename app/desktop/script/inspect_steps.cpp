@@ -69,7 +69,7 @@ MatchesOfStep matchesOf(MainWindow& window, const QJsonObject& step) {
         const auto& columns = page.columns()->outcome()->methods;
         const auto column = std::find_if(columns.begin(), columns.end(), isMethod);
         if (column == columns.end())
-            return {};
+            throw impossible("method", QStringLiteral("\"%1\" is not among the columns").arg(method));
         return {&*column, widgets::shownMatches(*column, static_cast<int>(c), page.iteration())};
     }
     throw impossible("camera", QStringLiteral("unknown camera \"%1\"").arg(camera));

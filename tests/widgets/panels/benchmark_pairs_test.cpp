@@ -114,6 +114,26 @@ TEST_F(PairsViewTest, TheSelectionStaysWithItsPairs) {
     EXPECT_EQ(view.selected(), (Shown{2})) << "what is not shown is not selected";
 }
 
+TEST_F(PairsViewTest, AMethodThatIsAddedChangesNeitherFilterNorWhatIsCompared) {
+    ASSERT_TRUE(view.setCompared(QStringLiteral("dch-dt3"), QStringLiteral("ch")));
+    ASSERT_EQ(view.setFilter(QStringLiteral("A-B>-2")), QString());
+    const Shown shown = view.model().shown();
+    ASSERT_EQ(shown, (Shown{0, 1})) << "+2 and -1";
+    view.select({0});
+    auto more = std::make_shared<core::PairTable>(*fourPairs());
+    more->methods.insert(more->methods.begin(), "best");
+    more->columns.insert(more->columns.begin(), more->columns[0]);
+    view.setTable(more);
+    EXPECT_EQ(view.model().compared().a, 3u);
+    EXPECT_EQ(view.model().compared().b, 1u);
+    EXPECT_EQ(view.model().shown(), shown);
+    EXPECT_EQ(view.selected(), (Shown{0}));
+    auto others = std::make_shared<core::PairTable>(*fourPairs());
+    others->methods = {"best", "dch-quant", "external"};
+    view.setTable(others);
+    EXPECT_EQ(view.model().shown().size(), 4u) << "other results: the filter is gone";
+}
+
 class PairPlotsTest : public PairsViewTest {
 protected:
     PairPlotsTest() {

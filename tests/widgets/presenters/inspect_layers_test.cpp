@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <QLineF>
+
 #include <gtest/gtest.h>
 
 #include "core/annotation/annotation_set.h"
@@ -101,6 +103,40 @@ TEST_F(InspectLayersTest, TheDifferenceCountsEverythingWhereNoForearmIsCut) {
     EXPECT_DOUBLE_EQ(overlay.iou, countedIou(ignored, 0).first);
     EXPECT_FALSE(overlay.isWithoutForearm);
     EXPECT_GT(armIn(overlay, 0).missed, 0.5 * armIn(overlay, 0).pixels);
+}
+
+/// Every contour point is looked at.
+TEST_F(InspectLayersTest, ArrowsOfTheFieldLeadToTheContourPointsThatTheMethodWouldTake) {
+    constexpr double kDirection = 0.7, kQuarter = 0.3927;
+    for (const char* const name : {"ch", "dch-thres"}) {
+        const MethodOutcome outcome = fit(name);
+        const InspectOverlay overlay =
+            inspectOverlay(outcome, dataset, 0, 1000, {{InspectLayer::Field}, kDirection}, {});
+        const core::OrientedContour& contour = outcome.result.trace->targets[0].contour;
+        ASSERT_GT(overlay.shapes.lines.size(), 20u) << name;
+        bool isFar = false;
+        for (const widgets::OverlayShapes::Line& line : overlay.shapes.lines) {
+            std::size_t nearest = 0;
+            double least = HUGE_VAL;
+            for (std::size_t q = 0; q < contour.size(); ++q) {
+                const double distance = std::hypot(static_cast<double>(contour.x[q]) - line.fromPx.x(),
+                                                   static_cast<double>(contour.y[q]) - line.fromPx.y());
+                if (distance < least) {
+                    least = distance;
+                    nearest = q;
+                }
+            }
+            EXPECT_NEAR(QLineF(line.fromPx, line.toPx).length(), least, 1e-3) << name;
+            if (std::string(name) == "dch-thres")
+                EXPECT_LT(
+                    std::abs(std::remainder(static_cast<double>(contour.angleRad[nearest]) - kDirection, 2 * M_PI)),
+                    kQuarter + 1e-3)
+                    << "refused ones have no arrow";
+            isFar = isFar || least > 20;
+        }
+        EXPECT_TRUE(isFar) << name;
+        EXPECT_EQ(overlay.shapes.dots.back().px.size(), overlay.shapes.lines.size());
+    }
 }
 
 TEST_F(InspectLayersTest, TheDifferenceLeavesOutTheForearmThatTheFitLeavesOut) {

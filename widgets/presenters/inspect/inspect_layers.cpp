@@ -9,17 +9,16 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/distance/generalized_chamfer.h"
 #include "core/fitting/method_name.h"
 #include "widgets/presenters/inspect/inspect_difference.h"
+#include "widgets/presenters/inspect/inspect_field.h"
 
 namespace widgets {
 
 namespace {
 
 constexpr double kNormalPx = 8;
-constexpr int kHues = 36;     ///< orientation is drawn in steps of ten degrees
-constexpr int kReduction = 4; ///< pictures of fields have a quarter of the image's resolution
+constexpr int kHues = 36; ///< orientation is drawn in steps of ten degrees
 const QColor kRim(0xFF, 0xFF, 0xFF);
 
 QPointF point(const Eigen::Vector2f& px) {
@@ -104,52 +103,6 @@ std::vector<core::ConvexRegion> leftOutRegions(const MethodOutcome& method, cons
     return *shown.leftOut;
 }
 
-core::DirectionalDistance reducedDistance(const core::MatchRule& rule) {
-    core::DirectionalDistance distance;
-    distance.kind = rule.distance;
-    distance.tauRad = static_cast<double>(rule.tauRad);
-    distance.isSigned = rule.bins.isSigned();
-    distance.bins = rule.bins.count();
-    distance.lambdaPxPerRad = static_cast<double>(rule.lambdaPxPerRad) / kReduction;
-    distance.gatePx = static_cast<double>(rule.gatePx) / kReduction;
-    return distance;
-}
-
-/// scaleColour in 256 steps, for pictures.
-QRgb scaleRgb(double share) {
-    static const auto steps = [] {
-        std::array<QRgb, 256> colours{};
-        for (std::size_t i = 0; i < colours.size(); ++i)
-            colours[i] = scaleColour(static_cast<double>(i) / (colours.size() - 1)).rgba();
-        return colours;
-    }();
-    return steps[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (steps.size() - 1) + 0.5)];
-}
-
-/// The cost of a rim point at every pixel, where the method would keep it; clear where it would not.
-QImage fieldPicture(const core::CameraTarget& target, const core::MatchRule& rule, const core::Camera& camera,
-                    double angleRad) {
-    core::OrientedContour reduced = target.contour;
-    for (std::size_t q = 0; q < reduced.size(); ++q) {
-        reduced.x[q] /= kReduction;
-        reduced.y[q] /= kReduction;
-    }
-    const cv::Rect region(0, 0, camera.size.width / kReduction, camera.size.height / kReduction);
-    constexpr double kRefusedCost = 1e6;
-    const cv::Mat cost = core::chamferField(reduced, reducedDistance(rule), {core::PenaltyKind::Absolute, kRefusedCost},
-                                            region, angleRad);
-    QImage picture(region.width, region.height, QImage::Format_ARGB32_Premultiplied);
-    picture.fill(0);
-    for (int y = 0; y < region.height; ++y) {
-        const auto* from = cost.ptr<float>(y);
-        auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
-        for (int x = 0; x < region.width; ++x)
-            if (static_cast<double>(from[x]) < kRefusedCost / 2)
-                row[x] = scaleRgb(static_cast<double>(from[x]) * kReduction / kFieldScalePx);
-    }
-    return picture;
-}
-
 } // namespace
 
 QString inspectLayerId(InspectLayer layer) {
@@ -219,8 +172,7 @@ InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Dataset& 
         return overlay;
     const core::Camera& seen = dataset.cameras[static_cast<std::size_t>(camera)];
     if (choice.isShown(InspectLayer::Field) && !method.isFixed)
-        overlay.field =
-            fieldPicture(*shown.target, core::matchRule(core::parseMethod(method.method)), seen, choice.fieldAngleRad);
+        addField(*shown.target, core::matchRule(core::parseMethod(method.method)), seen, choice.fieldAngleRad, overlay);
     if (choice.isShown(InspectLayer::Difference)) {
         const SilhouetteDifference difference =
             silhouetteDifference(seen, shown.target->mask, posed, leftOutRegions(method, dataset, camera, shown));

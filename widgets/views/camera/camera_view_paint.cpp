@@ -143,6 +143,7 @@ void CameraView::paintAll(QPainter& painter, double pictureScale) const {
 QImage CameraView::grabPicture(double pictureScale) const {
     QImage picture((QSizeF(viewport()->size()) * pictureScale).toSize(), QImage::Format_RGB32);
     picture.setDevicePixelRatio(pictureScale);
+    picture.fill(kBackdrop); // its size is rounded: a row may lie beyond the view
     QPainter painter(&picture);
     paintAll(painter, pictureScale);
     painter.end();

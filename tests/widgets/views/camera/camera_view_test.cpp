@@ -320,6 +320,17 @@ TEST_F(CameraViewTest, HiddenOverlaysLeaveTheImageAlone) {
     EXPECT_NE(view.viewport()->grab().toImage(), bare);
 }
 
+TEST_F(CameraViewTest, ASavedPictureHasNoPixelThatNothingWasDrawnOn) {
+    const QRgb ground = view.grabPicture(1).pixel(0, 0); // no image: the backdrop alone
+    for (const double scale : {1.29, 1.37, 1.53, 2.11}) {
+        const QImage saved = view.grabPicture(scale);
+        for (int x = 0; x < saved.width(); ++x)
+            EXPECT_EQ(saved.pixel(x, saved.height() - 1), ground) << scale;
+        for (int y = 0; y < saved.height(); ++y)
+            EXPECT_EQ(saved.pixel(saved.width() - 1, y), ground) << scale;
+    }
+}
+
 TEST_F(CameraViewTest, SavedPictureIsThatOnTheScreen) {
     QImage image(1080, 1920, QImage::Format_RGB32);
     image.fill(QColor(90, 60, 30));
