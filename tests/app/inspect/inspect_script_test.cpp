@@ -160,6 +160,21 @@ TEST_F(InspectScript, LayersAreDrawnOverTheViewsAndTakenAway) {
     EXPECT_NE(errors.str().find("moon"), std::string::npos);
 }
 
+TEST_F(InspectScript, TheFieldHasArrowsBelowTheOtherLayersLines) {
+    fit("\"ch\"");
+    const auto lines = [this] { return window->workspaces().inspectPage()->grid()->view(0)->shapes().lines.size(); };
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":true}\n");
+    const std::size_t matches = lines();
+    run("{\"do\":\"layer\",\"id\":\"field\",\"on\":true}\n");
+    const std::size_t both = lines();
+    EXPECT_GT(both, matches + 5);
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":false}\n");
+    EXPECT_EQ(lines(), both - matches);
+    run("{\"do\":\"layer\",\"id\":\"field\",\"on\":false}\n");
+    EXPECT_EQ(lines(), 0u);
+    EXPECT_EQ(play("{\"do\":\"print\",\"what\":\"matches\",\"camera\":\"cam0\",\"method\":\"best\"}\n"), 1);
+}
+
 TEST_F(InspectScript, TheDifferenceSaysHowWellTheSilhouettesAgree) {
     fit("\"best\"");
     run("{\"do\":\"layer\",\"id\":\"difference\",\"on\":true}\n{\"do\":\"iteration\",\"to\":0}\n");

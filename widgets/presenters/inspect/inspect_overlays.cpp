@@ -44,6 +44,12 @@ OverlaySource shapesSource(const MethodOutcome& method, int camera, int iteratio
          0, choice.matches}};
 }
 
+OverlayShapes joined(const OverlayShapes& below, OverlayShapes above) {
+    above.lines.insert(above.lines.begin(), below.lines.begin(), below.lines.end());
+    above.dots.insert(above.dots.begin(), below.dots.begin(), below.dots.end());
+    return above;
+}
+
 /// The field is the same at every pose.
 OverlaySource pictureSource(const MethodOutcome& method, int camera, int iteration, const OverlayChoice& choice,
                             const MeshLayer& posed) {
@@ -189,6 +195,13 @@ void InspectOverlays::rebuild() {
         });
 }
 
+bool InspectOverlays::hasArrows(const std::shared_ptr<const Part>& now, const std::shared_ptr<const Part>& before) {
+    const auto has = [](const std::shared_ptr<const Part>& part) {
+        return part && !part->overlay.shapes.lines.empty();
+    };
+    return has(now) || has(before);
+}
+
 void InspectOverlays::hand(Parts parts) {
     static const InspectOverlay kNothing;
     const auto count = static_cast<std::size_t>(m_grid.count());
@@ -204,9 +217,11 @@ void InspectOverlays::hand(Parts parts) {
     for (std::size_t view = 0; view < count; ++view) {
         const InspectOverlay &shapes = overlayOf(parts[2 * view]), &picture = overlayOf(parts[2 * view + 1]);
         CameraView& shown = *m_grid.view(static_cast<int>(view));
-        if (parts[2 * view] != m_drawn[2 * view])
-            shown.setShapes(shapes.shapes);
-        if (parts[2 * view + 1] != m_drawn[2 * view + 1])
+        const bool isOtherPicture = parts[2 * view + 1] != m_drawn[2 * view + 1];
+        if (parts[2 * view] != m_drawn[2 * view] ||
+            (isOtherPicture && hasArrows(parts[2 * view + 1], m_drawn[2 * view + 1])))
+            shown.setShapes(joined(picture.shapes, shapes.shapes));
+        if (isOtherPicture)
             shown.setFieldImage(picture.field, isDifference ? kDifferenceOpacity : kFieldOpacity, isDifference);
         m_ious.push_back(picture.iou);
         m_withoutForearms.push_back(picture.isWithoutForearm ? 1 : 0);

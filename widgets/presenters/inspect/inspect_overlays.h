@@ -66,6 +66,7 @@ private:
     static Parts makeParts(const Scene& scene, const OverlayChoice& choice, const Parts& before,
                            const std::stop_token& stop);
     void rebuild();
+    static bool hasArrows(const std::shared_ptr<const Part>& now, const std::shared_ptr<const Part>& before);
     void hand(Parts parts);
 
     CameraGrid& m_grid;
