@@ -149,6 +149,10 @@ void InspectLayerBar::showState() {
     showLegend();
 }
 
+void InspectLayerBar::setErrorKnown(bool known) {
+    m_errorKnown = known;
+}
+
 void InspectLayerBar::setSilhouetteShown(bool shown) {
     m_silhouetteShown = shown;
     showLegend();
@@ -165,7 +169,7 @@ void InspectLayerBar::showLegend() {
     if (m_overlays.isShown(InspectLayer::Rim) && matches != MatchChoice::ByFinger)
         entries.push_back({Sample::Dot, tr("rim, with normals"), Qt::white});
     if (m_overlays.isShown(InspectLayer::Matches) && matches != MatchChoice::ByFinger)
-        entries.push_back(scaleEntry(tr("matches 0\u2013%1 px").arg(kResidualScalePx)));
+        entries.push_back(scaleEntry(tr("matches 0\u2013%1+ px").arg(kResidualScalePx)));
     if (m_overlays.isShown(InspectLayer::Matches) || m_overlays.isShown(InspectLayer::Rim))
         addFingers(matches, entries);
     addRefusals(m_overlays.refusals(), entries);
@@ -176,9 +180,10 @@ void InspectLayerBar::showLegend() {
             entries.push_back({Sample::Hatch, tr("forearm: left out, as the fit does"), leftOutColour()});
     }
     if (m_overlays.isShown(InspectLayer::Field))
-        entries.push_back(scaleEntry(tr("field 0\u2013%1 px; clear: no match").arg(kFieldScalePx)));
+        entries.push_back(scaleEntry(tr("field 0\u2013%1+ px; clear: no match").arg(kFieldScalePx)));
     if (m_overlays.isShown(InspectLayer::Error))
-        entries.push_back(scaleEntry(tr("error 0\u2013%1 mm").arg(kErrorScaleMm)));
+        entries.push_back(m_errorKnown ? scaleEntry(tr("error 0\u2013%1+ mm").arg(kErrorScaleMm))
+                                       : LegendEntry{Sample::Box, tr("error: no true pose is known"), Qt::gray});
     if (m_overlays.isShown(InspectLayer::Uncertainty))
         entries.push_back({Sample::Line, tr("95 % regions"), handPartColour(HandPart::Palm)});
     m_legend->setEntries(entries);

@@ -305,6 +305,7 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 /// The observed silhouette is the recorded pose's, which can be hidden, or what the mask files show.
 void InspectPage::showLegend() {
     const auto& outcome = m_columns->outcome();
+    m_layerBar->setErrorKnown(outcome && !outcome->truePoses.empty());
     m_layerBar->setSilhouetteShown(
         outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
 }

@@ -182,25 +182,38 @@ void bindHand(MainWindow& window, core::Side hand, const char* wholeHand, const 
     });
 }
 
+/// The grid of views that is in sight.
+widgets::CameraGrid* gridInSight(MainWindow& window) {
+    const bool isInspect = window.workspaces().current() == widgets::Workspaces::Kind::Inspect;
+    return isInspect ? window.workspaces().inspectPage()->grid() : window.workspaces().grid();
+}
+
+/// In Annotate the view of that camera; where methods stand side by side, that view in reading order.
+void maximiseView(MainWindow& window, int number) {
+    widgets::CameraGrid* grid = gridInSight(window);
+    if (grid != window.workspaces().grid()) {
+        if (number <= grid->count())
+            grid->setMaximised(number - 1);
+        return;
+    }
+    const auto& shown = window.session().shownCameras.names();
+    if (number > static_cast<int>(shown.size()))
+        return;
+    const auto& camera = shown[static_cast<std::size_t>(number - 1)];
+    grid->setMaximised(window.session().opened.dataset()->cameraIndex(camera));
+    window.session().selection.setCamera(camera);
+}
+
 void bindView(MainWindow& window) {
     Actions& actions = window.actions();
     widgets::CameraGrid* grid = window.workspaces().grid();
     for (int number = 1; number <= 8; ++number) {
         actions.bind(
-            QStringLiteral("view.maximise%1").arg(number),
-            [&window, grid, number] {
-                const auto& shown = window.session().shownCameras.names();
-                if (number > static_cast<int>(shown.size()))
-                    return;
-                const int camera =
-                    window.session().opened.dataset()->cameraIndex(shown[static_cast<std::size_t>(number - 1)]);
-                grid->setMaximised(camera);
-                window.session().selection.setCamera(shown[static_cast<std::size_t>(number - 1)]);
-            });
+            QStringLiteral("view.maximise%1").arg(number), [&window, number] { maximiseView(window, number); });
     }
-    actions.bind(id("view.restore"), [&window, grid] {
+    actions.bind(id("view.restore"), [&window] {
         if (!window.closeHints()) // what lies on top goes first
-            grid->setMaximised(-1);
+            gridInSight(window)->setMaximised(-1);
     });
     widgets::SceneView* scene = window.workspaces().scene();
     actions.bind(
