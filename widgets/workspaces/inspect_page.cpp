@@ -206,6 +206,7 @@ void InspectPage::takeColumns() {
 void InspectPage::takePreviews() {
     showRange(true);
     m_shown = m_columns->outcome();
+    showHint();
     showPoses();
     showCurves();
 }
@@ -236,7 +237,11 @@ void InspectPage::showHint() {
 }
 
 QString InspectPage::heading() const {
-    return m_shown ? tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start) : QString();
+    if (!m_shown)
+        return {};
+    const QString pair = tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start);
+    const QString tried = m_columns->circumstances();
+    return tried.isEmpty() ? pair : tr("%1, tried: %2").arg(pair, tried);
 }
 
 void InspectPage::showPoses() {
