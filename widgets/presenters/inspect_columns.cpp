@@ -275,10 +275,11 @@ void InspectColumns::poseTrackers() {
     });
 }
 
-void InspectColumns::setPreviews(std::map<std::string, MethodOutcome> previews) {
+void InspectColumns::setPreviews(std::map<std::string, MethodOutcome> previews, const QString& circumstances) {
     if (previews.empty() && m_previews.empty())
         return;
     m_previews = std::move(previews);
+    m_circumstances = circumstances;
     if (!m_fitted)
         return;
     m_outcome = arranged();

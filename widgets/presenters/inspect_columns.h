@@ -77,9 +77,12 @@ public:
     const std::vector<Tracker>& trackers() const { return m_trackers; }
 
     /// Shows these in the places of columns, by id, until the columns or the pair change; empty for none. Says
-    /// previewed(), not changed().
-    void setPreviews(std::map<std::string, MethodOutcome> previews);
+    /// previewed(), not changed(). `circumstances`: under which other ones than the pair's they were found, in words.
+    void setPreviews(std::map<std::string, MethodOutcome> previews, const QString& circumstances = {});
     bool isPreview(std::size_t column) const;
+    bool hasPreviews() const { return !m_previews.empty(); }
+    /// Of the previews; empty where they differ in their settings alone.
+    QString circumstances() const { return hasPreviews() ? m_circumstances : QString(); }
 
     /// The column that keys are about.
     std::size_t current() const { return m_current; }
@@ -124,6 +127,7 @@ private:
     std::vector<Tracker> m_trackers;
     std::map<std::string, MethodOutcome> m_posed; ///< trackers on this pair, by column id
     std::map<std::string, MethodOutcome> m_previews;
+    QString m_circumstances; ///< of m_previews
     std::size_t m_current = 0;
     std::set<std::pair<std::string, int>> m_hidden; ///< column and camera
 };

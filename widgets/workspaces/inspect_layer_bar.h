@@ -31,8 +31,6 @@ public:
     /// What the tip of the choice of matches says, beside its key.
     void setMatchTip(const QString& tip) { m_matches->setToolTip(tip); }
     /// Whether the views show the silhouette that is to be met, as a white line.
-    /// Whether there is a pose that the layer of errors can compare with; told before the legend is shown anew.
-    void setErrorKnown(bool known);
     void setSilhouetteShown(bool shown);
     const LegendStrip& legend() const { return *m_legend; }
     /// What is said of the place under the pointer.
@@ -51,7 +49,7 @@ private:
     QSlider* m_direction;
     QLabel* m_directionText;
     QLabel* m_probe;
-    bool m_silhouetteShown = false, m_errorKnown = true;
+    bool m_silhouetteShown = false;
 };
 
 } // namespace widgets

@@ -206,6 +206,7 @@ void InspectPage::takeColumns() {
 void InspectPage::takePreviews() {
     showRange(true);
     m_shown = m_columns->outcome();
+    showHint();
     showPoses();
     showCurves();
 }
@@ -236,7 +237,11 @@ void InspectPage::showHint() {
 }
 
 QString InspectPage::heading() const {
-    return m_shown ? tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start) : QString();
+    if (!m_shown)
+        return {};
+    const QString pair = tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start);
+    const QString tried = m_columns->circumstances();
+    return tried.isEmpty() ? pair : tr("%1, tried: %2").arg(pair, tried);
 }
 
 void InspectPage::showPoses() {
@@ -305,7 +310,6 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 /// The observed silhouette is the recorded pose's, which can be hidden, or what the mask files show.
 void InspectPage::showLegend() {
     const auto& outcome = m_columns->outcome();
-    m_layerBar->setErrorKnown(outcome && !outcome->truePoses.empty());
     m_layerBar->setSilhouetteShown(
         outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
 }

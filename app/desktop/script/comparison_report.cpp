@@ -199,6 +199,11 @@ std::string commandPart(const Compared& compared, const std::string& workspaceFi
            htmlEscaped("handlens " + core::shellWord(folder) + " --workspace " + core::shellWord(workspaceFile) +
                        " --offscreen --out comparison") +
            "</pre>\n" +
+           (compared.page.columns()->hasPreviews()
+                ? paragraph(words(QT_TRANSLATE_NOOP("app::ComparisonReport",
+                                                    "What was tried in \"What if\" is shown above and not kept in the "
+                                                    "file: it makes the page of the columns as they were fitted.")))
+                : std::string()) +
            paragraph(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "The file %1 holds:"))
                          .arg(QString::fromStdString(workspaceFile))) +
            "<pre>" + htmlEscaped(workspaceText) + "</pre>\n";

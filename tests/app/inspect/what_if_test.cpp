@@ -4,9 +4,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "app/desktop/script/comparison_report.h"
 #include "tests/app/inspect/inspect_fixture.h"
 #include "widgets/panels/compare/what_if_panel.h"
 #include "widgets/panels/fitting_panel.h"
+#include "widgets/workspaces/inspect_picture.h"
 
 namespace {
 
@@ -78,6 +80,29 @@ TEST_F(WhatIfTest, IsPreparedBeforeThePanelIsOpened) {
     ASSERT_FALSE(panel.isVisible());
     run(R"({"do":"fit","start":5,"test":8,"methods":["ch"]})");
     EXPECT_TRUE(QTest::qWaitFor([&] { return panel.isPrepared(); }, 10000)) << "for the next pair";
+}
+
+TEST_F(WhatIfTest, OtherCircumstancesAreSaidWhereverWhatTheyGaveIsShown) {
+    fit("\"ch\",\"dch-thres\"");
+    const QString plain = page().heading();
+    run(R"({"do":"whatIf","method":"ch","set":"gate","to":40})");
+    EXPECT_EQ(page().heading(), plain) << "settings stand in the column's name";
+    run(R"({"do":"whatIf","method":"ch","set":"outlines","to":2})");
+    const QString camera = QString::fromStdString(session().opened.dataset()->cameras[1].name);
+    run("{\"do\":\"whatIf\",\"camera\":\"" + camera.toStdString() + "\",\"on\":false}\n");
+    const QString said =
+        QStringLiteral("outlines with %1 px of noise, without %2").arg(QLocale().toString(2.0, 'f', 1)).arg(camera);
+    EXPECT_EQ(page().heading(), plain + QStringLiteral(", tried: ") + said);
+    EXPECT_EQ(widgets::comparisonPicture(page()).title, page().heading());
+    const std::string report = app::comparisonReportHtml(*window, "w.json", "{}");
+    EXPECT_NE(report.find(said.toStdString()), std::string::npos);
+    EXPECT_NE(report.find("not kept in the file"), std::string::npos);
+    run(R"({"do":"columns","show":["dch-thres","ch","start"]})");
+    EXPECT_TRUE(columns().isPreview(0) && columns().isPreview(1)) << "the panel and the columns agree";
+    EXPECT_TRUE(page().heading().endsWith(said));
+    trigger("compare.resetSettings");
+    EXPECT_EQ(page().heading(), plain);
+    EXPECT_EQ(app::comparisonReportHtml(*window, "w.json", "{}").find("not kept in the file"), std::string::npos);
 }
 
 TEST_F(WhatIfTest, AStepSaysWhenTheRealTimeVariantIsSeen) {

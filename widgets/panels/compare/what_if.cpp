@@ -11,6 +11,7 @@
 
 #include "core/simulation/simulated_world.h"
 #include "widgets/presenters/inspect_columns.h"
+#include "widgets/text/local_text.h"
 
 namespace widgets {
 
@@ -29,6 +30,22 @@ void forEachCamera(std::size_t count, Work&& work) {
 }
 
 } // namespace
+
+QString circumstancesText(const WhatIfCase& what, const std::vector<core::Camera>& cameras) {
+    constexpr int kMostNamed = 2;
+    QStringList parts, without;
+    for (std::size_t camera = 0; camera < what.cameras.size() && camera < cameras.size(); ++camera)
+        if (!what.cameras[camera])
+            without << QString::fromStdString(cameras[camera].name);
+    const int all = static_cast<int>(cameras.size());
+    if (what.outlineNoisePx > 0)
+        parts << WhatIf::tr("outlines with %1 px of noise").arg(localNumber(what.outlineNoisePx, 1));
+    if (without.size() > kMostNamed)
+        parts << WhatIf::tr("with %1 of %2 cameras").arg(all - without.size()).arg(all);
+    else if (!without.isEmpty())
+        parts << WhatIf::tr("without %1").arg(without.join(QStringLiteral(", ")));
+    return parts.join(QStringLiteral(", "));
+}
 
 /// The noise of a pair's outlines; that of each camera is drawn by whoever needs it first, which takes a moment.
 struct WhatIf::PairNoise {

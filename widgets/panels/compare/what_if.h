@@ -24,6 +24,9 @@ struct WhatIfCase {
     bool operator==(const WhatIfCase&) const = default;
 };
 
+/// "outlines with 2 px of noise, without cam3"; empty where nothing is changed.
+QString circumstancesText(const WhatIfCase& what, const std::vector<core::Camera>& cameras);
+
 /// One method on one case.
 struct WhatIfTrial {
     std::string method; ///< as core::parseMethod reads it

@@ -100,6 +100,8 @@ void WhatIfPanel::takeColumns() {
     if (const std::string chosen = m_column->currentData().toString().toStdString(); chosen != m_base || isOther) {
         m_base = chosen; // of another pair, nothing stays
         goBack();
+    } else if (!m_columns.hasPreviews()) {
+        m_columns.setPreviews(m_previews, m_circumstances); // the columns have changed, what is tried has not
     }
     showSweep();
 }
@@ -297,7 +299,8 @@ void WhatIfPanel::take(const WhatIfTrial& trial, const MethodOutcome& outcome) {
     }
     if (!trial.column.empty()) {
         m_previews[trial.column] = outcome;
-        m_columns.setPreviews(m_previews);
+        m_circumstances = circumstancesText(trial.what, m_datasets.dataset()->cameras);
+        m_columns.setPreviews(m_previews, m_circumstances);
     }
     emit answered(trial.isLive);
 }

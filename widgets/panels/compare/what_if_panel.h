@@ -126,6 +126,7 @@ private:
     std::string m_key;  ///< what was dragged last
     std::map<std::string, std::map<double, double>> m_points;
     std::map<std::string, MethodOutcome> m_previews; ///< by column id
+    QString m_circumstances;                         ///< of the last one
     std::map<int, double> m_without;                 ///< error without a camera, mm
 };
 

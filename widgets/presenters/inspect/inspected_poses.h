@@ -15,7 +15,7 @@ namespace widgets {
 struct InspectedPoses {
     MeshLayer start;                ///< where every method began
     MeshLayer truth;                ///< the recorded pose; no surfaces if there is none
-    MeshLayer recorded;             ///< what is drawn of it: nothing if the target is mask files
+    MeshLayer recorded;             ///< the same where the target was drawn from it; else no surfaces
     std::vector<MeshLayer> methods; ///< as in the outcome
     /// The same in the colours of their vertices' distance to the recorded pose (colouredByError).
     std::vector<MeshLayer> methodsByError;
