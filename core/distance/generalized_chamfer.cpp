@@ -8,7 +8,6 @@
 #include "core/distance/circular_distance.h"
 #include "core/distance/direct_matching.h"
 #include "core/distance/distance_transform.h"
-#include "core/distance/dt3_tensor.h"
 
 namespace core {
 
@@ -79,24 +78,22 @@ public:
         const OrientationBins bins(distance.bins, distance.isSigned, distance.binCentreOffset);
         const std::array<int, 2> nearestBins = bins.nearestTwo(angleRad);
         const DistanceTraits& traits = traitsOf(distance.kind);
-        if (traits.isOriented) {
-            m_tensor = computeDt3Tensor(observed, bins, distance.lambdaPxPerRad, region);
-            m_angleRad = angleRad;
-        } else if (traits.bins == 0) {
+        if (traits.isOriented)
+            makeSlice(bins, nearestBins[0], distance.lambdaPxPerRad, region);
+        else if (traits.bins == 0)
             m_transforms.push_back(computeDistanceTransform(observed, region));
-        }
         for (std::size_t i = 0; i < static_cast<std::size_t>(traits.bins); ++i)
             m_transforms.push_back(computeDistanceTransform(inBin(bins, nearestBins[i]), region));
     }
 
     void collect(int x, int y, std::vector<Candidate>& candidates) const {
         candidates.clear();
-        if (m_tensor) {
-            const Eigen::Vector2d px(x, y);
-            const auto match = nearestFromTensor(*m_tensor, m_observed, px, m_angleRad);
+        if (m_slice) {
+            const int nearest = m_slice->nearest[m_slice->at(x, y)];
+            const double distance = nearest < 0 ? 0 : distancePx(m_observed, nearest, {x, y});
             candidates.push_back(
-                match ? Candidate{match->index, distancePx(m_observed, match->index, px), match->distancePx}
-                      : Candidate{});
+                nearest < 0 ? Candidate{}
+                            : Candidate{nearest, distance, distance + m_turnPx[static_cast<std::size_t>(nearest)]});
         }
         for (std::size_t i = 0; i < m_transforms.size(); ++i) {
             const std::size_t at = m_transforms[i].at(x, y);
@@ -109,6 +106,36 @@ public:
     }
 
 private:
+    /// One bin's slice of the DT3 tensor, from the definition: of the bins' transforms the least, each farther by what
+    /// its orientation costs. The tensor itself would be all slices, relaxed three laps around the circle.
+    void makeSlice(const OrientationBins& bins, int bin, double lambdaPxPerRad, const cv::Rect& region) {
+        const auto pixels = static_cast<std::size_t>(region.area());
+        m_slice.emplace(DistanceTransform{region, std::vector<float>(pixels, std::numeric_limits<float>::infinity()),
+                                          std::vector<int>(pixels, -1)});
+        m_turnPx.resize(m_observed.size());
+        for (int other = 0; other < bins.count(); ++other) {
+            const OrientedContour part = inBin(bins, other);
+            if (part.size() == 0)
+                continue;
+            const std::vector<int>& members = m_members.back();
+            const double turnPx = lambdaPxPerRad * bins.distanceRad(bin, other);
+            for (const int member : members)
+                m_turnPx[static_cast<std::size_t>(member)] = turnPx;
+            takeLesser(computeDistanceTransform(part, region), static_cast<float>(turnPx), members);
+        }
+        m_members.clear();
+    }
+
+    void takeLesser(const DistanceTransform& part, float fartherPx, const std::vector<int>& members) {
+        for (std::size_t i = 0; i < part.nearest.size(); ++i) {
+            const float cost = part.distancePx[i] + fartherPx;
+            if (part.nearest[i] < 0 || cost >= m_slice->distancePx[i])
+                continue;
+            m_slice->distancePx[i] = cost;
+            m_slice->nearest[i] = members[static_cast<std::size_t>(part.nearest[i])];
+        }
+    }
+
     /// The observed points of one bin; remembers which ones they are.
     OrientedContour inBin(const OrientationBins& bins, int bin) {
         OrientedContour part;
@@ -126,8 +153,8 @@ private:
     }
 
     const OrientedContour& m_observed;
-    std::optional<Dt3Tensor> m_tensor;
-    double m_angleRad = 0;
+    std::optional<DistanceTransform> m_slice; ///< of costs
+    std::vector<double> m_turnPx;             ///< what each point's orientation costs there
     std::vector<DistanceTransform> m_transforms;
     std::vector<std::vector<int>> m_members;
 };

@@ -10,6 +10,7 @@ namespace widgets {
 namespace {
 
 constexpr int kGap = 14, kSampleGap = 5, kPadding = 2;
+constexpr int kWide = 1200; ///< windows this wide are high enough to spare a line
 constexpr int kLineWidth = 30, kScaleWidth = 60, kBoxWidth = 12, kDotWidth = 6;
 
 int sampleWidth(LegendEntry::Sample sample) {
@@ -107,9 +108,13 @@ QStringList LegendStrip::texts() const {
     return texts;
 }
 
+int LegendStrip::lineHeight() const {
+    return fontMetrics().height() + kPadding;
+}
+
 std::vector<QRect> LegendStrip::places(int width) const {
     std::vector<QRect> places;
-    const int line = fontMetrics().height() + kPadding;
+    const int line = lineHeight();
     int x = 0, y = 0;
     for (const LegendEntry& entry : m_entries) {
         const int wanted = sampleWidth(entry.sample) + kSampleGap + fontMetrics().horizontalAdvance(entry.text);
@@ -125,8 +130,8 @@ std::vector<QRect> LegendStrip::places(int width) const {
 
 int LegendStrip::heightForWidth(int width) const {
     const std::vector<QRect> all = places(width);
-    const int least = m_keepsPlace ? minimumSizeHint().height() : 0;
-    return all.empty() ? least : all.back().bottom() + 1;
+    const int kept = m_keepsPlace ? lineHeight() * (width >= kWide ? 2 : 1) : 0;
+    return all.empty() ? kept : std::max(kept, all.back().bottom() + 1);
 }
 
 QSize LegendStrip::sizeHint() const {
@@ -134,7 +139,7 @@ QSize LegendStrip::sizeHint() const {
 }
 
 QSize LegendStrip::minimumSizeHint() const {
-    return {1, fontMetrics().height() + kPadding};
+    return {1, lineHeight()};
 }
 
 void LegendStrip::paintEvent(QPaintEvent*) {

@@ -29,7 +29,8 @@ public:
     explicit LegendStrip(QWidget* parent = nullptr);
 
     void setEntries(const std::vector<LegendEntry>& entries);
-    /// Without entries an empty line stays, so that nothing beside it moves when the first one appears.
+    /// Stays as high as a line without entries, and as two lines where it is wide: nothing beside it moves when entries
+    /// appear that fit there.
     void keepPlace();
     const std::vector<LegendEntry>& entries() const { return m_entries; }
     QStringList texts() const;
@@ -43,6 +44,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    int lineHeight() const;
     /// Where each entry stands in that width.
     std::vector<QRect> places(int width) const;
 

@@ -99,10 +99,10 @@ InspectLayerBar::InspectLayerBar(InspectOverlays& overlays, QWidget* parent)
     row->addWidget(m_direction);
     row->addWidget(m_directionText);
     row->addStretch(1);
-    column->addWidget(m_legend);
     m_probe->setTextFormat(Qt::PlainText);
     m_probe->setMinimumWidth(1); // long texts must not widen the window
     column->addWidget(m_probe);
+    column->addWidget(m_legend);
     connect(&overlays, &InspectOverlays::shownChanged, this, &InspectLayerBar::showState);
     connect(&overlays, &InspectOverlays::drawn, this, &InspectLayerBar::showLegend);
     connect(m_direction, &QSlider::valueChanged, this,

@@ -59,6 +59,24 @@ TEST_F(InspectPageTest, ViewsStayWhereTheyAreWhenTheFirstLayerAppears) {
     }
 }
 
+TEST_F(InspectPageTest, ViewsOfALargeWindowStayWhenTheLegendNeedsItsSecondLine) {
+    fit("\"ch\",\"dch-thres\",\"dch-quant\",\"dch-dt3\"");
+    run("{\"do\":\"resize\",\"size\":[1920,1080]}\n");
+    page().setIteration(2); // while matches are refused
+    app::waitUntilIdle(*window);
+    const auto place = [&] { return QRect(view(0).mapTo(window.get(), QPoint()), view(0).size()); };
+    const QRect before = place();
+    for (const char* layer : {"contour", "rim", "matches", "difference", "uncertainty", "error"}) {
+        setLayer(layer, true);
+        EXPECT_EQ(place(), before) << layer;
+    }
+    const widgets::LegendStrip& legend = page().layerBar()->legend();
+    widgets::LegendStrip alike;
+    alike.setEntries(legend.entries());
+    EXPECT_GT(alike.heightForWidth(legend.width()), alike.minimumSizeHint().height()) << "two lines are needed";
+    EXPECT_GE(legend.height(), legend.heightForWidth(legend.width())) << "no line is cut off";
+}
+
 TEST_F(InspectPageTest, ThePinnedProbeCoversNoView) {
     fit("\"ch\",\"dch-thres\"");
     ASSERT_TRUE(page().jointErrors()->isVisible());

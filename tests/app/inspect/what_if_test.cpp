@@ -2,6 +2,7 @@
 // What is drawn again, and how soon, while settings are tried and layers switched.
 #include <QPainter>
 #include <QSignalSpy>
+#include <QTest>
 
 #include "tests/app/inspect/inspect_fixture.h"
 #include "widgets/panels/compare/what_if_panel.h"
@@ -67,6 +68,16 @@ TEST_F(WhatIfTest, OnlyTheTriedColumnIsPaintedAgain) {
     EXPECT_EQ(previewed.count(), 1);
     EXPECT_GE(mine.count, 1);
     EXPECT_EQ(other.count, 0);
+}
+
+TEST_F(WhatIfTest, IsPreparedBeforeThePanelIsOpened) {
+    fit("\"ch\"");
+    const widgets::WhatIfPanel& panel = *window->workspaces().whatIfPanel();
+    ASSERT_FALSE(panel.isVisible());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.isPrepared(); }, 10000));
+    ASSERT_FALSE(panel.isVisible());
+    run(R"({"do":"fit","start":5,"test":8,"methods":["ch"]})");
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.isPrepared(); }, 10000)) << "for the next pair";
 }
 
 TEST_F(WhatIfTest, AStepSaysWhenTheRealTimeVariantIsSeen) {

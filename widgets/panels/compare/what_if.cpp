@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/panels/compare/what_if.h"
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <opencv2/core/utility.hpp>
 
@@ -28,23 +30,34 @@ void forEachCamera(std::size_t count, Work&& work) {
 
 } // namespace
 
-/// The noise of a pair's outlines; drawn by whoever needs it first, which takes a moment.
+/// The noise of a pair's outlines; that of each camera is drawn by whoever needs it first, which takes a moment.
 struct WhatIf::PairNoise {
-    std::shared_ptr<const FitOutcome> outcome;
-    std::once_flag once;
-    std::vector<std::optional<core::ContourNoise>> ofCameras; ///< none where there is no mask
+    explicit PairNoise(std::shared_ptr<const FitOutcome> of)
+        : outcome(std::move(of))
+        , m_cameras(outcome->masks.size()) {}
 
-    const std::vector<std::optional<core::ContourNoise>>& get() {
-        std::call_once(once, [this] {
-            ofCameras.resize(outcome->masks.size());
-            forEachCamera(ofCameras.size(), [this](std::size_t camera) {
-                if (!outcome->masks[camera].empty())
-                    ofCameras[camera].emplace(outcome->masks[camera], kMostOutlineNoisePx,
-                                              core::drawSeed(camera, outcome->sequence));
-            });
+    /// None where there is no mask.
+    const std::optional<core::ContourNoise>& of(std::size_t camera) {
+        Draw& draw = m_cameras[camera];
+        std::call_once(draw.once, [&] {
+            if (!outcome->masks[camera].empty())
+                draw.noise.emplace(outcome->masks[camera], kMostOutlineNoisePx,
+                                   core::drawSeed(camera, outcome->sequence));
+            ++m_drawn;
         });
-        return ofCameras;
+        return draw.noise;
     }
+    bool isDrawn() const { return m_drawn == m_cameras.size(); }
+
+    const std::shared_ptr<const FitOutcome> outcome;
+
+private:
+    struct Draw {
+        std::once_flag once;
+        std::optional<core::ContourNoise> noise;
+    };
+    std::vector<Draw> m_cameras;
+    std::atomic<std::size_t> m_drawn = 0;
 };
 
 /// The silhouettes of a pair in a case; made by whoever needs them first.
@@ -69,11 +82,12 @@ struct WhatIf::CaseMasks {
 
 private:
     void addNoise() {
-        const auto& drawn = noise->get();
-        forEachCamera(masks.size(), [&](std::size_t camera) {
-            if (!masks[camera].empty())
-                masks[camera] = drawn[camera]->applied(what.outlineNoisePx);
-        });
+        forEachCamera(
+            masks.size(),
+            [&](std::size_t camera) {
+                if (!masks[camera].empty())
+                    masks[camera] = noise->of(camera)->applied(what.outlineNoisePx);
+            });
     }
 };
 
@@ -91,10 +105,18 @@ WhatIf::WhatIf(const FitRunner& fits, const DatasetSession& datasets, JobPool& p
         m_waiting.clear();
         emit failed(message);
     });
-    connect(&fits, &FitRunner::cleared, this, [this] {
-        stop();
-        m_noise.reset();
-        m_masks.reset();
+    connect(
+        &fits, &FitRunner::cleared, this,
+        [this] {
+            stop();
+            m_noise.reset();
+            m_masks.reset();
+        });
+    connect(
+        &fits, &FitRunner::finished, this, [this] { m_awaitsIdle = true; });
+    connect(&pool, &JobPool::becameIdle, this, [this] {
+        if (std::exchange(m_awaitsIdle, false))
+            prepare();
     });
 }
 
@@ -121,20 +143,23 @@ void WhatIf::goOn() {
 }
 
 std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome) {
-    if (!m_noise || !isSamePair(*m_noise->outcome, *outcome)) {
-        m_noise = std::make_shared<PairNoise>();
-        m_noise->outcome = outcome;
-    }
+    if (!m_noise || !isSamePair(*m_noise->outcome, *outcome))
+        m_noise = std::make_shared<PairNoise>(outcome);
     return m_noise;
 }
 
 void WhatIf::prepare() {
     if (!m_fits.outcome())
         return;
-    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext&) {
-        noise->get();
+    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext& context) {
+        for (std::size_t camera = 0; camera < noise->outcome->masks.size() && !context.stop.stop_requested(); ++camera)
+            noise->of(camera); // one after the other: the window's other work keeps a processor
         return Job::Delivery();
     });
+}
+
+bool WhatIf::isPrepared() const {
+    return m_noise && m_fits.outcome() && isSamePair(*m_noise->outcome, *m_fits.outcome()) && m_noise->isDrawn();
 }
 
 std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,

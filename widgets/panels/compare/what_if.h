@@ -47,8 +47,11 @@ public:
     /// In this order; what waits from a call before is forgotten.
     void run(std::vector<WhatIfTrial> trials);
     void stop();
-    /// In the background: what takes a moment the first time, before it is asked for.
+    /// In the background: what takes a moment the first time, before it is asked for. Happens by itself after a fit,
+    /// as soon as nothing else is to be done.
     void prepare();
+    /// Whether that is done for the pair that is open.
+    bool isPrepared() const;
     bool isRunning() const { return m_job.isRunning() || m_pause.isActive(); }
 
 signals:
@@ -71,6 +74,7 @@ private:
     QTimer m_pause; ///< after the real-time variant
     std::deque<WhatIfTrial> m_waiting;
     bool m_runsLive = false;
+    bool m_awaitsIdle = false;          ///< to prepare
     std::shared_ptr<PairNoise> m_noise; ///< of the pair that was fitted last: one draw, whatever its strength
     std::shared_ptr<CaseMasks> m_masks; ///< of the case that was fitted last: its methods share them
 };

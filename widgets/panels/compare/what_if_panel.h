@@ -45,6 +45,8 @@ public:
     /// Error (mm) by value of what is dragged, of a method as the curve's legend calls it.
     const std::map<std::string, std::map<double, double>>& points() const { return m_points; }
     bool isRunning() const { return m_runner.isRunning(); }
+    /// Whether the first answer comes as soon as later ones.
+    bool isPrepared() const { return m_runner.isPrepared(); }
 
     void apply();
     void addColumn();

@@ -14,8 +14,9 @@ namespace {
 constexpr double kLineWidth = 1.2, kDotWidth = 3;
 const QPointF kPixelCentre(0.5, 0.5); // from image pixels to the scene
 
+/// With square ends: the raster engine fills such lines at once, and strokes the outline of one with round ends.
 QPen screenPen(const QColor& colour, double width, Qt::PenStyle style) {
-    QPen pen(colour, width, style, Qt::RoundCap);
+    QPen pen(colour, width, style, Qt::SquareCap);
     pen.setCosmetic(true);
     return pen;
 }
