@@ -10,6 +10,7 @@
 #include <opencv2/core/utility.hpp>
 
 #include "core/simulation/simulated_world.h"
+#include "widgets/jobs/fit_pair.h"
 #include "widgets/presenters/inspect_columns.h"
 
 namespace widgets {
@@ -32,24 +33,26 @@ void forEachCamera(std::size_t count, Work&& work) {
 
 /// The noise of a pair's outlines; that of each camera is drawn by whoever needs it first, which takes a moment.
 struct WhatIf::PairNoise {
-    explicit PairNoise(std::shared_ptr<const FitOutcome> of)
+    PairNoise(std::shared_ptr<const FitOutcome> of, int drawOf)
         : outcome(std::move(of))
+        , draw(drawOf)
         , m_cameras(outcome->masks.size()) {}
 
     /// None where there is no mask.
     const std::optional<core::ContourNoise>& of(std::size_t camera) {
-        Draw& draw = m_cameras[camera];
-        std::call_once(draw.once, [&] {
+        Draw& one = m_cameras[camera];
+        std::call_once(one.once, [&] {
             if (!outcome->masks[camera].empty())
-                draw.noise.emplace(outcome->masks[camera], kMostOutlineNoisePx,
-                                   core::drawSeed(camera, outcome->sequence));
+                one.noise.emplace(outcome->masks[camera], kMostOutlineNoisePx,
+                                  outlineNoiseSeed(draw, camera, outcome->sequence));
             ++m_drawn;
         });
-        return draw.noise;
+        return one.noise;
     }
     bool isDrawn() const { return m_drawn == m_cameras.size(); }
 
     const std::shared_ptr<const FitOutcome> outcome;
+    const int draw;
 
 private:
     struct Draw {
@@ -67,27 +70,30 @@ struct WhatIf::CaseMasks {
     std::shared_ptr<PairNoise> noise;
     std::once_flag once;
     std::vector<cv::Mat> masks;
+    std::shared_ptr<const CameraOutlines> outlinesPx; ///< of the noisy ones, also where a camera is left out
 
     const std::vector<cv::Mat>& get() {
         std::call_once(once, [this] {
             masks = outcome->masks;
-            for (std::size_t camera = 0; camera < masks.size() && camera < what.cameras.size(); ++camera)
-                if (!what.cameras[camera])
-                    masks[camera] = cv::Mat();
             if (what.outlineNoisePx > 0)
                 addNoise();
+            for (std::size_t camera = 0; camera < masks.size(); ++camera)
+                if (what.isLeftOut(camera))
+                    masks[camera] = cv::Mat();
         });
         return masks;
     }
 
 private:
     void addNoise() {
-        forEachCamera(
-            masks.size(),
-            [&](std::size_t camera) {
-                if (!masks[camera].empty())
-                    masks[camera] = noise->of(camera)->applied(what.outlineNoisePx);
-            });
+        CameraOutlines outlines(masks.size());
+        forEachCamera(masks.size(), [&](std::size_t camera) {
+            if (masks[camera].empty())
+                return;
+            masks[camera] = noise->of(camera)->applied(what.outlineNoisePx);
+            outlines[camera] = outlinesOf(masks[camera]);
+        });
+        outlinesPx = std::make_shared<const CameraOutlines>(std::move(outlines));
     }
 };
 
@@ -142,16 +148,16 @@ void WhatIf::goOn() {
         startNext();
 }
 
-std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome) {
-    if (!m_noise || !isSamePair(*m_noise->outcome, *outcome))
-        m_noise = std::make_shared<PairNoise>(outcome);
+std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome, int draw) {
+    if (!m_noise || m_noise->draw != draw || !isSamePair(*m_noise->outcome, *outcome))
+        m_noise = std::make_shared<PairNoise>(outcome, draw);
     return m_noise;
 }
 
 void WhatIf::prepare() {
     if (!m_fits.outcome())
         return;
-    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext& context) {
+    m_preparing.start([noise = noiseOf(m_fits.outcome(), m_noise ? m_noise->draw : 0)](const JobContext& context) {
         for (std::size_t camera = 0; camera < noise->outcome->masks.size() && !context.stop.stop_requested(); ++camera)
             noise->of(camera); // one after the other: the window's other work keeps a processor
         return Job::Delivery();
@@ -164,7 +170,7 @@ bool WhatIf::isPrepared() const {
 
 std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,
                                                    const WhatIfCase& what) {
-    const std::shared_ptr<PairNoise> noise = noiseOf(outcome);
+    const std::shared_ptr<PairNoise> noise = noiseOf(outcome, what.draw);
     if (!m_masks || m_masks->outcome != outcome || m_masks->what != what) {
         m_masks = std::make_shared<CaseMasks>();
         m_masks->outcome = outcome;
@@ -194,7 +200,10 @@ void WhatIf::startNext() {
         auto found =
             std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
                                                       context.stop, threads, {}, !trial.isLive && trial.curve.empty()));
-        return Job::Delivery([this, trial, found] { emit this->found(trial, *found); });
+        return Job::Delivery([this, trial, found, outlines = masks->outlinesPx] {
+            m_outlines = outlines;
+            emit this->found(trial, *found);
+        });
     });
 }
 
