@@ -27,23 +27,6 @@ QRectF roomyBounds(const cv::Mat& mask) {
     return QRectF(box.x, box.y, box.width, box.height).adjusted(-room, -room, room, room);
 }
 
-/// Outer outlines and holes, as lines.
-std::vector<QLineF> outlinesOf(const cv::Mat& mask) {
-    std::vector<QLineF> lines;
-    if (mask.empty())
-        return lines;
-    std::vector<std::vector<cv::Point>> contours;
-    cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_TC89_KCOS);
-    for (const std::vector<cv::Point>& contour : contours) {
-        for (std::size_t i = 0; i < contour.size(); ++i) {
-            const cv::Point& a = contour[i];
-            const cv::Point& b = contour[(i + 1) % contour.size()];
-            lines.emplace_back(a.x, a.y, b.x, b.y);
-        }
-    }
-    return lines;
-}
-
 /// Empty if they are too few for every hand.
 std::optional<core::HandPoses> posesFromMarks(const FitSource& source, int frame) {
     core::JointPoints points;
@@ -120,6 +103,23 @@ std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const 
     pair.trueErrorMm =
         recorded ? errorAgainst(pair, dataset, pair.truePoses) : std::numeric_limits<double>::quiet_NaN();
     return pair;
+}
+
+/// Outer ones, and holes.
+std::vector<QLineF> outlinesOf(const cv::Mat& mask) {
+    std::vector<QLineF> lines;
+    if (mask.empty())
+        return lines;
+    std::vector<std::vector<cv::Point>> contours;
+    cv::findContours(mask, contours, cv::RETR_CCOMP, cv::CHAIN_APPROX_TC89_KCOS);
+    for (const std::vector<cv::Point>& contour : contours) {
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const cv::Point& a = contour[i];
+            const cv::Point& b = contour[(i + 1) % contour.size()];
+            lines.emplace_back(a.x, a.y, b.x, b.y);
+        }
+    }
+    return lines;
 }
 
 double errorAgainst(const FitPair& pair, const core::Dataset& dataset, const core::HandPoses& poses) {

@@ -69,6 +69,9 @@ QString fitRefusalText(FitRefusal refusal);
 /// frame. Throws core::Error if a mask file cannot be read.
 std::variant<FitPair, FitRefusal> prepareFitPair(const FitSource& source, const FitRequest& request);
 
+/// The outlines of a silhouette (CV_8U, 0 = background), in its pixels; none of an empty one.
+std::vector<QLineF> outlinesOf(const cv::Mat& mask);
+
 /// Mean distance of the poses' joints to the pair's reference, mm; NaN without one.
 double errorAgainst(const FitPair& pair, const core::Dataset& dataset, const core::HandPoses& poses);
 

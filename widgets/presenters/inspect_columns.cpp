@@ -35,9 +35,9 @@ bool hasForearm(const core::FitTrace& trace) {
 
 /// What the silhouettes of the pair are, for columns that no method made: outlines, masks and where forearms are cut
 /// off, no matches.
-std::shared_ptr<const core::FitTrace> bareTrace(const FitOutcome& outcome) {
+std::shared_ptr<const core::FitTrace> bareTrace(const std::vector<MethodOutcome>& methods) {
     std::shared_ptr<core::FitTrace> bare;
-    for (const MethodOutcome& method : outcome.methods) {
+    for (const MethodOutcome& method : methods) {
         const auto& trace = method.result.trace;
         if (trace && !bare) {
             bare = std::make_shared<core::FitTrace>();
@@ -147,10 +147,12 @@ bool InspectColumns::isAvailable(const InspectColumn& column) const {
 void InspectColumns::takeFits() {
     const std::shared_ptr<const FitOutcome> before = m_fitted;
     m_fitted = m_fits.outcome();
-    m_bareTrace = m_fitted ? bareTrace(*m_fitted) : nullptr;
+    m_bareTrace = m_fitted ? bareTrace(m_fitted->methods) : nullptr;
     const bool isExtended = before && m_fitted && isSamePair(*before, *m_fitted);
-    if (!isExtended)
-        m_previews.clear(); // of the pair before
+    if (!isExtended) { // it was of the pair before
+        m_trial = ColumnTrial();
+        m_trialTrace.reset();
+    }
     if (m_fitted && !isExtended) {
         std::erase_if(m_wanted, [this](const InspectColumn& column) { return !isAvailable(column); });
         m_posed.clear();
@@ -185,8 +187,8 @@ MethodOutcome InspectColumns::outcomeOf(const InspectColumn& column,
     case InspectColumn::Kind::Method:
         break;
     }
-    const auto preview = m_previews.find(id);
-    return preview == m_previews.end() ? *fittedMethod(*m_fitted, column.name) : preview->second;
+    const auto tried = m_trial.methods.find(id);
+    return tried == m_trial.methods.end() ? *fittedMethod(*m_fitted, column.name) : tried->second;
 }
 
 /// The pair with what its columns show, from left to right.
@@ -196,7 +198,9 @@ std::shared_ptr<const FitOutcome> InspectColumns::arranged() const {
     outcome->sequence = m_fitted->sequence;
     outcome->request = m_fitted->request;
     for (const InspectColumn& column : m_columns)
-        outcome->methods.push_back(outcomeOf(column, m_bareTrace));
+        outcome->methods.push_back(outcomeOf(column, m_trialTrace ? m_trialTrace : m_bareTrace));
+    if (m_trial.outlinesPx)
+        outcome->outlinesPx = *m_trial.outlinesPx;
     return outcome;
 }
 
@@ -214,7 +218,6 @@ void InspectColumns::setColumns(const std::vector<InspectColumn>& columns) {
     if (!m_fitted)
         return;
     m_wanted.clear();
-    m_previews.clear();
     std::vector<std::string> missing;
     for (const InspectColumn& column : columns) {
         if (contains(m_wanted, column))
@@ -275,19 +278,46 @@ void InspectColumns::poseTrackers() {
     });
 }
 
-void InspectColumns::setPreviews(std::map<std::string, MethodOutcome> previews, const QString& circumstances) {
-    if (previews.empty() && m_previews.empty())
+/// The silhouettes of a case are in what was fitted to them.
+void InspectColumns::takeTrialTrace() {
+    if (m_trial.what == WhatIfCase()) {
+        m_trialTrace.reset();
         return;
-    m_previews = std::move(previews);
-    m_circumstances = circumstances;
+    }
+    const bool isOfCase = m_trialTrace && m_traceCase == m_trial.what;
+    if (isOfCase && (m_isTraceWhole || !m_trial.isComplete))
+        return; // the same stays the same: views draw nothing anew
+    std::vector<MethodOutcome> methods;
+    for (const auto& [column, outcome] : m_trial.methods)
+        if (m_trial.stale.count(column) == 0)
+            methods.push_back(outcome);
+    if (auto trace = bareTrace(methods)) {
+        m_trialTrace = std::move(trace);
+        m_traceCase = m_trial.what;
+        m_isTraceWhole = m_trial.isComplete;
+    }
+}
+
+void InspectColumns::setTrial(ColumnTrial trial) {
+    if (!trial.isOn() && !m_trial.isOn())
+        return;
+    m_trial = std::move(trial);
+    takeTrialTrace();
     if (!m_fitted)
         return;
     m_outcome = arranged();
     emit previewed();
 }
 
+void InspectColumns::setTrialComplete(bool complete) {
+    if (complete == m_trial.isComplete)
+        return;
+    m_trial.isComplete = complete;
+    emit trialChanged();
+}
+
 bool InspectColumns::isPreview(std::size_t column) const {
-    return column < m_columns.size() && m_previews.count(columnId(m_columns[column])) > 0;
+    return column < m_columns.size() && m_trial.methods.count(columnId(m_columns[column])) > 0;
 }
 
 void InspectColumns::add(const InspectColumn& column) {

@@ -14,6 +14,7 @@
 
 #include "core/benchmark/external_rows.h"
 #include "widgets/jobs/fit_runner.h"
+#include "widgets/presenters/what_if_case.h"
 #include "widgets/session/dataset_session.h"
 
 namespace widgets {
@@ -76,13 +77,14 @@ public:
     void addTracker(const std::string& name, const QString& file);
     const std::vector<Tracker>& trackers() const { return m_trackers; }
 
-    /// Shows these in the places of columns, by id, until the columns or the pair change; empty for none. Says
-    /// previewed(), not changed(). `circumstances`: under which other ones than the pair's they were found, in words.
-    void setPreviews(std::map<std::string, MethodOutcome> previews, const QString& circumstances = {});
+    /// Shows what is tried in the places of columns, until it is set anew or the pair changes. Start, truth and
+    /// trackers are compared with the silhouettes of the same case. Says previewed(), not changed().
+    void setTrial(ColumnTrial trial);
+    const ColumnTrial& trial() const { return m_trial; }
+    /// Columns are being fitted for it, or all have been. Says trialChanged().
+    void setTrialComplete(bool complete);
+    /// Whether a column shows what is tried.
     bool isPreview(std::size_t column) const;
-    bool hasPreviews() const { return !m_previews.empty(); }
-    /// Of the previews; empty where they differ in their settings alone.
-    QString circumstances() const { return hasPreviews() ? m_circumstances : QString(); }
 
     /// The column that keys are about.
     std::size_t current() const { return m_current; }
@@ -102,6 +104,8 @@ signals:
     void changed();
     /// The same columns of the same pair, with something else in some of them.
     void previewed();
+    /// The same is shown, and more is being fitted, or nothing any more.
+    void trialChanged();
     void currentChanged();
     /// A column was switched on or off in a view.
     void shownChanged();
@@ -112,6 +116,7 @@ private:
     void arrange();
     std::shared_ptr<const FitOutcome> arranged() const;
     void poseTrackers();
+    void takeTrialTrace();
     MethodOutcome outcomeOf(const InspectColumn& column, const std::shared_ptr<const core::FitTrace>& trace) const;
     bool isFitted(const std::string& method) const;
 
@@ -126,8 +131,10 @@ private:
     std::vector<InspectColumn> m_columns;
     std::vector<Tracker> m_trackers;
     std::map<std::string, MethodOutcome> m_posed; ///< trackers on this pair, by column id
-    std::map<std::string, MethodOutcome> m_previews;
-    QString m_circumstances; ///< of m_previews
+    ColumnTrial m_trial;
+    std::shared_ptr<const core::FitTrace> m_trialTrace; ///< as m_bareTrace, in the case of m_trial; null: that one
+    WhatIfCase m_traceCase;                             ///< of m_trialTrace
+    bool m_isTraceWhole = false;                        ///< all of the case was fitted when it was made
     std::size_t m_current = 0;
     std::set<std::pair<std::string, int>> m_hidden; ///< column and camera
 };

@@ -47,6 +47,7 @@ InspectGrid::InspectGrid(InspectColumns& columns, const DatasetSession& datasets
         [this] {
             for (int index = 0; index < m_grid->count(); ++index)
                 showPictureMessage(index); // a reason of before may be out of date
+            showOutlines();
             showTitles();
         });
     connect(&columns, &InspectColumns::currentChanged, this, [this] { m_grid->setCurrent(currentView()); });
@@ -136,11 +137,9 @@ void InspectGrid::layOut() {
         const auto camera = static_cast<std::size_t>(cameraOf(index));
         CameraView* view = m_grid->view(index);
         view->setHome(outcome->handsPx[camera]);
-        std::vector<SkeletonLine> outline;
-        for (const QLineF& line : outcome->outlinesPx[camera])
-            outline.push_back({line.p1(), line.p2(), Qt::white});
-        view->setSkeleton(outline);
     }
+    m_outlines.reset();
+    showOutlines();
     for (const int camera : m_rowCameras)
         showPicture(camera, picture(camera));
     m_grid->setCurrent(currentView());
@@ -148,6 +147,29 @@ void InspectGrid::layOut() {
     showTitles();
     if (m_posed)
         showPoses(m_posed, m_iteration);
+}
+
+/// The silhouettes that were met, where they are no recorded pose's: of mask files, or noisy ones that are tried.
+void InspectGrid::showOutlines() {
+    const auto& outcome = m_columns.outcome();
+    if (!outcome)
+        return;
+    const bool isShown = outcome->request.target == FitTarget::Masks || m_recordedShown;
+    const Outlines shown{isShown, m_columns.trial().outlinesPx};
+    if (m_outlines == shown)
+        return;
+    m_outlines = shown;
+    for (int index = 0; index < m_grid->count(); ++index) {
+        std::vector<SkeletonLine> outline;
+        if (isShown)
+            for (const QLineF& line : outcome->outlinesPx[static_cast<std::size_t>(cameraOf(index))])
+                outline.push_back({line.p1(), line.p2(), Qt::white});
+        m_grid->view(index)->setSkeleton(outline);
+    }
+}
+
+bool InspectGrid::hasNoisyOutlines() const {
+    return m_columns.trial().outlinesPx != nullptr;
 }
 
 /// Those of the test frame, whatever frame the person has gone to since.
@@ -199,7 +221,9 @@ void InspectGrid::showTitles() {
         const double iou = m_overlays->iou(index);
         const QString agreement = std::isnan(iou) ? QString() : tr("IoU %1").arg(QLocale().toString(iou, 'f', 3));
         CameraView* view = m_grid->view(index);
-        ViewTitle title{m_columns.title(column), QString::fromStdString(view->camera().name),
+        const QString camera = QString::fromStdString(view->camera().name);
+        const bool isLeftOut = m_columns.trial().what.isLeftOut(static_cast<std::size_t>(cameraOf(index)));
+        ViewTitle title{m_columns.title(column), isLeftOut ? tr("%1, left out").arg(camera) : camera,
                         method.failure.isEmpty() ? agreement : tr("failed"), false};
         title.colour = m_columns.colour(column);
         title.keepsDetail = true; // the column's head has the method's name, too; nothing else names the camera
@@ -251,6 +275,7 @@ void InspectGrid::setLook(const LayerLook& look, bool startShown, bool recordedS
     m_look = look;
     m_startShown = startShown;
     m_recordedShown = recordedShown;
+    showOutlines();
     showLayers();
 }
 
@@ -267,7 +292,8 @@ void InspectGrid::showLayers() {
             look.style = MeshStyle::Shaded; // the layer is the colour of the mesh
         if (!m_columns.isShown(column, cameraOf(index)))
             look.style = MeshStyle::Off;
-        m_grid->view(index)->setMeshLayers(inspectedColumn(poses, column, look, m_startShown, m_recordedShown));
+        m_grid->view(index)->setMeshLayers(
+            inspectedColumn(poses, column, look, m_startShown, m_recordedShown && !hasNoisyOutlines()));
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -79,6 +80,8 @@ private:
     void showPicture(int camera, const ImagePyramid& picture);
     void showFailure(int camera, const QString& message);
     void showTitles();
+    void showOutlines();
+    bool hasNoisyOutlines() const;
     void showPictureMessage(int index);
     void showLayers();
     void clearHidden();
@@ -98,6 +101,12 @@ private:
     int m_rows = 2;
     std::vector<std::string> m_chosenCameras;
     std::vector<int> m_rowCameras;
+    struct Outlines {
+        bool isShown = false;
+        std::shared_ptr<const CameraOutlines> noisyPx; ///< null: the pair's own
+        bool operator==(const Outlines&) const = default;
+    };
+    std::optional<Outlines> m_outlines; ///< that lie over the views
     std::shared_ptr<const InspectedPoses> m_posed;
     int m_iteration = 0;
     LayerLook m_look;

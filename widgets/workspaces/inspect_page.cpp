@@ -34,6 +34,8 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_fit(new QPushButton(tr("Fit this frame"), this))
     , m_message(new MessageBar(this))
     , m_heading(new QLabel(this))
+    , m_trial(new QLabel(this))
+    , m_endTrial(new QToolButton(this))
     , m_slider(new QSlider(Qt::Horizontal, this))
     , m_iterationText(new QLabel(this))
     , m_rows(new QSpinBox(this))
@@ -53,7 +55,9 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     connect(&fits, &FitRunner::cleared, this, &InspectPage::showHint);
     connect(m_columns, &InspectColumns::changed, this, &InspectPage::takeColumns);
     connect(m_columns, &InspectColumns::previewed, this, &InspectPage::takePreviews);
+    connect(m_columns, &InspectColumns::trialChanged, this, &InspectPage::showTrial);
     connect(m_columns, &InspectColumns::currentChanged, this, &InspectPage::showPhases);
+    connect(m_endTrial, &QToolButton::clicked, this, &InspectPage::trialEnded);
     connect(m_fit, &QPushButton::clicked, this, &InspectPage::fitRequested);
     connect(m_slider, &QSlider::valueChanged, this, &InspectPage::showPoses);
     connect(m_rows, qOverload<int>(&QSpinBox::valueChanged), m_views, &InspectGrid::setRows);
@@ -109,7 +113,15 @@ QLayout* InspectPage::makeIterationRow() {
     m_rows->setFocusPolicy(Qt::ClickFocus);
     m_rows->setPrefix(tr("Cameras: "));
     m_rows->setToolTip(tr("Rows of cameras, from the current one on"));
+    m_trial->setForegroundRole(QPalette::Link);
+    m_trial->setMinimumWidth(1); // long texts must not widen the window
+    m_endTrial->setIcon(QIcon::fromTheme(QStringLiteral("edit-undo")));
+    m_endTrial->setAutoRaise(true);
+    m_endTrial->setFocusPolicy(Qt::NoFocus);
+    m_endTrial->setToolTip(tr("All as it was fitted"));
     row->addWidget(m_heading);
+    row->addWidget(m_trial);
+    row->addWidget(m_endTrial);
     row->addWidget(m_slider, 1);
     row->addWidget(m_iterationText);
     row->addWidget(m_rows);
@@ -197,6 +209,7 @@ void InspectPage::takeColumns() {
         showCameras();
     }
     showHint();
+    showTrial();
     showCurves();
     showPoses();
     showLegend();
@@ -206,9 +219,22 @@ void InspectPage::takeColumns() {
 void InspectPage::takePreviews() {
     showRange(true);
     m_shown = m_columns->outcome();
-    showHint();
+    showTrial();
     showPoses();
     showCurves();
+}
+
+QString InspectPage::trialText() const {
+    const auto& dataset = m_datasets.dataset();
+    const QString text = dataset ? widgets::trialText(m_columns->trial(), dataset->cameras) : QString();
+    return text.isEmpty() ? text : tr("What if: %1").arg(text);
+}
+
+void InspectPage::showTrial() {
+    m_trial->setText(trialText());
+    m_trial->setToolTip(trialText());
+    m_trial->setVisible(!trialText().isEmpty());
+    m_endTrial->setVisible(!trialText().isEmpty());
 }
 
 /// As many iterations as the longest method made; the last one stays the last one.
@@ -237,11 +263,7 @@ void InspectPage::showHint() {
 }
 
 QString InspectPage::heading() const {
-    if (!m_shown)
-        return {};
-    const QString pair = tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start);
-    const QString tried = m_columns->circumstances();
-    return tried.isEmpty() ? pair : tr("%1, tried: %2").arg(pair, tried);
+    return m_shown ? tr("Frame %1 from frame %2").arg(m_shown->request.test).arg(m_shown->request.start) : QString();
 }
 
 void InspectPage::showPoses() {

@@ -10,6 +10,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QWidget>
 
 #include "widgets/document/selection.h"
@@ -47,6 +48,8 @@ public:
     int lastIteration() const;
     /// Which pair is shown, and which iteration, in words; empty without a fit.
     QString heading() const;
+    /// What is tried instead of what was fitted, in words; empty for nothing. Numbers stand with it wherever they go.
+    QString trialText() const;
     QString iterationText() const { return m_iterationText->text(); }
     /// How the meshes are drawn, and whether the start pose and the recorded silhouette are.
     void setLook(const LayerLook& look, bool startShown, bool recordedShown);
@@ -72,6 +75,8 @@ signals:
     void posesShown();
     void pictureShown(int camera);
     void fitRequested();
+    /// What is tried is to go.
+    void trialEnded();
     /// A joint of the drawing was clicked.
     void jointChosen(const core::JointId& joint);
 
@@ -93,6 +98,7 @@ private:
     void showErrors();
     void showPinned();
     void showLegend();
+    void showTrial();
 
     const FitRunner& m_fits;
     const DatasetSession& m_datasets;
@@ -104,6 +110,8 @@ private:
     QPushButton* m_fit;
     MessageBar* m_message;
     QLabel* m_heading;
+    QLabel* m_trial;
+    QToolButton* m_endTrial;
     QSlider* m_slider;
     QLabel* m_iterationText;
     QSpinBox* m_rows;

@@ -31,6 +31,7 @@ public:
     PagePicture make() {
         addText({kGap, m_y, m_picture.size.width() - 2 * kGap, m_line}, m_page.heading(), {}, m_page.iterationText());
         m_y += m_line + kGap;
+        addTrial();
         addViews();
         addPlots();
         m_picture.size.setHeight(m_y);
@@ -53,6 +54,24 @@ private:
                                        painter.setPen(kQuietInk);
                                        painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, right);
                                    }});
+    }
+
+    /// What is tried, in as many lines as it takes: the numbers below are of nothing else.
+    void addTrial() {
+        const QString text = m_page.trialText();
+        if (text.isEmpty())
+            return;
+        const double width = m_picture.size.width() - 2 * kGap;
+        const double height =
+            QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 1000), Qt::TextWordWrap, text).height();
+        m_picture.parts.push_back(
+            {{kGap, m_y, width, height},
+             [text, font = m_font, area = QRectF(0, 0, width, height)](QPainter& painter, double) {
+                 painter.setFont(font);
+                 painter.setPen(kInk);
+                 painter.drawText(area, Qt::TextWordWrap, text);
+             }});
+        m_y += height + kGap;
     }
 
     /// Each view where it stands in the grid, its title in the room above it.

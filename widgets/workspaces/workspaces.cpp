@@ -160,6 +160,7 @@ void Workspaces::connectInspect() {
         m_whatIf->showColumn(column);
         raisePanel(m_whatIf);
     });
+    connect(m_inspect, &InspectPage::trialEnded, m_whatIf, &WhatIfPanel::goBack);
     connect(m_inspect, &InspectPage::fitRequested, m_fitting, &FittingPanel::fitCurrentFrame);
     connect(&m_session.selection, &Selection::frameChanged, this, &Workspaces::showInScene);
     connect(&m_session.fits, &FitRunner::failed, this, [this] {

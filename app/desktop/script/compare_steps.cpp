@@ -60,6 +60,7 @@ void showColumns(MainWindow& window, const QStringList& ids) {
     }
     columns->setColumns(wanted);
     waitUntilIdle(window);
+    waitFor(window, [&] { return !window.workspaces().whatIfPanel()->isRunning(); }); // what is tried, in new columns
 }
 
 void showCameras(MainWindow& window, const QStringList& names) {
@@ -151,6 +152,7 @@ QJsonObject printColumns(MainWindow& window) {
             QString::fromStdString(window.session().opened.dataset()->cameras[static_cast<std::size_t>(camera)].name));
     return {{QStringLiteral("columns"), columns},
             {QStringLiteral("cameras"), cameras},
+            {QStringLiteral("trial"), page.trialText()},
             {QStringLiteral("matchBytes"), matchBytes(*page.columns()->outcome())}};
 }
 
@@ -196,6 +198,8 @@ QJsonObject tryWhatIf(MainWindow& window, const QJsonObject& step) {
             throw notPossible("to", QStringLiteral("expected a number"));
         if (key == QLatin1String("outlines"))
             panel->setOutlineNoisePx(to.toDouble());
+        else if (key == QLatin1String("draw"))
+            panel->setNoiseDraw(to.toInt());
         else if (panel->form()->hasOption(key.toStdString()))
             panel->form()->setValue(key.toStdString(), to.toDouble());
         else

@@ -85,6 +85,12 @@ struct Compared {
     }
 };
 
+/// What the numbers beside it were found under, if that is not what was fitted.
+std::string trialParagraph(const widgets::InspectPage& page) {
+    const QString text = page.trialText();
+    return text.isEmpty() ? std::string() : "<p><strong>" + escaped(text) + "</strong></p>\n";
+}
+
 std::string errorTable(const Compared& compared) {
     std::string text = "<table>\n" + headerRow({words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Method")),
                                                 words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Start, mm")),
@@ -199,11 +205,6 @@ std::string commandPart(const Compared& compared, const std::string& workspaceFi
            htmlEscaped("handlens " + core::shellWord(folder) + " --workspace " + core::shellWord(workspaceFile) +
                        " --offscreen --out comparison") +
            "</pre>\n" +
-           (compared.page.columns()->hasPreviews()
-                ? paragraph(words(QT_TRANSLATE_NOOP("app::ComparisonReport",
-                                                    "What was tried in \"What if\" is shown above and not kept in the "
-                                                    "file: it makes the page of the columns as they were fitted.")))
-                : std::string()) +
            paragraph(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "The file %1 holds:"))
                          .arg(QString::fromStdString(workspaceFile))) +
            "<pre>" + htmlEscaped(workspaceText) + "</pre>\n";
@@ -222,11 +223,13 @@ std::string comparisonReportHtml(MainWindow& window, const std::string& workspac
         escaped(QString::fromStdString(outcome->sequence) + QStringLiteral(": ") + page.heading());
     std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
                        "</title>\n<style>" + core::kReportStyle + kPictureStyle + "</style>\n</head>\n<body>\n<h1>" +
-                       title + "</h1>\n" + paragraph(page.iterationText()) + errorTable(compared);
+                       title + "</h1>\n" + trialParagraph(page) + paragraph(page.iterationText()) +
+                       errorTable(compared);
     text += heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Views"))) + pictureTable(compared);
     text += heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Curves"))) + curves(compared);
     text += heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Error joint by joint"))) + jointTable(compared);
-    text += heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Settings"))) + settingsTable(compared);
+    text += heading(words(QT_TRANSLATE_NOOP("app::ComparisonReport", "Settings"))) + trialParagraph(page) +
+            settingsTable(compared);
     return text + commandPart(compared, workspaceFile, workspaceText) + "</body>\n</html>\n";
 }
 

@@ -28,6 +28,42 @@ void addColumns(MainWindow& window, Workspace& workspace) {
         workspace.trackers.push_back({tracker.name, tracker.file.toStdString()});
 }
 
+std::optional<Workspace::Trial> currentTrial(MainWindow& window) {
+    const widgets::WhatIfPanel& panel = *window.workspaces().whatIfPanel();
+    const widgets::WhatIfCase what = panel.currentCase();
+    if (what == widgets::WhatIfCase() && panel.triedSettings().empty())
+        return {};
+    Workspace::Trial trial{what.outlineNoisePx, what.draw, {}, panel.triedSettings()};
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (std::size_t camera = 0; camera < cameras.size(); ++camera)
+        if (what.isLeftOut(camera))
+            trial.without.push_back(cameras[camera].name);
+    return trial;
+}
+
+std::optional<Workspace::Trial> trialOf(const nlohmann::json& document) {
+    if (!document.contains("trial"))
+        return {};
+    const nlohmann::json& written = document["trial"];
+    Workspace::Trial trial;
+    trial.outlineNoisePx = written.value("outlineNoisePx", 0.0);
+    trial.draw = written.value("draw", 0);
+    trial.without = written.value("without", trial.without);
+    for (const nlohmann::json& one : written.value("settings", nlohmann::json::array()))
+        trial.settings[one["column"].get<std::string>()] = one["method"].get<std::string>();
+    return trial;
+}
+
+nlohmann::json trialJson(const Workspace::Trial& trial) {
+    nlohmann::json settings = nlohmann::json::array();
+    for (const auto& [column, method] : trial.settings)
+        settings.push_back({{"column", column}, {"method", method}});
+    return {{"outlineNoisePx", trial.outlineNoisePx},
+            {"draw", trial.draw},
+            {"without", trial.without},
+            {"settings", settings}};
+}
+
 } // namespace
 
 Workspace currentWorkspace(MainWindow& window) {
@@ -50,6 +86,7 @@ Workspace currentWorkspace(MainWindow& window) {
     workspace.fieldDirectionDeg = page.overlays()->fieldAngleRad() * 180 / std::numbers::pi;
     workspace.matches = widgets::matchChoiceId(page.overlays()->matchChoice()).toStdString();
     addColumns(window, workspace);
+    workspace.trial = currentTrial(window);
     return workspace;
 }
 
@@ -75,6 +112,7 @@ Workspace readWorkspace(const std::filesystem::path& file) {
         const std::filesystem::path path = tracker["file"].get<std::string>(); // beside the workspace, or absolute
         workspace.trackers.push_back({tracker["name"].get<std::string>(), (file.parent_path() / path).string()});
     }
+    workspace.trial = trialOf(document);
     return workspace;
 }
 
@@ -84,7 +122,7 @@ void writeWorkspace(const std::filesystem::path& file, const Workspace& workspac
         hidden.push_back({{"column", one.column}, {"camera", one.camera}});
     for (const Workspace::Tracker& tracker : workspace.trackers)
         trackers.push_back({{"name", tracker.name}, {"file", tracker.file}});
-    core::writeJsonFile(file, {{"format", "handlens-workspace"},
+    nlohmann::json document = {{"format", "handlens-workspace"},
                                {"version", 1},
                                {"sequence", workspace.sequence},
                                {"start", workspace.start},
@@ -100,7 +138,10 @@ void writeWorkspace(const std::filesystem::path& file, const Workspace& workspac
                                {"columns", workspace.columns},
                                {"cameras", workspace.cameras},
                                {"hidden", hidden},
-                               {"trackers", trackers}});
+                               {"trackers", trackers}};
+    if (workspace.trial)
+        document["trial"] = trialJson(*workspace.trial);
+    core::writeJsonFile(file, document);
 }
 
 } // namespace app

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,14 @@ struct Workspace {
         std::string name, file;
     };
     std::vector<Tracker> trackers; ///< whose estimates are columns
+    /// What was tried under "What if" in the places of the columns.
+    struct Trial {
+        double outlineNoisePx = 0;                   ///< standard deviation by which outlines move across themselves
+        int draw = 0;                                ///< of that noise: equal draws are equal noise
+        std::vector<std::string> without;            ///< cameras that are left out
+        std::map<std::string, std::string> settings; ///< the method that is tried, by column
+    };
+    std::optional<Trial> trial; ///< none: everything as it was fitted
 };
 
 /// Of the fit that is shown. Throws core::Error(Usage) if nothing was fitted.

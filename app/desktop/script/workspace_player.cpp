@@ -15,6 +15,7 @@
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/text_file.h"
 #include "widgets/text/error_text.h"
+#include "widgets/text/method_text.h"
 #include "widgets/views/picture_export.h"
 
 namespace app {
@@ -91,6 +92,46 @@ void restoreColumns(MainWindow& window, const Workspace& workspace) {
                              !isHidden(widgets::columnId(columns.columns()[column]), cameras[camera].name));
 }
 
+core::Error badTrial(const char* field, const std::string& what) {
+    return {core::ErrorCode::BadInput, {}, std::string("trial.") + field, what};
+}
+
+void checkSettings(MainWindow& window, const Workspace::Trial& trial) {
+    const auto& columns = window.workspaces().inspectPage()->columns()->columns();
+    for (const auto& [name, method] : trial.settings) {
+        if (std::none_of(columns.begin(), columns.end(),
+                         [&](const auto& column) { return widgets::columnId(column) == name; }))
+            throw badTrial("settings", "there is no column \"" + name + "\"");
+        if (const QString problem = widgets::methodProblem(QString::fromStdString(method)); !problem.isEmpty())
+            throw badTrial("settings", problem.toStdString());
+    }
+}
+
+/// Fits what was tried once more; without a trial, all is as it was fitted.
+void restoreTrial(MainWindow& window, const std::optional<Workspace::Trial>& trial) {
+    widgets::WhatIfPanel& panel = *window.workspaces().whatIfPanel();
+    if (!trial) {
+        panel.goBack();
+        return;
+    }
+    checkSettings(window, *trial);
+    const core::Dataset& dataset = *window.session().opened.dataset();
+    widgets::WhatIfCase what{{}, trial->outlineNoisePx, trial->draw};
+    if (!trial->without.empty())
+        what.cameras.assign(dataset.cameras.size(), true);
+    for (const std::string& name : trial->without) {
+        const int camera = dataset.cameraIndex(name);
+        if (camera < 0)
+            throw badTrial("without", "unknown camera \"" + name + "\"");
+        what.cameras[static_cast<std::size_t>(camera)] = false;
+    }
+    if (std::none_of(what.cameras.begin(), what.cameras.end(), [](bool on) { return on; }) && !what.cameras.empty())
+        throw badTrial("without", "no camera is left");
+    panel.tryAgain(what, trial->settings);
+    if (!waitFor(window, [&] { return !panel.isRunning() && window.session().pool.isIdle(); }))
+        throw badTrial("settings", "no answer in time");
+}
+
 } // namespace
 
 void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
@@ -106,6 +147,7 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
     page->setRows(workspace.rows);
     steps.run(fitStep(workspace));
     restoreColumns(window, workspace);
+    restoreTrial(window, workspace.trial);
     window.workspaces().setCurrent(widgets::Workspaces::Kind::Inspect);
     page->setIteration(workspace.iteration);
     page->overlays()->setMatchChoice(

@@ -82,29 +82,6 @@ TEST_F(WhatIfTest, IsPreparedBeforeThePanelIsOpened) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return panel.isPrepared(); }, 10000)) << "for the next pair";
 }
 
-TEST_F(WhatIfTest, OtherCircumstancesAreSaidWhereverWhatTheyGaveIsShown) {
-    fit("\"ch\",\"dch-thres\"");
-    const QString plain = page().heading();
-    run(R"({"do":"whatIf","method":"ch","set":"gate","to":40})");
-    EXPECT_EQ(page().heading(), plain) << "settings stand in the column's name";
-    run(R"({"do":"whatIf","method":"ch","set":"outlines","to":2})");
-    const QString camera = QString::fromStdString(session().opened.dataset()->cameras[1].name);
-    run("{\"do\":\"whatIf\",\"camera\":\"" + camera.toStdString() + "\",\"on\":false}\n");
-    const QString said =
-        QStringLiteral("outlines with %1 px of noise, without %2").arg(QLocale().toString(2.0, 'f', 1)).arg(camera);
-    EXPECT_EQ(page().heading(), plain + QStringLiteral(", tried: ") + said);
-    EXPECT_EQ(widgets::comparisonPicture(page()).title, page().heading());
-    const std::string report = app::comparisonReportHtml(*window, "w.json", "{}");
-    EXPECT_NE(report.find(said.toStdString()), std::string::npos);
-    EXPECT_NE(report.find("not kept in the file"), std::string::npos);
-    run(R"({"do":"columns","show":["dch-thres","ch","start"]})");
-    EXPECT_TRUE(columns().isPreview(0) && columns().isPreview(1)) << "the panel and the columns agree";
-    EXPECT_TRUE(page().heading().endsWith(said));
-    trigger("compare.resetSettings");
-    EXPECT_EQ(page().heading(), plain);
-    EXPECT_EQ(app::comparisonReportHtml(*window, "w.json", "{}").find("not kept in the file"), std::string::npos);
-}
-
 TEST_F(WhatIfTest, AStepSaysWhenTheRealTimeVariantIsSeen) {
     fit("\"best\",\"ch\"");
     const json live = run(R"({"do":"whatIf","method":"best","set":"outlines","to":0.5})")[0];

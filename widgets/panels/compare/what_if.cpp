@@ -7,11 +7,10 @@
 #include <thread>
 #include <utility>
 
-#include <opencv2/core/utility.hpp>
-
+#include "core/contour/side_by_side.h"
 #include "core/simulation/simulated_world.h"
+#include "widgets/jobs/fit_pair.h"
 #include "widgets/presenters/inspect_columns.h"
-#include "widgets/text/local_text.h"
 
 namespace widgets {
 
@@ -19,54 +18,30 @@ namespace {
 
 constexpr int kPauseMs = 150; ///< while a setting is dragged, the real-time variant has the processor to itself
 
-template <typename Work>
-void forEachCamera(std::size_t count, Work&& work) {
-    cv::parallel_for_(
-        cv::Range(0, static_cast<int>(count)),
-        [&](const cv::Range& cameras) {
-            for (int camera = cameras.start; camera < cameras.end; ++camera)
-                work(static_cast<std::size_t>(camera));
-        });
-}
-
 } // namespace
-
-QString circumstancesText(const WhatIfCase& what, const std::vector<core::Camera>& cameras) {
-    constexpr int kMostNamed = 2;
-    QStringList parts, without;
-    for (std::size_t camera = 0; camera < what.cameras.size() && camera < cameras.size(); ++camera)
-        if (!what.cameras[camera])
-            without << QString::fromStdString(cameras[camera].name);
-    const int all = static_cast<int>(cameras.size());
-    if (what.outlineNoisePx > 0)
-        parts << WhatIf::tr("outlines with %1 px of noise").arg(localNumber(what.outlineNoisePx, 1));
-    if (without.size() > kMostNamed)
-        parts << WhatIf::tr("with %1 of %2 cameras").arg(all - without.size()).arg(all);
-    else if (!without.isEmpty())
-        parts << WhatIf::tr("without %1").arg(without.join(QStringLiteral(", ")));
-    return parts.join(QStringLiteral(", "));
-}
 
 /// The noise of a pair's outlines; that of each camera is drawn by whoever needs it first, which takes a moment.
 struct WhatIf::PairNoise {
-    explicit PairNoise(std::shared_ptr<const FitOutcome> of)
+    PairNoise(std::shared_ptr<const FitOutcome> of, int drawOf)
         : outcome(std::move(of))
+        , draw(drawOf)
         , m_cameras(outcome->masks.size()) {}
 
     /// None where there is no mask.
     const std::optional<core::ContourNoise>& of(std::size_t camera) {
-        Draw& draw = m_cameras[camera];
-        std::call_once(draw.once, [&] {
+        Draw& one = m_cameras[camera];
+        std::call_once(one.once, [&] {
             if (!outcome->masks[camera].empty())
-                draw.noise.emplace(outcome->masks[camera], kMostOutlineNoisePx,
-                                   core::drawSeed(camera, outcome->sequence));
+                one.noise.emplace(outcome->masks[camera], kMostOutlineNoisePx,
+                                  outlineNoiseSeed(draw, camera, outcome->sequence));
             ++m_drawn;
         });
-        return draw.noise;
+        return one.noise;
     }
     bool isDrawn() const { return m_drawn == m_cameras.size(); }
 
     const std::shared_ptr<const FitOutcome> outcome;
+    const int draw;
 
 private:
     struct Draw {
@@ -84,27 +59,30 @@ struct WhatIf::CaseMasks {
     std::shared_ptr<PairNoise> noise;
     std::once_flag once;
     std::vector<cv::Mat> masks;
+    std::shared_ptr<const CameraOutlines> outlinesPx; ///< of the noisy ones, also where a camera is left out
 
     const std::vector<cv::Mat>& get() {
         std::call_once(once, [this] {
             masks = outcome->masks;
-            for (std::size_t camera = 0; camera < masks.size() && camera < what.cameras.size(); ++camera)
-                if (!what.cameras[camera])
-                    masks[camera] = cv::Mat();
             if (what.outlineNoisePx > 0)
                 addNoise();
+            for (std::size_t camera = 0; camera < masks.size(); ++camera)
+                if (what.isLeftOut(camera))
+                    masks[camera] = cv::Mat();
         });
         return masks;
     }
 
 private:
     void addNoise() {
-        forEachCamera(
-            masks.size(),
-            [&](std::size_t camera) {
-                if (!masks[camera].empty())
-                    masks[camera] = noise->of(camera)->applied(what.outlineNoisePx);
-            });
+        CameraOutlines outlines(masks.size());
+        core::forEachSideBySide(masks.size(), [&](std::size_t camera) {
+            if (masks[camera].empty())
+                return;
+            masks[camera] = noise->of(camera)->applied(what.outlineNoisePx);
+            outlines[camera] = outlinesOf(masks[camera]);
+        });
+        outlinesPx = std::make_shared<const CameraOutlines>(std::move(outlines));
     }
 };
 
@@ -159,16 +137,16 @@ void WhatIf::goOn() {
         startNext();
 }
 
-std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome) {
-    if (!m_noise || !isSamePair(*m_noise->outcome, *outcome))
-        m_noise = std::make_shared<PairNoise>(outcome);
+std::shared_ptr<WhatIf::PairNoise> WhatIf::noiseOf(const std::shared_ptr<const FitOutcome>& outcome, int draw) {
+    if (!m_noise || m_noise->draw != draw || !isSamePair(*m_noise->outcome, *outcome))
+        m_noise = std::make_shared<PairNoise>(outcome, draw);
     return m_noise;
 }
 
 void WhatIf::prepare() {
     if (!m_fits.outcome())
         return;
-    m_preparing.start([noise = noiseOf(m_fits.outcome())](const JobContext& context) {
+    m_preparing.start([noise = noiseOf(m_fits.outcome(), m_noise ? m_noise->draw : 0)](const JobContext& context) {
         for (std::size_t camera = 0; camera < noise->outcome->masks.size() && !context.stop.stop_requested(); ++camera)
             noise->of(camera); // one after the other: the window's other work keeps a processor
         return Job::Delivery();
@@ -181,7 +159,7 @@ bool WhatIf::isPrepared() const {
 
 std::shared_ptr<WhatIf::CaseMasks> WhatIf::masksOf(const std::shared_ptr<const FitOutcome>& outcome,
                                                    const WhatIfCase& what) {
-    const std::shared_ptr<PairNoise> noise = noiseOf(outcome);
+    const std::shared_ptr<PairNoise> noise = noiseOf(outcome, what.draw);
     if (!m_masks || m_masks->outcome != outcome || m_masks->what != what) {
         m_masks = std::make_shared<CaseMasks>();
         m_masks->outcome = outcome;
@@ -211,7 +189,10 @@ void WhatIf::startNext() {
         auto found =
             std::make_shared<MethodOutcome>(runMethod(estimator->get(*dataset), *dataset, pair, trial.method,
                                                       context.stop, threads, {}, !trial.isLive && trial.curve.empty()));
-        return Job::Delivery([this, trial, found] { emit this->found(trial, *found); });
+        return Job::Delivery([this, trial, found, outlines = masks->outlinesPx] {
+            m_outlines = outlines;
+            emit this->found(trial, *found);
+        });
     });
 }
 

@@ -11,21 +11,10 @@
 #include <QTimer>
 
 #include "widgets/jobs/fit_runner.h"
+#include "widgets/presenters/what_if_case.h"
 #include "widgets/session/dataset_session.h"
 
 namespace widgets {
-
-inline constexpr double kMostOutlineNoisePx = 4;
-
-/// The pair of the columns under other circumstances.
-struct WhatIfCase {
-    std::vector<bool> cameras; ///< which take part; empty: all
-    double outlineNoisePx = 0; ///< standard deviation by which outlines move across themselves, 0..kMostOutlineNoisePx
-    bool operator==(const WhatIfCase&) const = default;
-};
-
-/// "outlines with 2 px of noise, without cam3"; empty where nothing is changed.
-QString circumstancesText(const WhatIfCase& what, const std::vector<core::Camera>& cameras);
 
 /// One method on one case.
 struct WhatIfTrial {
@@ -55,6 +44,8 @@ public:
     void prepare();
     /// Whether that is done for the pair that is open.
     bool isPrepared() const;
+    /// The outlines of the silhouettes that the last answer met; null where they are the pair's own.
+    const std::shared_ptr<const CameraOutlines>& outlinesPx() const { return m_outlines; }
     bool isRunning() const { return m_job.isRunning() || m_pause.isActive(); }
 
 signals:
@@ -65,7 +56,7 @@ signals:
 private:
     struct PairNoise;
     struct CaseMasks;
-    std::shared_ptr<PairNoise> noiseOf(const std::shared_ptr<const FitOutcome>& outcome);
+    std::shared_ptr<PairNoise> noiseOf(const std::shared_ptr<const FitOutcome>& outcome, int draw);
     std::shared_ptr<CaseMasks> masksOf(const std::shared_ptr<const FitOutcome>& outcome, const WhatIfCase& what);
     void goOn();
     void startNext();
@@ -80,6 +71,7 @@ private:
     bool m_awaitsIdle = false;          ///< to prepare
     std::shared_ptr<PairNoise> m_noise; ///< of the pair that was fitted last: one draw, whatever its strength
     std::shared_ptr<CaseMasks> m_masks; ///< of the case that was fitted last: its methods share them
+    std::shared_ptr<const CameraOutlines> m_outlines; ///< of what was found last
 };
 
 } // namespace widgets

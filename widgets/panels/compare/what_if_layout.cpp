@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "widgets/panels/compare/what_if_sweep.h"
 #include "widgets/panels/state_colours.h"
 
 namespace widgets {
@@ -16,7 +17,7 @@ namespace widgets {
 namespace {
 
 constexpr int kPlotHeight = 130;
-constexpr double kNoiseStepPx = 0.25;
+constexpr double kNoiseStepPx = 0.25; ///< of the slider
 
 QPushButton* makeButton(const QString& text, const QString& icon, const QString& tip, QWidget* parent) {
     auto* button = new QPushButton(QIcon::fromTheme(icon), text, parent);
@@ -42,6 +43,7 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
     , m_form(new MethodForm(this))
     , m_noiseSlider(new QSlider(Qt::Horizontal, this))
     , m_noise(new QDoubleSpinBox(this))
+    , m_draw(new QSpinBox(this))
     , m_cameraGrid(new QGridLayout)
     , m_measure(makeButton(tr("What does each camera add?"), QStringLiteral("camera-video"),
                            tr("Fits without each camera in turn: how much the error grows stands beside it"), this))
@@ -55,10 +57,15 @@ WhatIfPanel::WhatIfPanel(const FitRunner& fits, InspectColumns& columns, const D
                        tr("Keeps the column, and shows these settings beside it"), this))
     , m_back(makeButton(tr("Restore"), QStringLiteral("edit-undo"), tr("All as it was fitted"), this))
     , m_answer(new QLabel(this))
+    , m_held(new QLabel(this))
     , m_plot(new CurvePlot(this)) {
     build();
     connectParts();
     takeColumns();
+}
+
+int WhatIfPanel::noiseStep(double px) {
+    return static_cast<int>(std::lround(px / kNoiseStepPx));
 }
 
 void WhatIfPanel::showEvent(QShowEvent* event) {
@@ -79,8 +86,13 @@ void WhatIfPanel::connectParts() {
     connect(m_noiseSlider, &QSlider::valueChanged, m_noise, [this](int at) { m_noise->setValue(at * kNoiseStepPx); });
     connect(m_noise, qOverload<double>(&QDoubleSpinBox::valueChanged), this, [this](double px) {
         const QSignalBlocker blocker(m_noiseSlider);
-        m_noiseSlider->setValue(static_cast<int>(std::lround(px / kNoiseStepPx)));
-        explore("outlines");
+        m_noiseSlider->setValue(noiseStep(px));
+        explore(kNoiseKey);
+    });
+    connect(m_draw, qOverload<int>(&QSpinBox::valueChanged), this, [this] {
+        if (m_key == kNoiseKey)
+            startCurve(kNoiseKey); // its points are of the other draw
+        explore(kNoiseKey);
     });
     connect(&m_runner, &WhatIf::found, this, &WhatIfPanel::take);
     connect(
@@ -94,7 +106,7 @@ void WhatIfPanel::connectParts() {
         endSweep();
         const auto most = std::max_element(m_without.begin(), m_without.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
-        if (m_key.empty() && most != m_without.end())
+        if (most != m_without.end())
             m_answer->setText(tr("The error grows most without %1.")
                                   .arg(m_cameras[static_cast<std::size_t>(most->first)]->objectName()));
     });
@@ -127,11 +139,15 @@ void WhatIfPanel::build() {
     m_problem->setPalette(colours);
     m_problem->hide();
     m_answer->setWordWrap(true);
+    m_held->setWordWrap(true);
+    m_held->setForegroundRole(QPalette::PlaceholderText);
+    m_held->hide();
     m_plot->setFixedHeight(kPlotHeight);
     column->addWidget(m_column);
     column->addWidget(m_line);
     column->addWidget(m_problem);
     column->addWidget(m_plot); // in sight while a setting below it is dragged
+    column->addWidget(m_held);
     column->addLayout(makeSweepRow());
     column->addWidget(m_answer);
     column->addWidget(m_form);
@@ -166,7 +182,7 @@ QLayout* WhatIfPanel::makeSilhouettes() {
     auto* row = new QHBoxLayout;
     auto* label = new QLabel(tr("Noise of the outlines"), this);
     const QString tip = tr("What if the silhouettes were noisier? By how much their outlines move, pixels");
-    m_noiseSlider->setRange(0, static_cast<int>(std::lround(kMostOutlineNoisePx / kNoiseStepPx)));
+    m_noiseSlider->setRange(0, noiseStep(kMostOutlineNoisePx));
     m_noiseSlider->setFocusPolicy(Qt::NoFocus);
     m_noiseSlider->setMinimumWidth(60);
     m_noise->setRange(0, kMostOutlineNoisePx);
@@ -181,6 +197,13 @@ QLayout* WhatIfPanel::makeSilhouettes() {
     row->addWidget(label);
     row->addWidget(m_noiseSlider, 1);
     row->addWidget(m_noise);
+    m_draw->setRange(0, kMostNoiseDraw);
+    m_draw->setPrefix(tr("draw "));
+    m_draw->setAccessibleName(tr("Draw of the noise"));
+    m_draw->setToolTip(tr("Which draw of the noise: other wiggles of the same size. One draw alone may be luck."));
+    m_draw->setFocusPolicy(Qt::ClickFocus);
+    m_draw->setKeyboardTracking(false);
+    row->addWidget(m_draw);
     column->addLayout(row);
     m_cameraGrid->setHorizontalSpacing(kSpacing);
     m_cameraGrid->setVerticalSpacing(2);

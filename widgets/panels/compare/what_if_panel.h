@@ -14,6 +14,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QWidget>
 
 #include "widgets/panels/compare/method_form.h"
@@ -40,9 +41,20 @@ public:
     QLineEdit* line() const { return m_line; }
     /// Why the written method cannot be; empty if it can.
     QString problem() const { return m_problem->text(); }
+    /// What is the same at all points of the curves, besides the settings that their names say, and which cameras a
+    /// number of them means; empty for nothing.
+    QString heldText() const;
     const std::vector<QCheckBox*>& cameras() const { return m_cameras; }
     void setOutlineNoisePx(double px) { m_noise->setValue(px); }
-    /// Error (mm) by value of what is dragged, of a method as the curve's legend calls it.
+    void setNoiseDraw(int draw) { m_draw->setValue(draw); }
+    /// The circumstances that are set now, and the settings that are tried, by column id: columns not here have their
+    /// own.
+    WhatIfCase currentCase() const;
+    const std::map<std::string, std::string>& triedSettings() const { return m_tried; }
+    /// Sets both, and fits all columns so.
+    void tryAgain(const WhatIfCase& what, std::map<std::string, std::string> settings);
+    /// Error (mm) by value of what is dragged, of methods that differ in nothing else: "ch:robust=2" while its gate is
+    /// dragged.
     const std::map<std::string, std::map<double, double>>& points() const { return m_points; }
     bool isRunning() const { return m_runner.isRunning(); }
     /// Whether the first answer comes as soon as later ones.
@@ -72,17 +84,28 @@ protected:
 
 private:
     void build();
+    static int noiseStep(double px);
     void connectParts();
     QLayout* makeSilhouettes();
     QLayout* makeButtons();
     QLayout* makeSweepRow();
     void takeColumns();
     void makeCameraBoxes();
+    void showSettings();
     void takeLine();
     void edit(const std::string& key);
     void explore(const std::string& key);
+    void takeSettings(const std::string& key);
     std::vector<WhatIfTrial> trialsOf(const std::string& key) const;
-    bool isOnlyChange(const std::string& key) const;
+    WhatIfTrial trialOf(const std::string& column) const;
+    std::vector<std::string> staleColumns() const;
+    std::vector<std::string> methodColumns() const;
+    bool isAsFitted(const std::string& column) const;
+    bool isUpToDate(const std::string& column) const;
+    void catchUp();
+    void showTrial();
+    void setCase(const WhatIfCase& what);
+    double shownErrorMm(const std::string& column) const;
     std::string withOption(const std::string& method, const std::string& key) const;
     void take(const WhatIfTrial& trial, const MethodOutcome& outcome);
     std::vector<WhatIfTrial> sweepTrials(const std::string& key) const;
@@ -90,10 +113,11 @@ private:
     void endSweep();
     void showSweep();
     void startCurve(const std::string& key);
+    void addPoint(const WhatIfTrial& trial, double errorMm);
     void showCurves();
     void showCameraTexts();
-    WhatIfCase currentCase() const;
-    double place(const std::string& key) const;
+    const std::string& tried(const std::string& column) const;
+    double place(const std::string& key, const std::string& method) const;
     const MethodOutcome* fitted(const std::string& method) const;
 
     const FitRunner& m_fits;
@@ -108,6 +132,7 @@ private:
     MethodForm* m_form;
     QSlider* m_noiseSlider;
     QDoubleSpinBox* m_noise;
+    QSpinBox* m_draw;
     QGridLayout* m_cameraGrid;
     std::vector<QCheckBox*> m_cameras;
     QPushButton* m_measure;
@@ -117,6 +142,7 @@ private:
     QPushButton* m_add;
     QPushButton* m_back;
     QLabel* m_answer;
+    QLabel* m_held; ///< what is the same at all points of the curves
     CurvePlot* m_plot;
     std::shared_ptr<const FitOutcome> m_pair; ///< that all of this is about
     bool m_isSweeping = false;
@@ -125,9 +151,14 @@ private:
     std::string m_next; ///< that is to be the base once its column is there
     std::string m_key;  ///< what was dragged last
     std::map<std::string, std::map<double, double>> m_points;
-    std::map<std::string, MethodOutcome> m_previews; ///< by column id
-    QString m_circumstances;                         ///< of the last one
-    std::map<int, double> m_without;                 ///< error without a camera, mm
+    std::map<double, std::vector<bool>> m_cameraSets; ///< which cameras a number of them means on the curves
+    std::map<std::string, std::string> m_tried;       ///< settings by column id
+    struct Shown {
+        WhatIfCase what;
+        MethodOutcome outcome; ///< its method: the settings
+    };
+    std::map<std::string, Shown> m_shown; ///< what columns show of the trial, by id
+    std::map<int, double> m_without;      ///< error without a camera, mm
 };
 
 } // namespace widgets

@@ -2,8 +2,10 @@
 #include "widgets/panels/compare/what_if_sweep.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "core/fitting/match_rule.h"
 #include "core/fitting/method_name.h"
 #include "core/fitting/method_options.h"
 #include "core/text/number_text.h"
@@ -31,6 +33,10 @@ const std::map<std::string, std::vector<double>>& rows() {
 }
 
 } // namespace
+
+bool isOfPair(const std::string& key) {
+    return key == kNoiseKey || key == kCamerasKey;
+}
 
 std::string usualSweep(const core::Method& method) {
     for (const core::MethodOption& option : core::methodOptions())
@@ -62,6 +68,46 @@ std::string withValue(const std::string& method, const std::string& key, double 
         return option.parse(parsed, text).empty() ? core::methodName(parsed) : std::string();
     }
     return {};
+}
+
+std::string withoutOption(const std::string& method, const std::string& key) {
+    core::Method parsed = core::parseMethod(method);
+    const core::Method plain = core::parseMethod(method.substr(0, method.find(':')));
+    for (const core::MethodOption& option : core::methodOptions())
+        if (option.key == key && option.appliesTo(parsed) && option.print(parsed) != option.print(plain))
+            option.parse(parsed, option.print(plain));
+    return core::methodName(parsed);
+}
+
+double optionValue(const core::Method& method, const std::string& key) {
+    for (const core::MethodOption& option : core::methodOptions()) {
+        if (option.key != key || !option.appliesTo(method))
+            continue;
+        if (key == "bins")
+            return core::matchRule(method).bins.count();
+        const auto gatePx = static_cast<double>(core::matchRule(method).gatePx);
+        if (key == "gate")
+            return std::isfinite(gatePx) ? gatePx : std::nan("");
+        const std::string text = option.print(method);
+        double value = 0;
+        if (option.domain.isNumber())
+            return core::parseNumber(text, value) ? value : std::nan("");
+        return text == option.domain.words[1] ? 1 : 0;
+    }
+    return std::nan("");
+}
+
+bool isSameMethod(const std::string& a, const std::string& b) {
+    return a == b || core::methodName(core::parseMethod(a)) == core::methodName(core::parseMethod(b));
+}
+
+std::string liveVariant(const std::string& method) {
+    core::Method live = core::parseMethod(method);
+    if (!live.best)
+        live = core::parseMethod("best");
+    live.best->live = true;
+    live.best->restarts = false;
+    return core::methodName(live);
 }
 
 std::vector<bool> spreadCameras(std::size_t count, std::size_t all) {

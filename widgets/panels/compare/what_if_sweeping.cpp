@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <QLocale>
 
@@ -21,26 +22,32 @@ std::string WhatIfPanel::sweptKey() const {
 }
 
 /// All columns at one value before the next value: curves grow side by side. What is on a curve already is not fitted
-/// again.
+/// again; columns that were not fitted yet as they are tried come first.
 std::vector<WhatIfTrial> WhatIfPanel::sweepTrials(const std::string& key) const {
-    const bool isOfPair = key == kCamerasKey || key == kNoiseKey;
-    const std::string mine = m_form->method();
-    std::vector<std::pair<std::string, std::string>> curves{{m_base, mine}};
-    for (const InspectColumn& column : m_columns.columns())
-        if (column.kind == InspectColumn::Kind::Method && column.name != m_base)
-            curves.emplace_back(column.name, column.name);
+    std::vector<std::string> columns = methodColumns();
+    std::stable_partition(columns.begin(), columns.end(),
+                          [this](const std::string& column) { return column == m_base; });
     std::vector<WhatIfTrial> trials;
+    for (const std::string& column : staleColumns())
+        trials.push_back(trialOf(column));
     for (const double value : sweepValues(key, m_cameras.size())) {
         WhatIfCase what = currentCase();
-        if (key == kNoiseKey)
+        if (key == kNoiseKey) {
             what.outlineNoisePx = value;
+            what.draw = value > 0 ? m_draw->value() : 0;
+        }
         if (key == kCamerasKey)
             what.cameras = spreadCameras(static_cast<std::size_t>(value), m_cameras.size());
-        for (const auto& [curve, method] : curves) {
+        const auto set = m_cameraSets.find(value);
+        const bool isOtherSet = key == kCamerasKey && (set == m_cameraSets.end() || set->second != what.cameras);
+        std::set<std::string> curves; // two columns may be one
+        for (const std::string& column : columns) {
+            const std::string curve = withoutOption(tried(column), key);
             const auto known = m_points.find(curve);
-            const std::string tried = isOfPair ? method : withValue(method, key, value);
-            if (!tried.empty() && (known == m_points.end() || known->second.count(value) == 0))
-                trials.push_back({tried, what, {}, key, value, false, curve});
+            const std::string method = isOfPair(key) ? tried(column) : withValue(tried(column), key, value);
+            if (!method.empty() && curves.insert(curve).second &&
+                (isOtherSet || known == m_points.end() || known->second.count(value) == 0))
+                trials.push_back({method, what, {}, key, value, false, curve});
         }
     }
     return trials;
@@ -68,12 +75,13 @@ void WhatIfPanel::sweepOrStop() {
     }
     m_runner.stop();
     endSweep();
+    catchUp();
 }
 
 void WhatIfPanel::takeSwept(const WhatIfTrial& trial, const MethodOutcome& outcome) {
     ++m_swept;
-    if (trial.key == m_key && outcome.failure.isEmpty() && std::isfinite(outcome.errorMm))
-        m_points[trial.curve][trial.x] = outcome.errorMm;
+    if (trial.key == m_key && outcome.failure.isEmpty())
+        addPoint(trial, outcome.errorMm);
     showCurves();
     showSweep();
 }
@@ -84,13 +92,13 @@ void WhatIfPanel::endSweep() {
         return;
     m_isSweeping = false;
     showSweep();
-    const auto curve = m_points.find(m_base);
+    const auto curve = m_points.find(withoutOption(tried(m_base), m_key));
     if (curve == m_points.end() || curve->second.empty())
         return;
     const auto least = std::min_element(curve->second.begin(), curve->second.end(),
                                         [](const auto& a, const auto& b) { return a.second < b.second; });
     m_answer->setText(tr("%1: least error %2 mm at %3")
-                          .arg(QString::fromStdString(m_base), localNumber(least->second, 2),
+                          .arg(QString::fromStdString(curve->first), localNumber(least->second, 2),
                                QLocale().toString(least->first, 'g', 6)));
 }
 

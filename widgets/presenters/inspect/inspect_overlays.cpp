@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <opencv2/core/utility.hpp>
-
+#include "core/contour/side_by_side.h"
 #include "widgets/presenters/inspect/inspect_uncertainty.h"
 
 namespace widgets {
@@ -173,9 +172,9 @@ InspectOverlays::Parts InspectOverlays::makeParts(const Scene& scene, const Over
         part->source = std::move(source);
         parts[place] = std::move(part);
     };
-    cv::parallel_for_(cv::Range(0, static_cast<int>(parts.size())), [&](const cv::Range& places) {
-        for (int place = places.start; place < places.end && !stop.stop_requested(); ++place)
-            makeOne(static_cast<std::size_t>(place));
+    core::forEachSideBySide(parts.size(), [&](std::size_t place) {
+        if (!stop.stop_requested())
+            makeOne(place);
     });
     return parts;
 }
