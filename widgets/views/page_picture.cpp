@@ -53,6 +53,7 @@ QByteArray partSvg(const PagePicture::Part& part) {
 
 QImage pageImage(const PagePicture& page, double scale) {
     QImage picture((page.size * scale).toSize(), QImage::Format_RGB32);
+    picture.fill(page.ground); // the last row and column may be a part of a pixel more than the page
     picture.setDevicePixelRatio(scale);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace widgets {
 
@@ -17,13 +18,24 @@ double roundStep(double step) {
     return 10 * power;
 }
 
-std::vector<double> linearTicks(const PlotAxis& axis, int most) {
-    double step = roundStep((axis.max - axis.min) / std::max(1, most - 1));
+/// The multiples of a round step within the axis; it has at most `parts` such steps.
+std::vector<double> multiples(const PlotAxis& axis, int parts) {
+    double step = roundStep((axis.max - axis.min) / parts);
     if (axis.whole)
         step = std::max(1.0, step);
     std::vector<double> result;
     for (double i = std::ceil(axis.min / step - 1e-9); i * step <= axis.max + 1e-9 * step; ++i)
         result.push_back(i * step);
+    return result;
+}
+
+/// At least two where a smaller step gives them: nothing can be read off an axis with one number.
+std::vector<double> linearTicks(const PlotAxis& axis, int most) {
+    constexpr int kSmaller = 3;
+    std::vector<double> result = multiples(axis, most - 1);
+    for (int parts = most; result.size() < 2 && parts < most + kSmaller; ++parts)
+        if (std::vector<double> finer = multiples(axis, parts); static_cast<int>(finer.size()) <= most + 1)
+            result = std::move(finer);
     return result;
 }
 

@@ -21,8 +21,8 @@ struct PlotAxis {
 /// values that are not negative starts at 0 if they come near it.
 PlotAxis roundAxis(double min, double max, bool logarithmic);
 
-/// Round values on the axis, at most `most` (at least 2); powers of ten, with 2 and 5 between if there is room, on a
-/// logarithmic one.
+/// Round values on the axis, at most `most` (at least 2), or one more where it would be a single one; powers of ten,
+/// with 2 and 5 between if there is room, on a logarithmic one.
 std::vector<double> ticks(const PlotAxis& axis, int most);
 
 } // namespace widgets

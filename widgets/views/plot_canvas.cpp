@@ -301,6 +301,7 @@ void PlotCanvas::changeEvent(QEvent* event) {
 
 QImage PlotCanvas::grabPicture(double scale) const {
     QImage picture((QSizeF(size()) * scale).toSize(), QImage::Format_RGB32);
+    picture.fill(Qt::white); // the last row and column may be a part of a pixel more than the plot
     picture.setDevicePixelRatio(scale);
     QPainter painter(&picture);
     paintOnPaper(painter, rect());

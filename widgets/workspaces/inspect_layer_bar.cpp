@@ -177,7 +177,11 @@ void InspectLayerBar::showLegend() {
     }
     if (m_overlays.isShown(InspectLayer::Field))
         entries.push_back(scaleEntry(tr("field 0\u2013%1 px; clear: no match").arg(kFieldScalePx)));
-    if (m_overlays.isShown(InspectLayer::Error))
+    const auto& outcome = m_overlays.scene().outcome;
+    if (m_overlays.isShown(InspectLayer::Error) && outcome && outcome->truePoses.empty())
+        entries.push_back({Sample::Box, tr("error: there is no recorded pose"),
+                           palette().color(QPalette::Disabled, QPalette::WindowText)});
+    else if (m_overlays.isShown(InspectLayer::Error))
         entries.push_back(scaleEntry(tr("error 0\u2013%1 mm").arg(kErrorScaleMm)));
     if (m_overlays.isShown(InspectLayer::Uncertainty))
         entries.push_back({Sample::Line, tr("95 % regions"), handPartColour(HandPart::Palm)});

@@ -60,7 +60,8 @@ MatchesOfStep matchesOf(MainWindow& window, const QJsonObject& step) {
         return QString::fromStdString(candidate.method) == method;
     };
     const auto& fitted = window.session().fits.outcome()->methods;
-    if (std::none_of(fitted.begin(), fitted.end(), isMethod))
+    const auto known = std::find_if(fitted.begin(), fitted.end(), isMethod);
+    if (known == fitted.end())
         throw impossible("method", QStringLiteral("\"%1\" was not fitted").arg(method));
     const auto& cameras = window.session().opened.dataset()->cameras;
     for (std::size_t c = 0; c < cameras.size(); ++c) {
@@ -68,9 +69,8 @@ MatchesOfStep matchesOf(MainWindow& window, const QJsonObject& step) {
             continue;
         const auto& columns = page.columns()->outcome()->methods;
         const auto column = std::find_if(columns.begin(), columns.end(), isMethod);
-        if (column == columns.end())
-            return {};
-        return {&*column, widgets::shownMatches(*column, static_cast<int>(c), page.iteration())};
+        const widgets::MethodOutcome& asked = column == columns.end() ? *known : *column; // fitted, and no column
+        return {&asked, widgets::shownMatches(asked, static_cast<int>(c), page.iteration())};
     }
     throw impossible("camera", QStringLiteral("unknown camera \"%1\"").arg(camera));
 }

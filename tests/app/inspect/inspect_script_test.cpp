@@ -72,6 +72,14 @@ TEST_F(InspectScript, MatchesOfChAreTheNearestPixelsOfTheOutline) {
     }
 }
 
+TEST_F(InspectScript, MatchesOfAFittedMethodArePrintedThoughItHasNoColumn) {
+    fit("\"ch\",\"dch-thres\"");
+    const json shown = matches("ch", 3);
+    ASSERT_GT(shown.size(), 15u);
+    run(R"({"do":"columns","show":["dch-thres"]})");
+    EXPECT_EQ(matches("ch", 3), shown);
+}
+
 TEST_F(InspectScript, AClickPinsTheProbeAndAnotherTakesItAway) {
     fit("\"ch\",\"dch-thres\"");
     run("{\"do\":\"iteration\",\"to\":1}\n");

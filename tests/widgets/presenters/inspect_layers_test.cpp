@@ -225,6 +225,22 @@ TEST_F(InspectLayersTest, AProbePreparesEveryOutlineOnce) {
     EXPECT_EQ(prepared.size(), 3u) << "nothing anew at another point and iteration";
 }
 
+TEST_F(InspectLayersTest, ErrorsAreColouredByTheRecordedPoseThoughMaskFilesAreTheTarget) {
+    widgets::FitOutcome outcome;
+    outcome.request.target = widgets::FitTarget::Masks;
+    outcome.startPoses = scene.start;
+    outcome.truePoses = scene.truth;
+    outcome.methods = {fit("ch")};
+    const widgets::InspectedPoses posed = inspectedPoses(dataset, outcome, 0, {});
+    EXPECT_TRUE(posed.recorded.surfaces.empty()) << "the observed outline is drawn instead";
+    const widgets::ViewSurface &start = *posed.methodsByError[0].surfaces[0], &truth = *posed.truth.surfaces[0];
+    ASSERT_EQ(start.coloursRgb.size(), start.verticesInWorld.size());
+    for (std::size_t v = 0; v < start.verticesInWorld.size(); v += 50) {
+        const double mm = (start.verticesInWorld[v] - truth.verticesInWorld[v]).norm();
+        EXPECT_NEAR(start.coloursRgb[v].x(), widgets::scaleColour(mm / widgets::kErrorScaleMm).redF(), 1e-4) << v;
+    }
+}
+
 TEST_F(InspectLayersTest, OnlyWhatMovedIsPosedAnew) {
     widgets::FitOutcome outcome;
     outcome.request.target = widgets::FitTarget::Recorded;

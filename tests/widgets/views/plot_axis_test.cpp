@@ -57,6 +57,14 @@ TEST(PlotAxis, TicksAreRoundAndFew) {
     EXPECT_NEAR(powers[2], 1, 1e-12);
 }
 
+TEST(PlotAxis, ANarrowAxisHasTwoNumbers) {
+    PlotAxis iterations{0, 25, false};
+    iterations.whole = true;
+    EXPECT_EQ(ticks(iterations, 2), (std::vector<double>{0, 20}));
+    for (const double max : {3.0, 11.0, 29.0, 44.0, 100.0, 260.0})
+        EXPECT_EQ(ticks({0, max, false}, 2).size(), max == 44 ? 3u : 2u) << max; // 0, 20, 40
+}
+
 TEST(PlotAxis, WholeNumbersHaveNoTicksBetweenThem) {
     EXPECT_EQ(ticks(PlotAxis{0, 3, false, true}, 12), (std::vector<double>{0, 1, 2, 3}));
     EXPECT_EQ(ticks(PlotAxis{0, 3, false, false}, 12).size(), 7u) << "halves";

@@ -54,11 +54,11 @@ InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& ou
     poses.start =
         before ? before->start
                : layerOf(dataset, outcome.startPoses, QLatin1String(LayerPresenter::kStart), methodColour("start"));
-    if (before)
-        poses.recorded = before->recorded;
-    else if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
-        poses.recorded =
-            layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded), methodColour("recorded"));
+    poses.truth = before ? before->truth
+                         : layerOf(dataset, outcome.truePoses, QLatin1String(LayerPresenter::kRecorded),
+                                   methodColour("recorded"));
+    if (outcome.request.target == FitTarget::Recorded) // else the observed outline is drawn
+        poses.recorded = poses.truth;
     for (std::size_t column = 0; column < outcome.methods.size(); ++column) {
         if (stop.stop_requested())
             break;
@@ -71,7 +71,7 @@ InspectedPoses inspectedPoses(const core::Dataset& dataset, const FitOutcome& ou
             poses.methodsByError.back().surfaces = before->methodsByError[column].surfaces;
         } else {
             layer = layerOf(dataset, poses.poses.back(), layer.name, layer.colour);
-            poses.methodsByError.push_back(colouredByError(layer, poses.recorded));
+            poses.methodsByError.push_back(colouredByError(layer, poses.truth));
         }
         poses.methods.push_back(std::move(layer));
     }

@@ -14,7 +14,8 @@ namespace widgets {
 /// The hands of a fitted pair at one iteration, posed once for all views.
 struct InspectedPoses {
     MeshLayer start;                ///< where every method began
-    MeshLayer recorded;             ///< no surfaces if the target is mask files, or there is no recorded pose
+    MeshLayer truth;                ///< the recorded pose; no surfaces if there is none
+    MeshLayer recorded;             ///< the same where the target was drawn from it; else no surfaces
     std::vector<MeshLayer> methods; ///< as in the outcome
     /// The same in the colours of their vertices' distance to the recorded pose (colouredByError).
     std::vector<MeshLayer> methodsByError;

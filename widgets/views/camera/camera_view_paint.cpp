@@ -142,6 +142,7 @@ void CameraView::paintAll(QPainter& painter, double pictureScale) const {
 
 QImage CameraView::grabPicture(double pictureScale) const {
     QImage picture((QSizeF(viewport()->size()) * pictureScale).toSize(), QImage::Format_RGB32);
+    picture.fill(kBackdrop); // the last row and column may be a part of a pixel more than the view
     picture.setDevicePixelRatio(pictureScale);
     QPainter painter(&picture);
     paintAll(painter, pictureScale);

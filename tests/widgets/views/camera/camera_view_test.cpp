@@ -336,4 +336,21 @@ TEST_F(CameraViewTest, SavedPictureIsThatOnTheScreen) {
     EXPECT_EQ(view.grabPicture(2).size(), view.viewport()->size() * 2);
 }
 
+TEST_F(CameraViewTest, PicturesHaveNoPixelThatNobodyPaints) {
+    view.resize(150, 150);
+    const QSizeF shown = view.viewport()->size();
+    const double scale = (shown.height() + 0.6) / shown.height(); // the last row is a part of a pixel
+    const auto pictureOver = [&](const QColor& before) {
+        for (int i = 0; i < 8; ++i) { // what the memory held
+            QImage waste((shown * scale).toSize(), QImage::Format_RGB32);
+            waste.fill(before);
+        }
+        return view.grabPicture(scale);
+    };
+    const QImage picture = pictureOver(Qt::white);
+    ASSERT_EQ(picture.height(), static_cast<int>(shown.height()) + 1);
+    EXPECT_EQ(picture, pictureOver(Qt::red));
+    EXPECT_EQ(picture.pixelColor(0, picture.height() - 1), picture.pixelColor(0, 0)) << "the ground";
+}
+
 } // namespace
