@@ -1248,10 +1248,6 @@
         <source>Settings</source>
         <translation>Einstellungen</translation>
     </message>
-    <message>
-        <source>What was tried in &quot;What if&quot; is shown above and not kept in the file: it makes the page of the columns as they were fitted.</source>
-        <translation>Was unter „Was wäre, wenn“ probiert wurde, ist oben zu sehen und steht nicht in der Datei: Sie ergibt die Seite der Spalten, wie sie angepasst wurden.</translation>
-    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -4021,10 +4017,6 @@
         <source>observed silhouette</source>
         <translation>beobachtete Silhouette</translation>
     </message>
-    <message>
-        <source>error: there is no recorded pose</source>
-        <translation>Fehler: keine aufgezeichnete Pose</translation>
-    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4079,10 +4071,6 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1 (Bild %2 aus Bild %3 wird angepasst)</translation>
-    </message>
-    <message>
-        <source>%1, tried: %2</source>
-        <translation>%1, probiert: %2</translation>
     </message>
 </context>
 <context>
@@ -5990,21 +5978,6 @@
     <message>
         <source>Untick to hide a view; drag to change the order</source>
         <translation>Abwählen blendet eine Ansicht aus; Ziehen ändert die Reihenfolge</translation>
-    </message>
-</context>
-<context>
-    <name>widgets::WhatIf</name>
-    <message>
-        <source>outlines with %1 px of noise</source>
-        <translation>Umrisse mit %1 px Rauschen</translation>
-    </message>
-    <message>
-        <source>with %1 of %2 cameras</source>
-        <translation>mit %1 von %2 Kameras</translation>
-    </message>
-    <message>
-        <source>without %1</source>
-        <translation>ohne %1</translation>
     </message>
 </context>
 <context>

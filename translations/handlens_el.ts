@@ -1248,10 +1248,6 @@
         <source>Settings</source>
         <translation>Ρυθμίσεις</translation>
     </message>
-    <message>
-        <source>What was tried in &quot;What if&quot; is shown above and not kept in the file: it makes the page of the columns as they were fitted.</source>
-        <translation>Όσα δοκιμάστηκαν στο «Τι αν» φαίνονται παραπάνω και δεν κρατήθηκαν στο αρχείο: αυτό φτιάχνει τη σελίδα των στηλών όπως προσαρμόστηκαν.</translation>
-    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -4021,10 +4017,6 @@
         <source>observed silhouette</source>
         <translation>σιλουέτα-στόχος</translation>
     </message>
-    <message>
-        <source>error: there is no recorded pose</source>
-        <translation>σφάλμα: δεν υπάρχει καταγεγραμμένη στάση</translation>
-    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4079,10 +4071,6 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1 (προσαρμόζεται το καρέ %2 από το καρέ %3)</translation>
-    </message>
-    <message>
-        <source>%1, tried: %2</source>
-        <translation>%1, δοκιμή: %2</translation>
     </message>
 </context>
 <context>
@@ -5990,21 +5978,6 @@
     <message>
         <source>Untick to hide a view; drag to change the order</source>
         <translation>Αποεπιλέξτε για απόκρυψη μιας προβολής· σύρετε για αλλαγή σειράς</translation>
-    </message>
-</context>
-<context>
-    <name>widgets::WhatIf</name>
-    <message>
-        <source>outlines with %1 px of noise</source>
-        <translation>περιγράμματα με θόρυβο %1 px</translation>
-    </message>
-    <message>
-        <source>with %1 of %2 cameras</source>
-        <translation>με %1 από %2 κάμερες</translation>
-    </message>
-    <message>
-        <source>without %1</source>
-        <translation>χωρίς %1</translation>
     </message>
 </context>
 <context>

@@ -1247,10 +1247,6 @@
         <source>Settings</source>
         <translation>设置</translation>
     </message>
-    <message>
-        <source>What was tried in &quot;What if&quot; is shown above and not kept in the file: it makes the page of the columns as they were fitted.</source>
-        <translation>“假设分析”中试用的内容显示在上方，未保存到文件中：文件生成的是各列按原拟合结果的页面。</translation>
-    </message>
 </context>
 <context>
     <name>app::ExportWindow</name>
@@ -3974,10 +3970,6 @@
         <source>observed silhouette</source>
         <translation>观测轮廓</translation>
     </message>
-    <message>
-        <source>error: there is no recorded pose</source>
-        <translation>误差：没有记录的姿态</translation>
-    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4032,10 +4024,6 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1（正在从第 %3 帧拟合第 %2 帧）</translation>
-    </message>
-    <message>
-        <source>%1, tried: %2</source>
-        <translation>%1，试用：%2</translation>
     </message>
 </context>
 <context>
@@ -5918,21 +5906,6 @@
     <message>
         <source>Untick to hide a view; drag to change the order</source>
         <translation>取消勾选可隐藏视图，拖动可更改顺序</translation>
-    </message>
-</context>
-<context>
-    <name>widgets::WhatIf</name>
-    <message>
-        <source>outlines with %1 px of noise</source>
-        <translation>轮廓线噪声 %1 px</translation>
-    </message>
-    <message>
-        <source>with %1 of %2 cameras</source>
-        <translation>使用 %2 台相机中的 %1 台</translation>
-    </message>
-    <message>
-        <source>without %1</source>
-        <translation>不用 %1</translation>
     </message>
 </context>
 <context>

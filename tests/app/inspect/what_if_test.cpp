@@ -4,11 +4,9 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "app/desktop/script/comparison_report.h"
 #include "tests/app/inspect/inspect_fixture.h"
 #include "widgets/panels/compare/what_if_panel.h"
 #include "widgets/panels/fitting_panel.h"
-#include "widgets/workspaces/inspect_picture.h"
 
 namespace {
 

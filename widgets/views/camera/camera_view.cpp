@@ -47,7 +47,7 @@ CameraView::CameraView(QWidget* parent)
     setViewportUpdateMode(MinimalViewportUpdate);
     setOptimizationFlags(DontSavePainterState);
     setFocusPolicy(Qt::ClickFocus);
-    setMinimumSize(60, 60);
+    setMinimumSize(60, 30); // eight rows of a small window
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
     updateCursor();

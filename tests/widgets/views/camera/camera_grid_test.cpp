@@ -104,6 +104,18 @@ TEST_F(CameraGridTest, ColumnsCanBeFixed) {
     EXPECT_EQ(grid.view(3)->x(), grid.view(0)->x());
 }
 
+TEST_F(CameraGridTest, EightRowsOfASmallWindowDoNotOverlap) {
+    grid.setFixedColumns(1);
+    grid.resize(930, 330);
+    QApplication::processEvents();
+    for (int i = 0; i < grid.count(); ++i) {
+        EXPECT_TRUE(grid.rect().contains(grid.view(i)->geometry())) << i;
+        EXPECT_GT(grid.view(i)->viewport()->height(), 10) << "below the title";
+        if (i > 0)
+            EXPECT_FALSE(grid.view(i)->geometry().intersects(grid.view(i - 1)->geometry())) << i;
+    }
+}
+
 TEST_F(CameraGridTest, ViewsAreFoundByTheirCamera) {
     EXPECT_EQ(grid.view(QStringLiteral("cam4")), grid.view(4));
     EXPECT_EQ(grid.view(QStringLiteral("cam9")), nullptr);
