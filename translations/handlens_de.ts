@@ -4025,6 +4025,10 @@
         <source>error: there is no recorded pose</source>
         <translation>Fehler: keine aufgezeichnete Pose</translation>
     </message>
+    <message>
+        <source>observed silhouette, without noise</source>
+        <translation>beobachtete Silhouette, ohne Rauschen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>

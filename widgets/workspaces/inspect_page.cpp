@@ -209,6 +209,7 @@ void InspectPage::takePreviews() {
     showHint();
     showPoses();
     showCurves();
+    showLegend();
 }
 
 /// As many iterations as the longest method made; the last one stays the last one.
@@ -311,7 +312,8 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 void InspectPage::showLegend() {
     const auto& outcome = m_columns->outcome();
     m_layerBar->setSilhouetteShown(
-        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
+        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())),
+        !m_columns->circumstances().isEmpty());
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {

@@ -94,6 +94,7 @@ TEST_F(WhatIfTest, OtherCircumstancesAreSaidWhereverWhatTheyGaveIsShown) {
         QStringLiteral("outlines with %1 px of noise, without %2").arg(QLocale().toString(2.0, 'f', 1)).arg(camera);
     EXPECT_EQ(page().heading(), plain + QStringLiteral(", tried: ") + said);
     EXPECT_EQ(widgets::comparisonPicture(page()).title, page().heading());
+    EXPECT_EQ(page().layerBar()->legend().texts().front(), QStringLiteral("observed silhouette, without noise"));
     const std::string report = app::comparisonReportHtml(*window, "w.json", "{}");
     EXPECT_NE(report.find(said.toStdString()), std::string::npos);
     EXPECT_NE(report.find("not kept in the file"), std::string::npos);
@@ -102,6 +103,7 @@ TEST_F(WhatIfTest, OtherCircumstancesAreSaidWhereverWhatTheyGaveIsShown) {
     EXPECT_TRUE(page().heading().endsWith(said));
     trigger("compare.resetSettings");
     EXPECT_EQ(page().heading(), plain);
+    EXPECT_EQ(page().layerBar()->legend().texts().front(), QStringLiteral("observed silhouette"));
     EXPECT_EQ(app::comparisonReportHtml(*window, "w.json", "{}").find("not kept in the file"), std::string::npos);
 }
 
