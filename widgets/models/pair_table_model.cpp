@@ -27,7 +27,7 @@ bool isOfMethods(PairField field) {
     return isOfMethod(field) || field == PairField::ErrorDifferenceMm;
 }
 
-/// Where each of these methods stands in another table; nothing if one is not there.
+/// The places of these methods in another table; no value if one is missing there.
 std::optional<std::vector<std::size_t>> placesOf(const std::vector<std::string>& methods,
                                                  const std::vector<std::string>& others) {
     std::vector<std::size_t> places;

@@ -149,7 +149,8 @@ void InspectGrid::layOut() {
         showPoses(m_posed, m_iteration);
 }
 
-/// The silhouettes that were met, where they are no recorded pose's: of mask files, or noisy ones that are tried.
+/// The silhouettes that were met, where the recorded pose did not draw them: of mask files, or noisy ones that are
+/// tried.
 void InspectGrid::showOutlines() {
     const auto& outcome = m_columns.outcome();
     if (!outcome)

@@ -28,15 +28,12 @@ core::DirectionalDistance reducedDistance(const core::MatchRule& rule) {
     return distance;
 }
 
-/// scaleColour in 256 steps, for pictures.
-QRgb scaleRgb(double share) {
-    static const auto steps = [] {
-        std::array<QRgb, 256> colours{};
-        for (std::size_t i = 0; i < colours.size(); ++i)
-            colours[i] = scaleColour(static_cast<double>(i) / (colours.size() - 1)).rgba();
-        return colours;
-    }();
-    return steps[static_cast<std::size_t>(std::clamp(share, 0.0, 1.0) * (steps.size() - 1) + 0.5)];
+/// The scale in 256 steps, for pictures.
+std::array<QRgb, 256> stepsOf(const FieldScale& scale) {
+    std::array<QRgb, 256> colours{};
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        colours[i] = scale.colour(static_cast<double>(i) / (colours.size() - 1)).rgba();
+    return colours;
 }
 
 /// CV_32F, pixels of the image, kRefusedCost and more where the method would refuse.
@@ -52,7 +49,8 @@ cv::Mat reducedField(const core::CameraTarget& target, const core::MatchRule& ru
                                            region, angleRad);
 }
 
-QImage fieldPicture(const cv::Mat& cost) {
+QImage fieldPicture(const cv::Mat& cost, const FieldScale& scale) {
+    const std::array<QRgb, 256> colours = stepsOf(scale);
     QImage picture(cost.cols, cost.rows, QImage::Format_ARGB32_Premultiplied);
     picture.fill(0);
     for (int y = 0; y < cost.rows; ++y) {
@@ -60,20 +58,21 @@ QImage fieldPicture(const cv::Mat& cost) {
         auto* row = reinterpret_cast<QRgb*>(picture.scanLine(y));
         for (int x = 0; x < cost.cols; ++x)
             if (static_cast<double>(from[x]) < kRefusedCost)
-                row[x] = scaleRgb(static_cast<double>(from[x]) / kFieldScalePx);
+                row[x] = colours[static_cast<std::size_t>(
+                    std::clamp(static_cast<double>(from[x]) / scale.mostPx, 0.0, 1.0) * (colours.size() - 1) + 0.5)];
     }
     return picture;
 }
 
 /// The contour points are those of the method itself, at full resolution.
 void addArrows(const cv::Mat& cost, const core::CameraTarget& target, const core::MatchRule& rule, float angleRad,
-               OverlayShapes& shapes) {
+               double mostPx, OverlayShapes& shapes) {
     OverlayShapes::Dots ends;
     ends.colour = kArrow;
     constexpr int kStep = kFieldArrowStepPx / kReduction;
     for (int y = kStep / 2; y < cost.rows; y += kStep) {
         for (int x = kStep / 2; x < cost.cols; x += kStep) {
-            if (static_cast<double>(cost.at<float>(y, x)) > kFieldScalePx)
+            if (static_cast<double>(cost.at<float>(y, x)) > mostPx)
                 continue;
             const Eigen::Vector2f from(static_cast<float>(x * kReduction), static_cast<float>(y * kReduction));
             const core::ContourProbe probe = core::probeContour(target, rule, from, angleRad);
@@ -90,11 +89,13 @@ void addArrows(const cv::Mat& cost, const core::CameraTarget& target, const core
 
 } // namespace
 
-void addField(const core::CameraTarget& target, const core::MatchRule& rule, const core::Camera& camera,
-              double angleRad, InspectOverlay& overlay) {
+FieldOverlay fieldOverlay(const core::CameraTarget& target, const core::MatchRule& rule, const core::Camera& camera,
+                          double angleRad, const FieldScale& scale) {
     const cv::Mat cost = reducedField(target, rule, camera, angleRad);
-    overlay.field = fieldPicture(cost);
-    addArrows(cost, target, rule, static_cast<float>(angleRad), overlay.shapes);
+    FieldOverlay overlay;
+    overlay.picture = fieldPicture(cost, scale);
+    addArrows(cost, target, rule, static_cast<float>(angleRad), scale.mostPx, overlay.arrows);
+    return overlay;
 }
 
 } // namespace widgets

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
@@ -171,8 +172,12 @@ InspectOverlay inspectOverlay(const MethodOutcome& method, const core::Dataset& 
     if (!shown.target)
         return overlay;
     const core::Camera& seen = dataset.cameras[static_cast<std::size_t>(camera)];
-    if (choice.isShown(InspectLayer::Field) && !method.isFixed)
-        addField(*shown.target, core::matchRule(core::parseMethod(method.method)), seen, choice.fieldAngleRad, overlay);
+    if (choice.isShown(InspectLayer::Field) && !method.isFixed) {
+        FieldOverlay field = fieldOverlay(*shown.target, core::matchRule(core::parseMethod(method.method)), seen,
+                                          choice.fieldAngleRad, {kFieldScalePx, scaleColour});
+        overlay.field = std::move(field.picture);
+        overlay.shapes = std::move(field.arrows);
+    }
     if (choice.isShown(InspectLayer::Difference)) {
         const SilhouetteDifference difference =
             silhouetteDifference(seen, shown.target->mask, posed, leftOutRegions(method, dataset, camera, shown));
