@@ -50,7 +50,10 @@ private:
                                            painter.fillRect(QRectF(0, 3, side, side), chip);
                                            area.setLeft(side + kSpacing);
                                        }
-                                       painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter, left);
+                                       const QFontMetricsF metrics(font);
+                                       const double room = area.width() - metrics.horizontalAdvance(right) - kSpacing;
+                                       painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                                                        metrics.elidedText(left, Qt::ElideMiddle, room));
                                        painter.setPen(kQuietInk);
                                        painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, right);
                                    }});
