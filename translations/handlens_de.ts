@@ -4025,6 +4025,10 @@
         <source>error: there is no recorded pose</source>
         <translation>Fehler: keine aufgezeichnete Pose</translation>
     </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>beobachtete Silhouette, mit Rauschen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>

@@ -4025,6 +4025,10 @@
         <source>error: there is no recorded pose</source>
         <translation>σφάλμα: δεν υπάρχει καταγεγραμμένη στάση</translation>
     </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>σιλουέτα-στόχος, με θόρυβο</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>

@@ -3978,6 +3978,10 @@
         <source>error: there is no recorded pose</source>
         <translation>误差：没有记录的姿态</translation>
     </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>观测轮廓（含噪声）</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>

@@ -239,6 +239,7 @@ void InspectPage::takePreviews() {
     showTrial();
     showPoses();
     showCurves();
+    showLegend();
 }
 
 QString InspectPage::trialText() const {
@@ -356,7 +357,8 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 void InspectPage::showLegend() {
     const auto& outcome = m_columns->outcome();
     m_layerBar->setSilhouetteShown(
-        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
+        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())),
+        m_columns->trial().outlinesPx != nullptr);
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {

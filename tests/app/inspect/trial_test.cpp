@@ -131,6 +131,7 @@ TEST_F(TrialTest, StartTruthAndTheWhiteLineAreOfTheSameSilhouettes) {
     EXPECT_TRUE(std::isnan(page().overlays()->iou(3))) << "nothing was met there";
     EXPECT_EQ(view(1).title().detail, QStringLiteral("cam0"));
     EXPECT_EQ(view(3).title().detail, QStringLiteral("cam2, left out"));
+    EXPECT_EQ(page().layerBar()->legend().texts().front(), QStringLiteral("observed silhouette, with noise"));
     const auto& outlines = *columns().trial().outlinesPx;
     const auto drawn = widgets::outlinesOf(seen);
     EXPECT_EQ(outlines[0], drawn);
@@ -164,6 +165,7 @@ TEST_F(TrialTest, StartTruthAndTheWhiteLineAreOfTheSameSilhouettes) {
     };
     EXPECT_GT(whiteShare(view(1).grabPicture()), 0.9);
     trigger("compare.resetSettings");
+    EXPECT_EQ(page().layerBar()->legend().texts().front(), QStringLiteral("observed silhouette"));
     view(1).lookAt(fitted().handsPx[0].center(), kZoom);
     page().grid()->finishDrawing();
     EXPECT_LT(whiteShare(view(1).grabPicture()), 0.3);
