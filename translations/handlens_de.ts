@@ -3931,6 +3931,10 @@
         <source>IoU %1</source>
         <translation>IoU %1</translation>
     </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, ausgelassen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
@@ -4017,6 +4021,14 @@
         <source>observed silhouette</source>
         <translation>beobachtete Silhouette</translation>
     </message>
+    <message>
+        <source>error: there is no recorded pose</source>
+        <translation>Fehler: keine aufgezeichnete Pose</translation>
+    </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>beobachtete Silhouette, mit Rauschen</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4071,6 +4083,18 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1 (Bild %2 aus Bild %3 wird angepasst)</translation>
+    </message>
+    <message>
+        <source>All as it was fitted</source>
+        <translation>Alles wie bei der Anpassung</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>Was wäre, wenn: %1</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>andere Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -5981,6 +6005,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::WhatIfCase</name>
+    <message>
+        <source>only %1</source>
+        <translation>nur %1</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>ohne %1</translation>
+    </message>
+    <message>
+        <source>outlines with %1 px of noise (draw %2)</source>
+        <translation>Umrisse mit %1 px Rauschen (Ziehung %2)</translation>
+    </message>
+    <message>
+        <source>%1 in the place of %2</source>
+        <translation>%1 an der Stelle von %2</translation>
+    </message>
+    <message>
+        <source>being fitted</source>
+        <translation>wird angepasst</translation>
+    </message>
+    <message>
+        <source>%1 (being fitted)</source>
+        <translation>%1 (wird angepasst)</translation>
+    </message>
+</context>
+<context>
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
@@ -6121,6 +6172,30 @@
     <message>
         <source>%1 of %2 fits</source>
         <translation>%1 von %2 Anpassungen</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>Ziehung %1</translation>
+    </message>
+    <message>
+        <source>Of all points: %1</source>
+        <translation>Bei allen Punkten: %1</translation>
+    </message>
+    <message>
+        <source>draw </source>
+        <translation>Ziehung </translation>
+    </message>
+    <message>
+        <source>Draw of the noise</source>
+        <translation>Ziehung des Rauschens</translation>
+    </message>
+    <message>
+        <source>Which draw of the noise: other wiggles of the same size. One draw alone may be luck.</source>
+        <translation>Welche Ziehung des Rauschens: andere Wellen derselben Größe. Eine einzige Ziehung kann Zufall sein.</translation>
+    </message>
+    <message>
+        <source>As it was fitted: %1</source>
+        <translation>Wie bei der Anpassung: %1</translation>
     </message>
 </context>
 <context>

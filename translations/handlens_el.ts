@@ -3931,6 +3931,10 @@
         <source>IoU %1</source>
         <translation>IoU %1</translation>
     </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1, εκτός</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
@@ -4017,6 +4021,14 @@
         <source>observed silhouette</source>
         <translation>σιλουέτα-στόχος</translation>
     </message>
+    <message>
+        <source>error: there is no recorded pose</source>
+        <translation>σφάλμα: δεν υπάρχει καταγεγραμμένη στάση</translation>
+    </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>σιλουέτα-στόχος, με θόρυβο</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4071,6 +4083,18 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1 (προσαρμόζεται το καρέ %2 από το καρέ %3)</translation>
+    </message>
+    <message>
+        <source>All as it was fitted</source>
+        <translation>Όλα όπως προσαρμόστηκαν</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>Τι αν: %1</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>άλλες ρυθμίσεις</translation>
     </message>
 </context>
 <context>
@@ -5981,6 +6005,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::WhatIfCase</name>
+    <message>
+        <source>only %1</source>
+        <translation>μόνο %1</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>χωρίς %1</translation>
+    </message>
+    <message>
+        <source>outlines with %1 px of noise (draw %2)</source>
+        <translation>περιγράμματα με θόρυβο %1 px (δείγμα %2)</translation>
+    </message>
+    <message>
+        <source>%1 in the place of %2</source>
+        <translation>%1 στη θέση του %2</translation>
+    </message>
+    <message>
+        <source>being fitted</source>
+        <translation>προσαρμόζεται</translation>
+    </message>
+    <message>
+        <source>%1 (being fitted)</source>
+        <translation>%1 (προσαρμόζεται)</translation>
+    </message>
+</context>
+<context>
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
@@ -6121,6 +6172,30 @@
     <message>
         <source>%1 of %2 fits</source>
         <translation>%1 από %2 προσαρμογές</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>Δείγμα %1</translation>
+    </message>
+    <message>
+        <source>Of all points: %1</source>
+        <translation>Σε όλα τα σημεία: %1</translation>
+    </message>
+    <message>
+        <source>draw </source>
+        <translation>δείγμα </translation>
+    </message>
+    <message>
+        <source>Draw of the noise</source>
+        <translation>Δείγμα του θορύβου</translation>
+    </message>
+    <message>
+        <source>Which draw of the noise: other wiggles of the same size. One draw alone may be luck.</source>
+        <translation>Ποιο δείγμα του θορύβου: άλλες διακυμάνσεις ίδιου μεγέθους. Ένα μόνο δείγμα μπορεί να είναι τυχαίο.</translation>
+    </message>
+    <message>
+        <source>As it was fitted: %1</source>
+        <translation>Όπως προσαρμόστηκε: %1</translation>
     </message>
 </context>
 <context>

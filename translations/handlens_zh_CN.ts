@@ -3884,6 +3884,10 @@
         <source>IoU %1</source>
         <translation>IoU %1</translation>
     </message>
+    <message>
+        <source>%1, left out</source>
+        <translation>%1，未使用</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectJointErrors</name>
@@ -3970,6 +3974,14 @@
         <source>observed silhouette</source>
         <translation>观测轮廓</translation>
     </message>
+    <message>
+        <source>error: there is no recorded pose</source>
+        <translation>误差：没有记录的姿态</translation>
+    </message>
+    <message>
+        <source>observed silhouette, with noise</source>
+        <translation>观测轮廓（含噪声）</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectPage</name>
@@ -4024,6 +4036,18 @@
     <message>
         <source>%1 (frame %2 from frame %3 is being fitted)</source>
         <translation>%1（正在从第 %3 帧拟合第 %2 帧）</translation>
+    </message>
+    <message>
+        <source>All as it was fitted</source>
+        <translation>全部恢复为拟合时的状态</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>假设分析：%1</translation>
+    </message>
+    <message>
+        <source>other settings</source>
+        <translation>其他设置</translation>
     </message>
 </context>
 <context>
@@ -5909,6 +5933,33 @@
     </message>
 </context>
 <context>
+    <name>widgets::WhatIfCase</name>
+    <message>
+        <source>only %1</source>
+        <translation>仅用 %1</translation>
+    </message>
+    <message>
+        <source>without %1</source>
+        <translation>不用 %1</translation>
+    </message>
+    <message>
+        <source>outlines with %1 px of noise (draw %2)</source>
+        <translation>轮廓线噪声 %1 px（第 %2 次抽样）</translation>
+    </message>
+    <message>
+        <source>%1 in the place of %2</source>
+        <translation>%1 代替 %2</translation>
+    </message>
+    <message>
+        <source>being fitted</source>
+        <translation>正在拟合</translation>
+    </message>
+    <message>
+        <source>%1 (being fitted)</source>
+        <translation>%1（正在拟合）</translation>
+    </message>
+</context>
+<context>
     <name>widgets::WhatIfPanel</name>
     <message>
         <source>Fit a pair: the settings of its methods can be changed here then.</source>
@@ -6049,6 +6100,30 @@
     <message>
         <source>%1 of %2 fits</source>
         <translation>%1 / %2 次拟合</translation>
+    </message>
+    <message>
+        <source>Draw %1</source>
+        <translation>第 %1 次抽样</translation>
+    </message>
+    <message>
+        <source>Of all points: %1</source>
+        <translation>所有点：%1</translation>
+    </message>
+    <message>
+        <source>draw </source>
+        <translation>抽样 </translation>
+    </message>
+    <message>
+        <source>Draw of the noise</source>
+        <translation>噪声的抽样</translation>
+    </message>
+    <message>
+        <source>Which draw of the noise: other wiggles of the same size. One draw alone may be luck.</source>
+        <translation>噪声的第几次抽样：大小相同、形状不同的起伏。单次抽样可能只是巧合。</translation>
+    </message>
+    <message>
+        <source>As it was fitted: %1</source>
+        <translation>与拟合时相同：%1</translation>
     </message>
 </context>
 <context>

@@ -51,7 +51,9 @@ QString trialText(const ColumnTrial& trial, const std::vector<core::Camera>& cam
     if (const QString text = caseText(trial.what, cameras); !text.isEmpty())
         parts << text;
     for (const auto& [column, outcome] : trial.methods)
-        if (outcome.method != column)
+        if (outcome.method.rfind(column + ":", 0) == 0)
+            settings << QString::fromStdString(outcome.method);
+        else if (outcome.method != column)
             settings << words(QT_TRANSLATE_NOOP("widgets::WhatIfCase", "%1 in the place of %2"))
                             .arg(QString::fromStdString(outcome.method), QString::fromStdString(column));
     parts << settings;

@@ -88,6 +88,33 @@ int InspectGrid::cameraOf(int view) const {
     return view >= 0 && row < m_rowCameras.size() ? m_rowCameras[row] : -1;
 }
 
+int InspectGrid::viewOf(const std::string& column, int camera) const {
+    for (int view = 0; view < m_grid->count(); ++view)
+        if (cameraOf(view) == camera && columnId(m_columns.columns()[columnOf(view)]) == column)
+            return view;
+    return -1;
+}
+
+std::optional<InspectGrid::Region> InspectGrid::region(std::size_t row) const {
+    const auto view = static_cast<int>(row * m_columns.count());
+    if (view >= m_grid->count() || m_grid->view(view)->isFitted())
+        return {};
+    const CameraView& shown = *m_grid->view(view);
+    return Region{shown.viewportToImage(QRectF(shown.viewport()->rect()).center()),
+                  shown.viewport()->width() / shown.scale()};
+}
+
+void InspectGrid::setRegion(std::size_t row, const std::optional<Region>& region) {
+    const auto view = static_cast<int>(row * m_columns.count());
+    if (view >= m_grid->count())
+        return;
+    CameraView& shown = *m_grid->view(view); // the others of the row follow
+    if (region && region->widthPx > 0)
+        shown.lookAt(region->centrePx, shown.viewport()->width() / region->widthPx);
+    else
+        shown.fitImage();
+}
+
 void InspectGrid::setRows(int rows) {
     if (rows == m_rows)
         return;
@@ -149,8 +176,7 @@ void InspectGrid::layOut() {
         showPoses(m_posed, m_iteration);
 }
 
-/// The silhouettes that were met, where the recorded pose did not draw them: of mask files, or noisy ones that are
-/// tried.
+/// The silhouettes that were met, unless they are those of the recorded pose: mask files, or outlines with noise.
 void InspectGrid::showOutlines() {
     const auto& outcome = m_columns.outcome();
     if (!outcome)

@@ -58,6 +58,16 @@ public:
     ImagePyramid picture(int camera) const;
     /// The view that keys are about; -1 without one.
     int currentView() const;
+    /// The view of a column (by its id) and a camera; -1 if there is none.
+    int viewOf(const std::string& column, int camera) const;
+    /// What is seen of a row that was zoomed or moved: the point in the middle and the width, image px. None if its
+    /// views show their whole home.
+    struct Region {
+        QPointF centrePx;
+        double widthPx = 0;
+    };
+    std::optional<Region> region(std::size_t row) const;
+    void setRegion(std::size_t row, const std::optional<Region>& region);
     /// Column and camera of a view.
     std::size_t columnOf(int view) const;
     int cameraOf(int view) const;

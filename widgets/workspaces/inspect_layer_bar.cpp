@@ -149,8 +149,9 @@ void InspectLayerBar::showState() {
     showLegend();
 }
 
-void InspectLayerBar::setSilhouetteShown(bool shown) {
+void InspectLayerBar::setSilhouetteShown(bool shown, bool isNoisy) {
     m_silhouetteShown = shown;
+    m_isNoisy = isNoisy;
     showLegend();
 }
 
@@ -159,7 +160,8 @@ void InspectLayerBar::showLegend() {
     const MatchChoice matches = m_overlays.matchChoice();
     std::vector<LegendEntry> entries;
     if (m_silhouetteShown)
-        entries.push_back({Sample::Line, tr("observed silhouette"), methodColour("recorded")});
+        entries.push_back({Sample::Line, m_isNoisy ? tr("observed silhouette, with noise") : tr("observed silhouette"),
+                           methodColour("recorded")});
     if (m_overlays.isShown(InspectLayer::Contour))
         entries.push_back({Sample::Scale, tr("outline, by direction"), {}, Qt::SolidLine, directionScale()});
     if (m_overlays.isShown(InspectLayer::Rim) && matches != MatchChoice::ByFinger)

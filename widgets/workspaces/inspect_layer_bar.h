@@ -30,8 +30,8 @@ public:
     void clearProbe();
     /// What the tip of the choice of matches says, beside its key.
     void setMatchTip(const QString& tip) { m_matches->setToolTip(tip); }
-    /// Whether the views show the silhouette that is to be met, as a white line.
-    void setSilhouetteShown(bool shown);
+    /// Whether the views show the silhouette that is to be met, as a white line, and whether that is one with noise.
+    void setSilhouetteShown(bool shown, bool isNoisy = false);
     const LegendStrip& legend() const { return *m_legend; }
     /// What is said of the place under the pointer.
     QString probeText() const { return m_probe->text(); }
@@ -50,6 +50,7 @@ private:
     QLabel* m_directionText;
     QLabel* m_probe;
     bool m_silhouetteShown = false;
+    bool m_isNoisy = false; ///< the silhouette is
 };
 
 } // namespace widgets

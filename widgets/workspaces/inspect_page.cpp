@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -19,6 +20,22 @@ namespace {
 constexpr int kMostRows = 4;
 constexpr int kViewsHeight = 620; ///< of the views and the plots below them, to begin with
 constexpr int kPlotsHeight = 220;
+constexpr int kLeastSlider = 90;
+
+/// Cut off visibly where there is no room for all of it.
+class CutLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+    QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setPen(palette().color(foregroundRole()));
+        painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+    }
+};
 
 } // namespace
 
@@ -34,7 +51,7 @@ InspectPage::InspectPage(FitRunner& fits, const DatasetSession& datasets, const 
     , m_fit(new QPushButton(tr("Fit this frame"), this))
     , m_message(new MessageBar(this))
     , m_heading(new QLabel(this))
-    , m_trial(new QLabel(this))
+    , m_trial(new CutLabel(this))
     , m_endTrial(new QToolButton(this))
     , m_slider(new QSlider(Qt::Horizontal, this))
     , m_iterationText(new QLabel(this))
@@ -108,13 +125,13 @@ QLayout* InspectPage::makeIterationRow() {
     row->setContentsMargins(kSpacing, kSpacing / 2, kSpacing, kSpacing / 2);
     row->setSpacing(kSpacing);
     m_slider->setFocusPolicy(Qt::NoFocus);
+    m_slider->setMinimumWidth(kLeastSlider);
     m_rows->setRange(1, kMostRows);
     m_rows->setValue(2);
     m_rows->setFocusPolicy(Qt::ClickFocus);
     m_rows->setPrefix(tr("Cameras: "));
     m_rows->setToolTip(tr("Rows of cameras, from the current one on"));
     m_trial->setForegroundRole(QPalette::Link);
-    m_trial->setMinimumWidth(1); // long texts must not widen the window
     m_endTrial->setIcon(QIcon::fromTheme(QStringLiteral("edit-undo")));
     m_endTrial->setAutoRaise(true);
     m_endTrial->setFocusPolicy(Qt::NoFocus);
@@ -230,11 +247,17 @@ QString InspectPage::trialText() const {
     return text.isEmpty() ? text : tr("What if: %1").arg(text);
 }
 
+/// The heads of the columns name the settings.
 void InspectPage::showTrial() {
-    m_trial->setText(trialText());
-    m_trial->setToolTip(trialText());
-    m_trial->setVisible(!trialText().isEmpty());
-    m_endTrial->setVisible(!trialText().isEmpty());
+    const QString all = trialText();
+    ColumnTrial trial = m_columns->trial();
+    trial.methods.clear();
+    const auto& dataset = m_datasets.dataset();
+    const QString text = dataset ? widgets::trialText(trial, dataset->cameras) : QString();
+    m_trial->setText(tr("What if: %1").arg(text.isEmpty() ? tr("other settings") : text));
+    m_trial->setToolTip(all);
+    m_trial->setVisible(!all.isEmpty());
+    m_endTrial->setVisible(!all.isEmpty());
 }
 
 /// As many iterations as the longest method made; the last one stays the last one.
@@ -333,7 +356,8 @@ void InspectPage::setLook(const LayerLook& look, bool startShown, bool recordedS
 void InspectPage::showLegend() {
     const auto& outcome = m_columns->outcome();
     m_layerBar->setSilhouetteShown(
-        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())));
+        outcome && (outcome->request.target == FitTarget::Masks || (m_recordedShown && !outcome->truePoses.empty())),
+        m_columns->trial().outlinesPx != nullptr);
 }
 
 std::vector<MeshLayer> InspectPage::posedLayers() const {

@@ -2,6 +2,8 @@
 #include "widgets/workspaces/inspect_picture.h"
 
 #include <algorithm>
+#include <set>
+#include <vector>
 
 #include <QFontMetricsF>
 #include <QPainter>
@@ -50,7 +52,10 @@ private:
                                            painter.fillRect(QRectF(0, 3, side, side), chip);
                                            area.setLeft(side + kSpacing);
                                        }
-                                       painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter, left);
+                                       const QFontMetricsF metrics(font);
+                                       const double room = area.width() - metrics.horizontalAdvance(right) - kSpacing;
+                                       painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
+                                                        metrics.elidedText(left, Qt::ElideMiddle, room));
                                        painter.setPen(kQuietInk);
                                        painter.drawText(area, Qt::AlignRight | Qt::AlignVCenter, right);
                                    }});
@@ -74,21 +79,49 @@ private:
         m_y += height + kGap;
     }
 
-    /// Each view where it stands in the grid, its title in the room above it.
+    QString numbersOf(int index) const {
+        const ViewTitle& title = m_page.grid()->view(index)->title();
+        return QStringList{title.detail, m_page.views()->errorText(m_page.views()->columnOf(index)), title.error}
+            .join(QStringLiteral("  "))
+            .trimmed();
+    }
+
+    /// Whether the names of views have room beside their numbers.
+    bool fitsOneLine(const std::vector<int>& views) const {
+        const QFontMetricsF metrics(m_font);
+        return std::all_of(views.begin(), views.end(), [&](int index) {
+            const CameraView* view = m_page.grid()->view(index);
+            return m_line + 3 * kSpacing + metrics.horizontalAdvance(view->title().name) +
+                       metrics.horizontalAdvance(numbersOf(index)) <=
+                   view->viewport()->width();
+        });
+    }
+
+    /// Each view where it stands in the grid, its title in the room above it: name and numbers side by side or, where
+    /// they are too long, below each other; then rows move apart.
     void addViews() {
         const CameraGrid* grid = m_page.grid();
-        double bottom = m_y;
+        std::vector<int> views;
+        std::set<int> rows; // their upper edges
         for (int index = 0; index < grid->count(); ++index) {
-            const CameraView* view = grid->view(index);
-            if (!view->isVisible())
+            if (!grid->view(index)->isVisible())
                 continue;
-            const QPointF corner = view->viewport()->mapTo(grid, QPoint(0, 0)) + QPointF(kGap, m_y);
-            const QSizeF size = view->viewport()->size();
-            const ViewTitle& title = view->title();
-            addText({corner - QPointF(0, m_line), QSizeF(size.width() - kSpacing, m_line)}, title.name, title.colour,
-                    QStringList{title.detail, m_page.views()->errorText(m_page.views()->columnOf(index)), title.error}
-                        .join(QStringLiteral("  "))
-                        .trimmed());
+            views.push_back(index);
+            rows.insert(grid->view(index)->y());
+        }
+        const bool isOneLine = fitsOneLine(views);
+        double bottom = m_y;
+        for (const int index : views) {
+            const CameraView* view = grid->view(index);
+            const auto row = std::distance(rows.begin(), rows.find(view->y()));
+            const double apart = isOneLine ? 0 : m_line * static_cast<double>(row + 1);
+            const QPointF corner = view->viewport()->mapTo(grid, QPoint(0, 0)) + QPointF(kGap, m_y + apart);
+            const QSizeF size = view->viewport()->size(), line(size.width() - kSpacing, m_line);
+            const QPointF above(0, m_line);
+            addText({corner - (isOneLine ? above : 2 * above), line}, view->title().name, view->title().colour,
+                    isOneLine ? numbersOf(index) : QString());
+            if (!isOneLine)
+                addText({corner - above, line}, {}, {}, numbersOf(index));
             m_picture.parts.push_back({QRectF(corner, size), [view](QPainter& painter, double scale) {
                                            view->paintPicture(painter, scale);
                                        }});

@@ -23,6 +23,12 @@ public:
     void pin(int view, QPointF px);
     void unpin();
     bool isPinned() const { return m_pin.has_value(); }
+    struct Pin {
+        InspectColumn column;
+        int camera = 0; ///< index into the dataset's
+        QPointF px;     ///< of the camera's image
+    };
+    const std::optional<Pin>& pinned() const { return m_pin; }
     /// For the page to place.
     InspectProbeCard* card() const { return m_card; }
 
@@ -31,11 +37,6 @@ signals:
     void changed();
 
 private:
-    struct Pin {
-        InspectColumn column;
-        int camera = 0;
-        QPointF px;
-    };
     void refresh();
     void showCard(std::optional<std::size_t> pinned);
 

@@ -28,6 +28,78 @@ void addColumns(MainWindow& window, Workspace& workspace) {
         workspace.trackers.push_back({tracker.name, tracker.file.toStdString()});
 }
 
+const std::map<widgets::MeshStyle, const char*> kStyles{{widgets::MeshStyle::Shaded, "shaded"},
+                                                        {widgets::MeshStyle::Wireframe, "wireframe"},
+                                                        {widgets::MeshStyle::Off, "off"}};
+
+/// How it is looked at.
+void addLook(MainWindow& window, Workspace& workspace) {
+    const widgets::InspectPage& page = *window.workspaces().inspectPage();
+    const auto& columns = page.columns()->columns();
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    const auto nameOf = [&](int camera) { return cameras[static_cast<std::size_t>(camera)].name; };
+    if (page.columns()->current() < columns.size())
+        workspace.column = widgets::columnId(columns[page.columns()->current()]);
+    const widgets::LayerPresenter& layers = *window.workspaces().layers();
+    const widgets::LayerLook& look = layers.look();
+    workspace.meshes = {kStyles.at(look.style),
+                        look.opacity,
+                        look.leftShown,
+                        look.rightShown,
+                        layers.isLayerShown(QLatin1String(widgets::LayerPresenter::kStart)),
+                        layers.isLayerShown(QLatin1String(widgets::LayerPresenter::kRecorded))};
+    for (std::size_t row = 0; row < page.views()->rowCameras().size(); ++row)
+        if (const auto region = page.views()->region(row))
+            workspace.regions.push_back(
+                {nameOf(page.views()->rowCameras()[row]), region->centrePx.x(), region->centrePx.y(), region->widthPx});
+    if (const auto& pin = page.probePin()->pinned())
+        workspace.probe = {widgets::columnId(pin->column), nameOf(pin->camera), pin->px.x(), pin->px.y()};
+    const widgets::ColumnWipe& wipe = *page.views()->wipe();
+    if (wipe.kind() != widgets::ColumnWipe::Kind::None)
+        workspace.wipe = {wipe.kind() == widgets::ColumnWipe::Kind::Wipe ? "wipe" : "blink", wipe.place()};
+}
+
+void readLook(const nlohmann::json& document, Workspace& workspace) {
+    workspace.column = document.value("column", std::string());
+    if (document.contains("meshes")) {
+        const nlohmann::json& written = document["meshes"];
+        Workspace::Meshes meshes;
+        meshes.style = written.value("style", meshes.style);
+        meshes.opacity = written.value("opacity", meshes.opacity);
+        meshes.left = written.value("left", meshes.left);
+        meshes.right = written.value("right", meshes.right);
+        meshes.start = written.value("start", meshes.start);
+        meshes.silhouette = written.value("silhouette", meshes.silhouette);
+        workspace.meshes = meshes;
+    }
+    for (const nlohmann::json& one : document.value("views", nlohmann::json::array()))
+        workspace.regions.push_back({one["camera"].get<std::string>(), one["centre"][0].get<double>(),
+                                     one["centre"][1].get<double>(), one["widthPx"].get<double>()});
+    if (document.contains("probe")) {
+        const nlohmann::json& probe = document["probe"];
+        workspace.probe = {probe["column"].get<std::string>(), probe["camera"].get<std::string>(),
+                           probe["px"][0].get<double>(), probe["px"][1].get<double>()};
+    }
+    if (document.contains("wipe"))
+        workspace.wipe = {document["wipe"].value("kind", std::string("wipe")), document["wipe"].value("place", 0.5)};
+}
+
+void writeLook(const Workspace& workspace, nlohmann::json& document) {
+    if (!workspace.column.empty())
+        document["column"] = workspace.column;
+    if (const auto& meshes = workspace.meshes)
+        document["meshes"] = {{"style", meshes->style}, {"opacity", meshes->opacity},
+                              {"left", meshes->left},   {"right", meshes->right},
+                              {"start", meshes->start}, {"silhouette", meshes->silhouette}};
+    for (const Workspace::Region& region : workspace.regions)
+        document["views"].push_back(
+            {{"camera", region.camera}, {"centre", {region.x, region.y}}, {"widthPx", region.widthPx}});
+    if (const auto& probe = workspace.probe)
+        document["probe"] = {{"column", probe->column}, {"camera", probe->camera}, {"px", {probe->x, probe->y}}};
+    if (const auto& wipe = workspace.wipe)
+        document["wipe"] = {{"kind", wipe->kind}, {"place", wipe->place}};
+}
+
 std::optional<Workspace::Trial> currentTrial(MainWindow& window) {
     const widgets::WhatIfPanel& panel = *window.workspaces().whatIfPanel();
     const widgets::WhatIfCase what = panel.currentCase();
@@ -86,6 +158,7 @@ Workspace currentWorkspace(MainWindow& window) {
     workspace.fieldDirectionDeg = page.overlays()->fieldAngleRad() * 180 / std::numbers::pi;
     workspace.matches = widgets::matchChoiceId(page.overlays()->matchChoice()).toStdString();
     addColumns(window, workspace);
+    addLook(window, workspace);
     workspace.trial = currentTrial(window);
     return workspace;
 }
@@ -112,6 +185,7 @@ Workspace readWorkspace(const std::filesystem::path& file) {
         const std::filesystem::path path = tracker["file"].get<std::string>(); // beside the workspace, or absolute
         workspace.trackers.push_back({tracker["name"].get<std::string>(), (file.parent_path() / path).string()});
     }
+    readLook(document, workspace);
     workspace.trial = trialOf(document);
     return workspace;
 }
@@ -139,6 +213,7 @@ void writeWorkspace(const std::filesystem::path& file, const Workspace& workspac
                                {"cameras", workspace.cameras},
                                {"hidden", hidden},
                                {"trackers", trackers}};
+    writeLook(workspace, document);
     if (workspace.trial)
         document["trial"] = trialJson(*workspace.trial);
     core::writeJsonFile(file, document);

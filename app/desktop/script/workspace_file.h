@@ -41,6 +41,32 @@ struct Workspace {
         std::vector<std::string> without;            ///< cameras that are left out
         std::map<std::string, std::string> settings; ///< the method that is tried, by column
     };
+    std::string column; ///< id of the current one
+    struct Meshes {
+        std::string style = "shaded"; ///< or "wireframe", "off"
+        double opacity = 1;           ///< 0..1
+        bool left = true, right = true;
+        bool start = false;     ///< the start pose is drawn
+        bool silhouette = true; ///< the observed silhouette is
+    };
+    std::optional<Meshes> meshes; ///< how they are drawn; none: as in the window
+    /// What is seen of a row that was zoomed or moved; other rows show the hands.
+    struct Region {
+        std::string camera;
+        double x = 0, y = 0; ///< in the middle of its views, image px
+        double widthPx = 0;  ///< of the image
+    };
+    std::vector<Region> regions;
+    struct Probe {
+        std::string column, camera;
+        double x = 0, y = 0; ///< image px
+    };
+    std::optional<Probe> probe; ///< that is pinned
+    struct Wipe {
+        std::string kind = "wipe"; ///< or "blink"
+        double place = 0.5;        ///< of the line, as a share of the views' width
+    };
+    std::optional<Wipe> wipe;   ///< of the current column with the one beside it
     std::optional<Trial> trial; ///< none: everything as it was fitted
 };
 

@@ -132,6 +132,72 @@ void restoreTrial(MainWindow& window, const std::optional<Workspace::Trial>& tri
         throw badTrial("settings", "no answer in time");
 }
 
+void setChecked(MainWindow& window, const char* action, bool on) {
+    window.actions().action(QString::fromLatin1(action))->setChecked(on);
+}
+
+void restoreMeshes(MainWindow& window, const Workspace::Meshes& meshes) {
+    using widgets::MeshStyle;
+    widgets::LayerLook look = window.workspaces().layers()->look();
+    look.style = meshes.style == "off"         ? MeshStyle::Off
+                 : meshes.style == "wireframe" ? MeshStyle::Wireframe
+                                               : MeshStyle::Shaded;
+    look.opacity = meshes.opacity;
+    window.workspaces().layers()->setLook(look);
+    setChecked(window, "view.leftHand", meshes.left);
+    setChecked(window, "view.rightHand", meshes.right);
+    setChecked(window, "view.startMesh", meshes.start);
+    setChecked(window, "view.recordedMesh", meshes.silhouette);
+}
+
+void restoreProbe(MainWindow& window, const std::optional<Workspace::Probe>& probe) {
+    widgets::InspectPage& page = *window.workspaces().inspectPage();
+    page.probePin()->unpin();
+    if (!probe)
+        return;
+    const int camera = window.session().opened.dataset()->cameraIndex(probe->camera);
+    const int view = page.views()->viewOf(probe->column, camera);
+    if (view < 0)
+        throw core::Error(core::ErrorCode::BadInput, {}, "probe",
+                          "no view of \"" + probe->column + "\" and \"" + probe->camera + "\" is shown");
+    page.probePin()->pin(view, {probe->x, probe->y});
+}
+
+void restoreRegions(MainWindow& window, const std::vector<Workspace::Region>& regions) {
+    widgets::InspectGrid& views = *window.workspaces().inspectPage()->views();
+    const auto& cameras = window.session().opened.dataset()->cameras;
+    for (std::size_t row = 0; row < views.rowCameras().size(); ++row) {
+        const std::string& camera = cameras[static_cast<std::size_t>(views.rowCameras()[row])].name;
+        const auto found = std::find_if(regions.begin(), regions.end(),
+                                        [&](const Workspace::Region& one) { return one.camera == camera; });
+        if (found == regions.end())
+            views.setRegion(row, {});
+        else
+            views.setRegion(row, widgets::InspectGrid::Region{{found->x, found->y}, found->widthPx});
+    }
+}
+
+/// How it is looked at. What has its size from the window comes last.
+void restoreLook(MainWindow& window, const Workspace& workspace) {
+    const widgets::InspectPage& page = *window.workspaces().inspectPage();
+    const auto& columns = page.columns()->columns();
+    for (std::size_t column = 0; column < columns.size(); ++column)
+        if (widgets::columnId(columns[column]) == workspace.column)
+            page.columns()->setCurrent(column);
+    if (workspace.meshes)
+        restoreMeshes(window, *workspace.meshes);
+    widgets::ColumnWipe& wipe = *page.views()->wipe();
+    using Kind = widgets::ColumnWipe::Kind;
+    wipe.setKind(!workspace.wipe ? Kind::None : workspace.wipe->kind == "blink" ? Kind::Blink : Kind::Wipe);
+    if (workspace.wipe)
+        wipe.setPlace(workspace.wipe->place);
+    waitUntilIdle(window);
+    restoreProbe(window, workspace.probe);
+    waitUntilIdle(window);
+    restoreRegions(window, workspace.regions);
+    waitUntilIdle(window);
+}
+
 } // namespace
 
 void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
@@ -158,7 +224,7 @@ void restoreWorkspace(MainWindow& window, const Workspace& workspace) {
         const bool isShown = std::find(workspace.layers.begin(), workspace.layers.end(), id) != workspace.layers.end();
         page->overlays()->setShown(layer, isShown);
     }
-    waitUntilIdle(window);
+    restoreLook(window, workspace);
 }
 
 QStringList saveWorkspacePictures(MainWindow& window, const QDir& folder) {

@@ -71,12 +71,11 @@ std::string withValue(const std::string& method, const std::string& key, double 
 }
 
 std::string withoutOption(const std::string& method, const std::string& key) {
-    core::Method parsed = core::parseMethod(method);
-    const core::Method plain = core::parseMethod(method.substr(0, method.find(':')));
-    for (const core::MethodOption& option : core::methodOptions())
-        if (option.key == key && option.appliesTo(parsed) && option.print(parsed) != option.print(plain))
-            option.parse(parsed, option.print(plain));
-    return core::methodName(parsed);
+    std::string name = core::methodName(core::parseMethod(method));
+    const std::size_t at = name.find(":" + key + "=");
+    if (!key.empty() && at != std::string::npos)
+        name.erase(at, name.find(':', at + 1) - at);
+    return name;
 }
 
 double optionValue(const core::Method& method, const std::string& key) {
