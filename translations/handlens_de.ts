@@ -2726,6 +2726,10 @@
         <source>Select pairs in the table first.</source>
         <translation>Zuerst Paare in der Tabelle wählen.</translation>
     </message>
+    <message>
+        <source>Results of %1; the settings on the left are those of the next run.</source>
+        <translation>Ergebnisse aus %1; die Einstellungen links gelten für den nächsten Lauf.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
@@ -3950,14 +3954,6 @@
         <translation>Richtung des Randpunkts, dessen Feld gezeigt wird</translation>
     </message>
     <message>
-        <source>matches 0–%1 px</source>
-        <translation>Zuordnungen 0–%1 px</translation>
-    </message>
-    <message>
-        <source>error 0–%1 mm</source>
-        <translation>Fehler 0–%1 mm</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1; %2), Richtung %3°</translation>
     </message>
@@ -4014,10 +4010,6 @@
         <translation>Rand, mit Normalen</translation>
     </message>
     <message>
-        <source>field 0–%1 px; clear: no match</source>
-        <translation>Feld 0–%1 px; klar: keine Zuordnung</translation>
-    </message>
-    <message>
         <source>observed silhouette</source>
         <translation>beobachtete Silhouette</translation>
     </message>
@@ -4028,6 +4020,18 @@
     <message>
         <source>observed silhouette, with noise</source>
         <translation>beobachtete Silhouette, mit Rauschen</translation>
+    </message>
+    <message>
+        <source>matches 0–%1+ px</source>
+        <translation>Zuordnungen 0–%1+ px</translation>
+    </message>
+    <message>
+        <source>field 0–%1+ px; clear: no match</source>
+        <translation>Feld 0–%1+ px; klar: keine Zuordnung</translation>
+    </message>
+    <message>
+        <source>error 0–%1+ mm</source>
+        <translation>Fehler 0–%1+ mm</translation>
     </message>
 </context>
 <context>

@@ -2726,6 +2726,10 @@
         <source>Select pairs in the table first.</source>
         <translation>Επιλέξτε πρώτα ζεύγη στον πίνακα.</translation>
     </message>
+    <message>
+        <source>Results of %1; the settings on the left are those of the next run.</source>
+        <translation>Αποτελέσματα από %1· οι ρυθμίσεις αριστερά αφορούν την επόμενη εκτέλεση.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
@@ -3950,14 +3954,6 @@
         <translation>Κατεύθυνση του σημείου χείλους του οποίου εμφανίζεται το πεδίο</translation>
     </message>
     <message>
-        <source>matches 0–%1 px</source>
-        <translation>αντιστοιχίες 0–%1 px</translation>
-    </message>
-    <message>
-        <source>error 0–%1 mm</source>
-        <translation>σφάλμα 0–%1 mm</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1· %2), κατεύθυνση %3°</translation>
     </message>
@@ -4014,10 +4010,6 @@
         <translation>χείλος, με καθέτους</translation>
     </message>
     <message>
-        <source>field 0–%1 px; clear: no match</source>
-        <translation>πεδίο 0–%1 px· διαφανές: καμία αντιστοιχία</translation>
-    </message>
-    <message>
         <source>observed silhouette</source>
         <translation>σιλουέτα-στόχος</translation>
     </message>
@@ -4028,6 +4020,18 @@
     <message>
         <source>observed silhouette, with noise</source>
         <translation>σιλουέτα-στόχος, με θόρυβο</translation>
+    </message>
+    <message>
+        <source>matches 0–%1+ px</source>
+        <translation>αντιστοιχίες 0–%1+ px</translation>
+    </message>
+    <message>
+        <source>field 0–%1+ px; clear: no match</source>
+        <translation>πεδίο 0–%1+ px· διαφανές: καμία αντιστοιχία</translation>
+    </message>
+    <message>
+        <source>error 0–%1+ mm</source>
+        <translation>σφάλμα 0–%1+ mm</translation>
     </message>
 </context>
 <context>

@@ -2710,6 +2710,10 @@
         <source>Select pairs in the table first.</source>
         <translation>请先在表格中选择配对。</translation>
     </message>
+    <message>
+        <source>Results of %1; the settings on the left are those of the next run.</source>
+        <translation>%1 的结果；左侧的设置用于下一次运行。</translation>
+    </message>
 </context>
 <context>
     <name>widgets::BenchmarkPairPlots</name>
@@ -3903,14 +3907,6 @@
         <translation>所显示的场对应的边缘点方向</translation>
     </message>
     <message>
-        <source>matches 0–%1 px</source>
-        <translation>匹配 0–%1 px</translation>
-    </message>
-    <message>
-        <source>error 0–%1 mm</source>
-        <translation>误差 0–%1 mm</translation>
-    </message>
-    <message>
         <source>(%1, %2), direction %3°</source>
         <translation>(%1, %2)，方向 %3°</translation>
     </message>
@@ -3967,10 +3963,6 @@
         <translation>边缘及法线</translation>
     </message>
     <message>
-        <source>field 0–%1 px; clear: no match</source>
-        <translation>距离场 0–%1 px；透明：无匹配</translation>
-    </message>
-    <message>
         <source>observed silhouette</source>
         <translation>观测轮廓</translation>
     </message>
@@ -3981,6 +3973,18 @@
     <message>
         <source>observed silhouette, with noise</source>
         <translation>观测轮廓（含噪声）</translation>
+    </message>
+    <message>
+        <source>matches 0–%1+ px</source>
+        <translation>匹配 0–%1+ px</translation>
+    </message>
+    <message>
+        <source>field 0–%1+ px; clear: no match</source>
+        <translation>距离场 0–%1+ px；透明：无匹配</translation>
+    </message>
+    <message>
+        <source>error 0–%1+ mm</source>
+        <translation>误差 0–%1+ mm</translation>
     </message>
 </context>
 <context>

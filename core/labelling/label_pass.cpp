@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/labelling/landmark_fit.h"
 #include "core/labelling/outline_rig.h"
@@ -18,9 +19,9 @@ namespace {
 constexpr std::size_t kFewestPilots = 3;    ///< frames that a person's hands can be measured from
 constexpr std::size_t kLandmarkPilots = 30; ///< the same from landmarks alone, which takes little time
 constexpr double kPilotDoubt = 0.3;         ///< frames with more are not measured from
-/// Landmarks that are so much longer or shorter than the model's bones are of a hand that silhouettes of this model do
-/// not find the size of; smaller differences are within what the detector may be off by.
+/// Silhouettes of a model do not find the size of a hand that is so much larger or smaller, as landmarks show it.
 constexpr double kOtherScale = 0.06;
+constexpr double kSurer = 0.1; ///< so much less doubt must models leave as they were given
 
 std::vector<HandModel> withAllTips(const std::vector<HandModel>& hands) {
     std::vector<HandModel> result;
@@ -73,6 +74,8 @@ private:
     void findUnit(const std::map<int, ViewDetections>& views);
     bool measure();
     bool measureSilhouettes();
+    bool chooseScale(const std::vector<int>& complete);
+    double meanDoubt(const std::vector<int>& frames, const std::string& step);
     void takeHands(std::vector<SubjectHand> measured);
     bool fitKeys();
     bool track();
@@ -117,6 +120,8 @@ private:
     long m_mostHands = 0;             ///< in one frame
     bool m_isPersonUnknown = false;   ///< too many pilots were in doubt to measure the hands
     double m_scale = 1;               ///< of the models, as landmarks show them, over those that were given
+    std::vector<HandModel> m_given;   ///< not scaled; empty if no other scale was seen
+    std::string m_pilotStep = "pilot";
     int m_done = 0, m_total = 1;
 };
 
@@ -143,6 +148,7 @@ void Run::findUnit(const std::map<int, ViewDetections>& views) {
     m_result.unitMm = unitMmOf(ratio);
     const double scale = ratio * m_result.unitMm;
     if (m_options.measureHands && std::abs(scale - 1) > kOtherScale && scale > 0) {
+        m_given = m_result.hands;
         m_result.hands = scaledHands(m_result.hands, scale);
         m_scale = scale;
     }
@@ -189,17 +195,49 @@ bool Run::measure() {
     return !m_options.withSilhouettes || measureSilhouettes();
 }
 
+/// Of fits of the present models; NaN if it was stopped.
+double Run::meanDoubt(const std::vector<int>& frames, const std::string& step) {
+    double sum = 0;
+    for (const int frame : frames) {
+        sum += freshFit(*m_fitter, frame, step, 2).doubt();
+        if (isStopped())
+            return std::nan("");
+    }
+    return sum / static_cast<double>(frames.size());
+}
+
+/// The detector may be off by as much as another hand: silhouettes of a few frames say whether the models fit better as
+/// they were given. False if it was stopped.
+bool Run::chooseScale(const std::vector<int>& complete) {
+    const std::vector<int> frames = evenlyDrawn(complete, kFewestPilots);
+    if (frames.empty())
+        return true;
+    const double scaledDoubt = meanDoubt(frames, "pilot");
+    std::swap(m_result.hands, m_given);
+    makeFitter();
+    if (const double givenDoubt = isStopped() ? 0 : meanDoubt(frames, "given"); givenDoubt + kSurer < scaledDoubt) {
+        m_scale = 1;
+        m_pilotStep = "given";
+        return !isStopped();
+    }
+    std::swap(m_result.hands, m_given);
+    makeFitter();
+    return !isStopped();
+}
+
 /// From silhouettes that pilot fits of the models explain.
 bool Run::measureSilhouettes() {
     std::vector<int> complete;
     for (const auto& [frame, hands] : m_result.detected)
         if (std::all_of(hands.begin(), hands.end(), [](const auto& hand) { return hand.has_value(); }))
             complete.push_back(frame);
+    if (m_scale != 1 && !chooseScale(complete))
+        return false;
     std::vector<MeasuredFrame> measured;
     for (const int frame : evenlyDrawn(complete, m_options.mostPilots)) {
         if (isStopped())
             return false;
-        FrameFit fit = freshFit(*m_fitter, frame, "pilot", 2);
+        FrameFit fit = freshFit(*m_fitter, frame, m_pilotStep, 2);
         if (fit.source == FitSource::Silhouettes && fit.doubt() < kPilotDoubt)
             measured.push_back({fit.poses(), m_fitter->silhouettes(m_source.evidence(frame), fit.poses())});
         m_pilots[frame] = std::move(fit);

@@ -74,7 +74,9 @@ private:
         return made;
     }
     core::DetectedHand seen(const core::Camera& camera, std::size_t hand, int frame, RandomValues& random) const {
-        const auto joints = core::jointPositions(person[hand].skeleton, motion[static_cast<std::size_t>(frame)][hand]);
+        auto joints = core::jointPositions(person[hand].skeleton, motion[static_cast<std::size_t>(frame)][hand]);
+        for (std::size_t i = joints.size(); i-- > 0;)
+            joints[i] = joints.front() + seenScale * (joints[i] - joints.front());
         core::DetectedHand found;
         for (std::size_t i = 0; i < core::kLandmarkCount; ++i) {
             const int bone = person[hand].skeleton.boneIndex(core::landmarkName(i));
@@ -95,7 +97,8 @@ public:
     std::vector<core::HandModel> person; ///< whose hands the pictures show
     core::Motion motion;
     std::vector<core::Camera> cameras;
-    std::set<int> lost; ///< frames in which the detector sees nothing
+    std::set<int> lost;   ///< frames in which the detector sees nothing
+    double seenScale = 1; ///< of what the detector sees, about the wrists
     int evidenceCalls = 0, detectCalls = 0;
     std::map<std::pair<std::string, int>, core::FrameFit> kept;
 };
