@@ -106,7 +106,7 @@ TEST(LabelPass, MeasuresThePersonsHands) {
 
 /// A detector that takes the hands for larger or smaller ones than they are.
 TEST(LabelPass, SilhouettesSayWhetherLandmarksShowAnotherHand) {
-    for (const double seen : {0.88, 1.1}) {
+    for (const double seen : {0.88, 1.07}) {
         SimulatedPass scene("landmarks off");
         scene.seenScale = seen;
         auto settings = options(true);
