@@ -112,9 +112,11 @@ void WhatIfPanel::showCurves() {
             curve.points.emplace_back(x, errorMm);
         curves.push_back(std::move(curve));
     };
+    const std::vector<std::string> names = methodColumns();
     for (std::size_t column = 0; column < m_columns.count(); ++column)
-        if (const InspectColumn& one = m_columns.columns()[column]; one.kind == InspectColumn::Kind::Method)
-            add(withoutOption(tried(one.name), m_key), m_columns.colour(column), false);
+        if (const std::string id = columnId(m_columns.columns()[column]);
+            std::find(names.begin(), names.end(), id) != names.end())
+            add(withoutOption(tried(id), m_key), m_columns.colour(column), false);
     for (const auto& [name, points] : m_points)
         add(name, methodColour(name), true);
     m_plot->setCurves(curves);

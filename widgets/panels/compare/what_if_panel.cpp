@@ -20,9 +20,8 @@ void WhatIfPanel::showColumn(std::size_t column) {
 /// The columns have changed: what is changed here stays, if its column does.
 void WhatIfPanel::takeColumns() {
     QStringList methods;
-    for (const InspectColumn& column : m_columns.columns())
-        if (column.kind == InspectColumn::Kind::Method && methodProblem(QString::fromStdString(column.name)).isEmpty())
-            methods << QString::fromStdString(column.name);
+    for (const std::string& column : methodColumns())
+        methods << QString::fromStdString(column);
     QStringList before;
     for (int i = 0; i < m_column->count(); ++i)
         before << m_column->itemData(i).toString();

@@ -99,7 +99,7 @@ private:
     std::vector<WhatIfTrial> trialsOf(const std::string& key) const;
     WhatIfTrial trialOf(const std::string& column) const;
     std::vector<std::string> staleColumns() const;
-    std::vector<std::string> methodColumns() const;
+    std::vector<std::string> methodColumns() const; ///< whose names are methods
     bool isAsFitted(const std::string& column) const;
     bool isUpToDate(const std::string& column) const;
     void catchUp();

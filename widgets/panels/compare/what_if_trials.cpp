@@ -10,6 +10,7 @@
 #include "widgets/panels/compare/what_if_panel.h"
 #include "widgets/panels/compare/what_if_sweep.h"
 #include "widgets/text/local_text.h"
+#include "widgets/text/method_text.h"
 
 namespace widgets {
 
@@ -61,7 +62,7 @@ const MethodOutcome* WhatIfPanel::fitted(const std::string& method) const {
 std::vector<std::string> WhatIfPanel::methodColumns() const {
     std::vector<std::string> names;
     for (const InspectColumn& column : m_columns.columns())
-        if (column.kind == InspectColumn::Kind::Method)
+        if (column.kind == InspectColumn::Kind::Method && methodProblem(QString::fromStdString(column.name)).isEmpty())
             names.push_back(column.name);
     return names;
 }
