@@ -239,6 +239,7 @@ void InspectPage::takePreviews() {
     showTrial();
     showPoses();
     showCurves();
+    showLegend();
 }
 
 QString InspectPage::trialText() const {
