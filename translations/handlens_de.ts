@@ -3933,7 +3933,7 @@
     </message>
     <message>
         <source>%1, left out</source>
-        <translation>%1, ausgelassen</translation>
+        <translation>%1, aus</translation>
     </message>
 </context>
 <context>
@@ -6180,10 +6180,6 @@
     <message>
         <source>Of all points: %1</source>
         <translation>Bei allen Punkten: %1</translation>
-    </message>
-    <message>
-        <source>draw </source>
-        <translation>Ziehung </translation>
     </message>
     <message>
         <source>Draw of the noise</source>

@@ -6182,10 +6182,6 @@
         <translation>Σε όλα τα σημεία: %1</translation>
     </message>
     <message>
-        <source>draw </source>
-        <translation>δείγμα </translation>
-    </message>
-    <message>
         <source>Draw of the noise</source>
         <translation>Δείγμα του θορύβου</translation>
     </message>

@@ -6110,10 +6110,6 @@
         <translation>所有点：%1</translation>
     </message>
     <message>
-        <source>draw </source>
-        <translation>抽样 </translation>
-    </message>
-    <message>
         <source>Draw of the noise</source>
         <translation>噪声的抽样</translation>
     </message>

@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostRows = 4;
 constexpr int kViewsHeight = 620; ///< of the views and the plots below them, to begin with
 constexpr int kPlotsHeight = 220;
-constexpr int kLeastSlider = 90;
+constexpr int kLeastSlider = 50;
 
 /// Cut off visibly where there is no room for all of it.
 class CutLabel : public QLabel {
