@@ -103,7 +103,10 @@ void WhatIfPanel::connectParts() {
             m_answer->setText(message);
         });
     connect(&m_runner, &WhatIf::finished, this, [this] {
-        endSweep();
+        if (m_isSweeping) {
+            endSweep();
+            return;
+        }
         const auto most = std::max_element(m_without.begin(), m_without.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         if (most != m_without.end())
