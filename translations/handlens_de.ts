@@ -4096,6 +4096,10 @@
         <source>other settings</source>
         <translation>andere Einstellungen</translation>
     </message>
+    <message>
+        <source>Iteration; %1</source>
+        <translation>Iteration; %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectProbe</name>

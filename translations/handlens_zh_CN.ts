@@ -4049,6 +4049,10 @@
         <source>other settings</source>
         <translation>其他设置</translation>
     </message>
+    <message>
+        <source>Iteration; %1</source>
+        <translation>迭代；%1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectProbe</name>

@@ -259,6 +259,11 @@ void InspectPage::showTrial() {
     m_trial->setToolTip(all);
     m_trial->setVisible(!all.isEmpty());
     m_endTrial->setVisible(!all.isEmpty());
+    for (CurvePlot* plot : {m_errors, m_costs}) { // which leave the window alone, too
+        CurvePlotSettings settings = plot->settings();
+        settings.xLabel = text.isEmpty() ? tr("Iteration") : tr("Iteration; %1").arg(text);
+        plot->setSettings(settings);
+    }
 }
 
 /// As many iterations as the longest method made; the last one stays the last one.
