@@ -3937,7 +3937,7 @@
     </message>
     <message>
         <source>%1, left out</source>
-        <translation>%1, ausgelassen</translation>
+        <translation>%1, aus</translation>
     </message>
 </context>
 <context>
@@ -4099,6 +4099,10 @@
     <message>
         <source>other settings</source>
         <translation>andere Einstellungen</translation>
+    </message>
+    <message>
+        <source>Iteration; %1</source>
+        <translation>Iteration; %1</translation>
     </message>
 </context>
 <context>
@@ -6184,10 +6188,6 @@
     <message>
         <source>Of all points: %1</source>
         <translation>Bei allen Punkten: %1</translation>
-    </message>
-    <message>
-        <source>draw </source>
-        <translation>Ziehung </translation>
     </message>
     <message>
         <source>Draw of the noise</source>

@@ -4100,6 +4100,10 @@
         <source>other settings</source>
         <translation>άλλες ρυθμίσεις</translation>
     </message>
+    <message>
+        <source>Iteration; %1</source>
+        <translation>Επανάληψη· %1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectProbe</name>
@@ -6184,10 +6188,6 @@
     <message>
         <source>Of all points: %1</source>
         <translation>Σε όλα τα σημεία: %1</translation>
-    </message>
-    <message>
-        <source>draw </source>
-        <translation>δείγμα </translation>
     </message>
     <message>
         <source>Draw of the noise</source>

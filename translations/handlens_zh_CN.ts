@@ -4053,6 +4053,10 @@
         <source>other settings</source>
         <translation>其他设置</translation>
     </message>
+    <message>
+        <source>Iteration; %1</source>
+        <translation>迭代；%1</translation>
+    </message>
 </context>
 <context>
     <name>widgets::InspectProbe</name>
@@ -6112,10 +6116,6 @@
     <message>
         <source>Of all points: %1</source>
         <translation>所有点：%1</translation>
-    </message>
-    <message>
-        <source>draw </source>
-        <translation>抽样 </translation>
     </message>
     <message>
         <source>Draw of the noise</source>

@@ -46,6 +46,7 @@ public:
     explicit CurvePlot(QWidget* parent = nullptr);
 
     void setSettings(const CurvePlotSettings& settings);
+    const CurvePlotSettings& settings() const { return m_settings; }
     void setCurves(const std::vector<Curve>& curves);
     bool isLogarithmic() const { return m_settings.yLogarithmic; }
     void setLogarithmic(bool on);

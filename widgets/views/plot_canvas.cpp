@@ -155,7 +155,7 @@ void PlotCanvas::paintTitles(QPainter& painter, const PlotFrame& f, const QPalet
     const double line = metrics.height();
     painter.setPen(colours.color(QPalette::PlaceholderText));
     painter.drawText(QRectF(f.plot.left(), f.whole.bottom() - line - kPlotSpacing / 2.0, f.plot.width(), line),
-                     Qt::AlignCenter, texts.xLabel);
+                     Qt::AlignCenter, metrics.elidedText(texts.xLabel, Qt::ElideRight, f.plot.width()));
     const double room = f.whole.bottom() - f.plot.top() - kPlotSpacing / 2.0;
     const QString yLabel = metrics.elidedText(texts.yLabel, Qt::ElideMiddle, room);
     const double length = std::max(f.plot.height(), metrics.horizontalAdvance(yLabel) + 2);

@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostRows = 4;
 constexpr int kViewsHeight = 620; ///< of the views and the plots below them, to begin with
 constexpr int kPlotsHeight = 220;
-constexpr int kLeastSlider = 90;
+constexpr int kLeastSlider = 50;
 
 /// Cut off visibly where there is no room for all of it.
 class CutLabel : public QLabel {
@@ -259,6 +259,11 @@ void InspectPage::showTrial() {
     m_trial->setToolTip(all);
     m_trial->setVisible(!all.isEmpty());
     m_endTrial->setVisible(!all.isEmpty());
+    for (CurvePlot* plot : {m_errors, m_costs}) { // which leave the window alone, too
+        CurvePlotSettings settings = plot->settings();
+        settings.xLabel = text.isEmpty() ? tr("Iteration") : tr("Iteration; %1").arg(text);
+        plot->setSettings(settings);
+    }
 }
 
 /// As many iterations as the longest method made; the last one stays the last one.

@@ -75,6 +75,8 @@ TEST_F(TrialTest, PageFigureAndFileNameItsCircumstancesAndTheFileMakesItAgain) {
     }
     EXPECT_NE(said().find(kCircumstances), std::string::npos) << said();
     EXPECT_NE(said().find(", ch:gate=30, dch-thres:gate=30"), std::string::npos) << said();
+    EXPECT_NE(page().errorPlot()->settings().xLabel.toStdString().find(kCircumstances), std::string::npos)
+        << "a plot leaves the window alone, too";
     const json saved = run(R"({"do":"report","path":"page.html"})"
                            "\n"
                            R"({"do":"picture","path":"figure.svg"})"
@@ -85,6 +87,7 @@ TEST_F(TrialTest, PageFigureAndFileNameItsCircumstancesAndTheFileMakesItAgain) {
     EXPECT_TRUE(hasText(out + "/figure.svg", "without cam2"));
     trigger("compare.resetSettings");
     EXPECT_EQ(said(), "");
+    EXPECT_EQ(page().errorPlot()->settings().xLabel, QStringLiteral("Iteration"));
     EXPECT_EQ(shown(0).errorMm, fitted().methods[0].errorMm);
     run(R"({"do":"workspace","path":"plain.json"})");
     app::restoreWorkspace(*window, app::readWorkspace(out + "/page.json"));

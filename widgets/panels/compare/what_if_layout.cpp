@@ -103,7 +103,10 @@ void WhatIfPanel::connectParts() {
             m_answer->setText(message);
         });
     connect(&m_runner, &WhatIf::finished, this, [this] {
-        endSweep();
+        if (m_isSweeping) {
+            endSweep();
+            return;
+        }
         const auto most = std::max_element(m_without.begin(), m_without.end(),
                                            [](const auto& a, const auto& b) { return a.second < b.second; });
         if (most != m_without.end())
@@ -176,6 +179,21 @@ QLayout* WhatIfPanel::makeButtons() {
     return row;
 }
 
+QLayout* WhatIfPanel::makeDrawRow() {
+    auto* row = new QHBoxLayout;
+    auto* label = new QLabel(tr("Draw of the noise"), this);
+    m_draw->setRange(0, kMostNoiseDraw);
+    m_draw->setAlignment(Qt::AlignRight);
+    m_draw->setFocusPolicy(Qt::ClickFocus);
+    m_draw->setKeyboardTracking(false);
+    label->setBuddy(m_draw);
+    for (QWidget* part : std::initializer_list<QWidget*>{label, m_draw})
+        part->setToolTip(tr("Which draw of the noise: other wiggles of the same size. One draw alone may be luck."));
+    row->addWidget(label, 1);
+    row->addWidget(m_draw);
+    return row;
+}
+
 QLayout* WhatIfPanel::makeSilhouettes() {
     auto* column = new QVBoxLayout;
     column->setSpacing(kSpacing / 2);
@@ -197,14 +215,8 @@ QLayout* WhatIfPanel::makeSilhouettes() {
     row->addWidget(label);
     row->addWidget(m_noiseSlider, 1);
     row->addWidget(m_noise);
-    m_draw->setRange(0, kMostNoiseDraw);
-    m_draw->setPrefix(tr("draw "));
-    m_draw->setAccessibleName(tr("Draw of the noise"));
-    m_draw->setToolTip(tr("Which draw of the noise: other wiggles of the same size. One draw alone may be luck."));
-    m_draw->setFocusPolicy(Qt::ClickFocus);
-    m_draw->setKeyboardTracking(false);
-    row->addWidget(m_draw);
     column->addLayout(row);
+    column->addLayout(makeDrawRow());
     m_cameraGrid->setHorizontalSpacing(kSpacing);
     m_cameraGrid->setVerticalSpacing(2);
     column->addWidget(new QLabel(tr("Cameras that take part"), this));

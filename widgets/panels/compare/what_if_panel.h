@@ -87,6 +87,7 @@ private:
     static int noiseStep(double px);
     void connectParts();
     QLayout* makeSilhouettes();
+    QLayout* makeDrawRow();
     QLayout* makeButtons();
     QLayout* makeSweepRow();
     void takeColumns();
