@@ -2,6 +2,7 @@
 #include "widgets/views/legend_strip.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <QPainter>
 
@@ -10,7 +11,8 @@ namespace widgets {
 namespace {
 
 constexpr int kGap = 14, kSampleGap = 5, kPadding = 2;
-constexpr int kWide = 1200; ///< windows this wide are high enough to spare a line
+constexpr int kWide = 1200;          ///< windows this wide are high enough to spare a line
+const QColor kInk(0x20, 0x22, 0x25); ///< on paper
 constexpr int kLineWidth = 30, kScaleWidth = 60, kBoxWidth = 12, kDotWidth = 6;
 
 int sampleWidth(LegendEntry::Sample sample) {
@@ -35,6 +37,12 @@ QColor edgeColour(const QPalette& palette) {
     return edge;
 }
 
+/// Hardly told from the ground.
+bool isPale(const QColor& colour, const QPalette& palette) {
+    constexpr int kLeast = 60;
+    return std::abs(qGray(colour.rgb()) - qGray(palette.color(QPalette::Window).rgb())) < kLeast;
+}
+
 void paintScale(QPainter& painter, const QRect& place, const std::vector<QColor>& scale) {
     for (int x = 0; x < place.width() && !scale.empty(); ++x) {
         const auto step = static_cast<std::size_t>(x) * scale.size() / static_cast<std::size_t>(place.width());
@@ -56,10 +64,16 @@ void paintSample(QPainter& painter, const QRect& place, const LegendEntry& entry
     const QRect box(place.left(), place.center().y() - 4, place.width(), 9);
     switch (entry.sample) {
     case LegendEntry::Sample::Line:
+        if (isPale(entry.colour, palette)) {
+            painter.setPen(QPen(edgeColour(palette), 4, entry.line, Qt::FlatCap));
+            painter.drawLine(box.left(), box.center().y(), box.right(), box.center().y());
+        }
         painter.setPen(QPen(entry.colour, 2, entry.line));
         painter.drawLine(box.left(), box.center().y(), box.right(), box.center().y());
         return;
     case LegendEntry::Sample::Dot:
+        if (isPale(entry.colour, palette))
+            painter.fillRect(QRect(box.left() - 1, box.center().y() - 3, 7, 7), edgeColour(palette));
         painter.fillRect(QRect(box.left(), box.center().y() - 2, 5, 5), entry.colour);
         return;
     case LegendEntry::Sample::Box:
@@ -144,11 +158,28 @@ QSize LegendStrip::minimumSizeHint() const {
 
 void LegendStrip::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const std::vector<QRect> all = places(width());
+    paintEntries(painter, width(), palette());
+}
+
+int LegendStrip::heightOnPaper(int width) const {
+    const std::vector<QRect> all = places(width);
+    return all.empty() ? 0 : all.back().bottom() + 1;
+}
+
+void LegendStrip::paintOnPaper(QPainter& painter, int width) const {
+    QPalette paper = palette();
+    paper.setColor(QPalette::WindowText, kInk);
+    paper.setColor(QPalette::Window, Qt::white);
+    painter.setFont(font());
+    paintEntries(painter, width, paper);
+}
+
+void LegendStrip::paintEntries(QPainter& painter, int width, const QPalette& colours) const {
+    const std::vector<QRect> all = places(width);
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
         const int sample = sampleWidth(m_entries[i].sample);
-        paintSample(painter, QRect(all[i].left(), all[i].top(), sample, all[i].height()), m_entries[i], palette());
-        painter.setPen(palette().color(QPalette::WindowText));
+        paintSample(painter, QRect(all[i].left(), all[i].top(), sample, all[i].height()), m_entries[i], colours);
+        painter.setPen(colours.color(QPalette::WindowText));
         painter.drawText(all[i].adjusted(sample + kSampleGap, 0, 2, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          m_entries[i].text);
     }

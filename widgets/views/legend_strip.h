@@ -34,6 +34,9 @@ public:
     void keepPlace();
     const std::vector<LegendEntry>& entries() const { return m_entries; }
     QStringList texts() const;
+    /// The entries in dark ink on white ground, in as many lines as that width takes, from (0, 0).
+    void paintOnPaper(QPainter& painter, int width) const;
+    int heightOnPaper(int width) const;
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
@@ -44,6 +47,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
+    void paintEntries(QPainter& painter, int width, const QPalette& colours) const;
     int lineHeight() const;
     /// Where each entry stands in that width.
     std::vector<QRect> places(int width) const;

@@ -19,6 +19,12 @@ constexpr double kPlotHeight = 230;
 const QColor kInk(0x20, 0x22, 0x25);
 const QColor kQuietInk(0x60, 0x64, 0x6A);
 
+/// The pair with its sequence: the figure leaves the window that shows it.
+QString pairText(const InspectPage& page) {
+    const auto& outcome = page.columns()->outcome();
+    return outcome ? QString::fromStdString(outcome->sequence) + QStringLiteral(": ") + page.heading() : QString();
+}
+
 /// Puts the parts of a figure below each other.
 class FigureMaker {
 public:
@@ -26,14 +32,15 @@ public:
         : m_page(page)
         , m_font(page.font())
         , m_line(QFontMetricsF(m_font).height()) {
-        m_picture.title = page.heading();
+        m_picture.title = pairText(page);
         m_picture.size.setWidth(page.grid()->width() + 2 * kGap);
     }
 
     PagePicture make() {
-        addText({kGap, m_y, m_picture.size.width() - 2 * kGap, m_line}, m_page.heading(), {}, m_page.iterationText());
+        addText({kGap, m_y, m_picture.size.width() - 2 * kGap, m_line}, pairText(m_page), {}, m_page.iterationText());
         m_y += m_line + kGap;
         addTrial();
+        addLegend();
         addViews();
         addPlots();
         m_picture.size.setHeight(m_y);
@@ -76,6 +83,19 @@ private:
                  painter.setPen(kInk);
                  painter.drawText(area, Qt::TextWordWrap, text);
              }});
+        m_y += height + kGap;
+    }
+
+    /// Of the layers that are drawn.
+    void addLegend() {
+        const LegendStrip* legend = &m_page.layerBar()->legend();
+        const int width = static_cast<int>(m_picture.size.width() - 2 * kGap);
+        const int height = legend->heightOnPaper(width);
+        if (height == 0)
+            return;
+        m_picture.parts.push_back({QRectF(kGap, m_y, width, height), [legend, width](QPainter& painter, double) {
+                                       legend->paintOnPaper(painter, width);
+                                   }});
         m_y += height + kGap;
     }
 

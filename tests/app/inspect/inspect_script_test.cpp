@@ -14,6 +14,7 @@
 #include "core/distance/orientation_bins.h"
 #include "core/error.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/expect_error.h"
 
 namespace {
 
@@ -181,6 +182,19 @@ TEST_F(InspectScript, TheFieldHasArrowsBelowTheOtherLayersLines) {
     run("{\"do\":\"layer\",\"id\":\"field\",\"on\":false}\n");
     EXPECT_EQ(lines(), 0u);
     EXPECT_EQ(play("{\"do\":\"print\",\"what\":\"matches\",\"camera\":\"cam0\",\"method\":\"best\"}\n"), 1);
+}
+
+TEST_F(InspectScript, AFigureHasTheSequenceAndTheLegendOfItsLayers) {
+    fit("\"ch\"");
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":true}\n");
+    const std::string with = run("{\"do\":\"picture\",\"path\":\"with.svg\"}\n")[0]["path"];
+    run("{\"do\":\"layer\",\"id\":\"matches\",\"on\":false}\n");
+    const std::string without = run("{\"do\":\"picture\",\"path\":\"without.svg\"}\n")[0]["path"];
+    const std::string legend = "matches 0\u201320+ px";
+    EXPECT_NE(test::readText(with).find(legend), std::string::npos);
+    EXPECT_EQ(test::readText(without).find(legend), std::string::npos);
+    EXPECT_NE(test::readText(with).find("observed silhouette"), std::string::npos);
+    EXPECT_NE(test::readText(with).find(session().fits.outcome()->sequence + ": Frame 7"), std::string::npos);
 }
 
 TEST_F(InspectScript, TheDifferenceSaysHowWellTheSilhouettesAgree) {
