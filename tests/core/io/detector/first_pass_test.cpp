@@ -126,6 +126,23 @@ TEST_F(FirstPassWithNetworks, LabelsTheDemoWithinTwoMillimetres) {
     EXPECT_FALSE(std::filesystem::exists(options.journal));
 }
 
+/// The detector sees these hands too small: silhouettes must say that they are the model's.
+TEST_F(FirstPassWithNetworks, MeasuresTheDemosHandsByTheirSilhouettes) {
+    core::FirstPassOptions options;
+    options.threads = 2;
+    const std::vector<int> frames{0, 14, 42, 56};
+    const auto result = core::runFirstPass(m_dataset, sequence(), m_networks, frames, options);
+    ASSERT_TRUE(result.isFinished);
+    ASSERT_EQ(result.labels.size(), frames.size());
+    double sum = 0;
+    for (const auto& [frame, hands] : result.labels) {
+        sum += errorMm(frame, hands) / static_cast<double>(frames.size());
+        for (const core::AutoHand& hand : hands)
+            EXPECT_LT(hand.doubt, 0.5) << frame;
+    }
+    EXPECT_LT(sum, 2);
+}
+
 TEST_F(FirstPassWithNetworks, TheDetectorKeepsQuietWhereThereAreNoHands) {
     core::HandDetector detector(m_networks);
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
