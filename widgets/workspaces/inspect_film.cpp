@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <QPainter>
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -56,6 +58,7 @@ void InspectFilm::save(const QString& path) {
     m_before = m_page.iteration();
     m_wanted = 0;
     m_isTaken = false;
+    m_size = {};
     emit progressed(0);
     if (m_page.iteration() == 0)
         take(); // it is shown already
@@ -71,13 +74,25 @@ void InspectFilm::stop() {
     emit stopped();
 }
 
+/// The page on paper that stays as large: its legend may take another line, where a reason to refuse matches comes up.
+QImage InspectFilm::nextPicture() {
+    constexpr int kSpareLines = 2;
+    const QImage page = pageImage(comparisonPicture(m_page), 1);
+    if (m_size.isEmpty())
+        m_size = page.size() + QSize(0, kSpareLines * m_page.fontMetrics().height());
+    QImage picture(m_size, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter(&picture).drawImage(0, 0, page);
+    return picture;
+}
+
 /// Takes the page once it shows what is wanted, poses and layers.
 void InspectFilm::take() {
     const InspectOverlays::Scene& shown = m_page.overlays()->scene();
     if (!isRunning() || m_isTaken || !shown.poses || shown.iteration != m_wanted)
         return;
     m_isTaken = true;
-    const QImage picture = pageImage(comparisonPicture(m_page), 1);
+    const QImage picture = nextPicture();
     const bool isLast = m_wanted >= m_page.lastIteration();
     m_job.start([this, picture, isLast, writer = m_writer, path = m_path](const JobContext&) -> Job::Delivery {
         const cv::Mat bgr = bgrOf(picture);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include <QObject>
+#include <QSize>
 #include <QString>
 
 #include "widgets/jobs/job.h"
@@ -39,6 +40,7 @@ signals:
 
 private:
     void take();
+    QImage nextPicture();
     void goOn();
     void end();
 
@@ -49,6 +51,7 @@ private:
     int m_wanted = 0;                           ///< the iteration that is to be taken next
     int m_before = 0;                           ///< the iteration that was shown before
     bool m_isTaken = false;                     ///< it is being written
+    QSize m_size;                               ///< of every picture; empty before the first
 };
 
 } // namespace widgets

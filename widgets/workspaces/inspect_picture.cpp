@@ -40,9 +40,9 @@ public:
         addText({kGap, m_y, m_picture.size.width() - 2 * kGap, m_line}, pairText(m_page), {}, m_page.iterationText());
         m_y += m_line + kGap;
         addTrial();
-        addLegend();
         addViews();
         addPlots();
+        addLegend();
         m_picture.size.setHeight(m_y);
         return m_picture;
     }
@@ -86,7 +86,7 @@ private:
         m_y += height + kGap;
     }
 
-    /// Of the layers that are drawn.
+    /// Of the layers that are drawn; below all that stays where it is while iterations go by.
     void addLegend() {
         const LegendStrip* legend = &m_page.layerBar()->legend();
         const int width = static_cast<int>(m_picture.size.width() - 2 * kGap);
