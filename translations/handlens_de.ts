@@ -4183,6 +4183,10 @@
         <comment>x and y; told apart where the decimal point is a comma, too</comment>
         <translation>(%1; %2)</translation>
     </message>
+    <message>
+        <source>What each method would take for the rim point of the pinned view, which looks in the direction above. The arrows of other columns start at rim points of their own, which may look elsewhere.</source>
+        <translation>Was jede Methode für den Randpunkt der angehefteten Ansicht nähme, der in die Richtung oben zeigt. Die Pfeile anderer Spalten beginnen an deren eigenen Randpunkten, die anderswohin zeigen können.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JointErrorDiagram</name>

@@ -4183,6 +4183,10 @@
         <comment>x and y; told apart where the decimal point is a comma, too</comment>
         <translation>(%1· %2)</translation>
     </message>
+    <message>
+        <source>What each method would take for the rim point of the pinned view, which looks in the direction above. The arrows of other columns start at rim points of their own, which may look elsewhere.</source>
+        <translation>Τι θα έπαιρνε κάθε μέθοδος για το σημείο περιγράμματος της καρφιτσωμένης προβολής, που κοιτά προς την παραπάνω κατεύθυνση. Τα βέλη άλλων στηλών ξεκινούν από δικά τους σημεία, που μπορεί να κοιτούν αλλού.</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JointErrorDiagram</name>

@@ -4136,6 +4136,10 @@
         <comment>x and y; told apart where the decimal point is a comma, too</comment>
         <translation>(%1, %2)</translation>
     </message>
+    <message>
+        <source>What each method would take for the rim point of the pinned view, which looks in the direction above. The arrows of other columns start at rim points of their own, which may look elsewhere.</source>
+        <translation>对于固定视图中朝向上述方向的轮廓点，每种方法会取哪个点。其他列的箭头从各自的轮廓点出发，其朝向可能不同。</translation>
+    </message>
 </context>
 <context>
     <name>widgets::JointErrorDiagram</name>

@@ -76,6 +76,10 @@ InspectProbeCard::InspectProbeCard(QWidget* parent)
     column->addStretch(1);
     m_table->setTextFormat(Qt::RichText);
     m_table->setWordWrap(true);
+    m_table->setToolTip(
+        tr("What each method would take for the rim point of the pinned view, which looks in the direction "
+           "above. The arrows of other columns start at rim points of their own, which may look "
+           "elsewhere."));
     m_table->setMinimumWidth(kLeastWidth);
     m_heading->setWordWrap(true);
     hide();
