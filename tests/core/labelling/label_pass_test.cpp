@@ -104,23 +104,21 @@ TEST(LabelPass, MeasuresThePersonsHands) {
     }
 }
 
-/// A detector that takes the hands for larger or smaller ones than they are.
+/// A detector that takes the hands for smaller ones than they are.
 TEST(LabelPass, SilhouettesSayWhetherLandmarksShowAnotherHand) {
-    for (const double seen : {0.88, 1.07}) {
-        SimulatedPass scene("landmarks off");
-        scene.seenScale = seen;
-        auto settings = options(true);
-        settings.keyEveryFrames = 12;
-        settings.mostPilots = 5;
-        const auto frames = framesFrom(20, 5, 12);
-        const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, settings);
-        ASSERT_EQ(result.measured.size(), 2u) << seen;
-        for (const core::SubjectHand& hand : result.measured)
-            EXPECT_NEAR(hand.scale.value, 1, 0.012) << seen;
-        for (const int frame : frames) {
-            EXPECT_LT(scene.errorMm(result.fits.at(frame), result.hands, frame), 2) << frame;
-            EXPECT_LT(result.fits.at(frame).doubt(), 0.5) << frame;
-        }
+    SimulatedPass scene("landmarks off");
+    scene.seenScale = 0.88;
+    auto settings = options(true);
+    settings.keyEveryFrames = 12;
+    settings.mostPilots = 3;
+    const auto frames = framesFrom(20, 3, 12);
+    const auto result = core::runLabelPass(scene.hands, scene.cameras, frames, scene, settings);
+    ASSERT_EQ(result.measured.size(), 2u);
+    for (const core::SubjectHand& hand : result.measured)
+        EXPECT_NEAR(hand.scale.value, 1, 0.012);
+    for (const int frame : frames) {
+        EXPECT_LT(scene.errorMm(result.fits.at(frame), result.hands, frame), 2) << frame;
+        EXPECT_LT(result.fits.at(frame).doubt(), 0.5) << frame;
     }
 }
 
