@@ -47,10 +47,11 @@ PairTableModel::PairTableModel(QObject* parent)
     makeColumns();
 }
 
-void PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
+bool PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
     beginResetModel();
     const std::shared_ptr<const core::PairTable> before = std::exchange(m_table, std::move(table));
-    if (const auto now = before && m_table ? placesOf(before->methods, m_table->methods) : std::nullopt) {
+    const auto now = before && m_table ? placesOf(before->methods, m_table->methods) : std::nullopt;
+    if (now) {
         m_compared = {(*now)[m_compared.a], (*now)[m_compared.b]};
         if (m_sorted) {
             m_sorted->method = isOfMethods(m_sorted->field) ? (*now)[m_sorted->method] : m_sorted->method;
@@ -68,6 +69,7 @@ void PairTableModel::setTable(std::shared_ptr<const core::PairTable> table) {
     makeColumns();
     refresh();
     endResetModel();
+    return now.has_value();
 }
 
 void PairTableModel::setCompared(const core::ComparedMethods& compared) {

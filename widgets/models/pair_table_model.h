@@ -27,7 +27,8 @@ public:
     void setMethodIcon(std::function<QIcon(const std::string& method)> icon) { m_methodIcon = std::move(icon); }
     /// Null for no results. Keeps order and compared methods if all methods of before are still there, and the filter
     /// if they are the same.
-    void setTable(std::shared_ptr<const core::PairTable> table);
+    /// Whether order and compared methods were kept.
+    bool setTable(std::shared_ptr<const core::PairTable> table);
     /// Which methods A and B are.
     void setCompared(const core::ComparedMethods& compared);
     const core::ComparedMethods& compared() const { return m_compared; }

@@ -138,13 +138,8 @@ QLayout* BenchmarkPairsView::makeChoiceRow() {
 void BenchmarkPairsView::setTable(const std::shared_ptr<const core::PairTable>& table) {
     const std::vector<std::size_t> kept = selected();
     const auto before = m_model->table();
-    const core::ComparedMethods compared = m_model->compared();
-    const auto nameOf = [](const core::PairTable& of, std::size_t method) { return of.methods[method]; };
-    m_model->setTable(table);
+    const bool goesOn = m_model->setTable(table);
     showChoice();
-    const bool goesOn = before && table && !before->methods.empty() &&
-                        nameOf(*before, compared.a) == nameOf(*table, m_model->compared().a) &&
-                        nameOf(*before, compared.b) == nameOf(*table, m_model->compared().b);
     if (goesOn) {
         if (before->pairs == table->pairs)
             select(kept);

@@ -19,12 +19,6 @@ constexpr double kPlotHeight = 230;
 const QColor kInk(0x20, 0x22, 0x25);
 const QColor kQuietInk(0x60, 0x64, 0x6A);
 
-/// The pair with its sequence: the figure leaves the window that shows it.
-QString pairText(const InspectPage& page) {
-    const auto& outcome = page.columns()->outcome();
-    return outcome ? QString::fromStdString(outcome->sequence) + QStringLiteral(": ") + page.heading() : QString();
-}
-
 /// Puts the parts of a figure below each other.
 class FigureMaker {
 public:
@@ -171,6 +165,11 @@ private:
 };
 
 } // namespace
+
+QString pairText(const InspectPage& page) {
+    const auto& outcome = page.columns()->outcome();
+    return outcome ? QString::fromStdString(outcome->sequence) + QStringLiteral(": ") + page.heading() : QString();
+}
 
 PagePicture comparisonPicture(const InspectPage& page) {
     return FigureMaker(page).make();

@@ -9,16 +9,17 @@
 #include "app/desktop/main_window.h"
 #include "app/desktop/script/workspace_file.h"
 #include "core/error.h"
-#include "core/fitting/match_rule.h"
 #include "core/fitting/method_name.h"
 #include "core/fitting/method_options.h"
 #include "core/io/files/atomic_file.h"
 #include "core/io/files/text_file.h"
 #include "core/text/html_text.h"
 #include "core/text/shell_text.h"
+#include "widgets/panels/compare/what_if_sweep.h"
 #include "widgets/presenters/inspect/inspected_poses.h"
 #include "widgets/text/edit_text.h"
 #include "widgets/text/local_text.h"
+#include "widgets/workspaces/inspect_picture.h"
 
 namespace app {
 
@@ -169,12 +170,10 @@ std::string jointTable(const Compared& compared) {
 
 /// What the option is in effect; 0 of bins and gate stands for what is usual for the distance.
 std::string effectiveValue(const core::MethodOption& option, const core::Method& method) {
-    const core::MatchRule rule = core::matchRule(method);
-    if (option.key == "bins" && method.bins == 0)
-        return std::to_string(rule.bins.count());
-    if (option.key == "gate" && method.gatePx == 0)
-        return std::isfinite(rule.gatePx) ? QString::number(static_cast<double>(rule.gatePx)).toStdString() : "none";
-    return option.print(method);
+    if (option.key != "bins" && option.key != "gate")
+        return option.print(method);
+    const double value = widgets::optionValue(method, std::string(option.key));
+    return std::isfinite(value) ? QString::number(value).toStdString() : "none";
 }
 
 /// Every option of every method: what is set, else its default.
@@ -219,8 +218,7 @@ std::string comparisonReportHtml(MainWindow& window, const std::string& workspac
     if (!outcome)
         throw core::Error(core::ErrorCode::Usage, {}, "do", "nothing was fitted yet");
     const Compared compared{window, page, *outcome, page.columns()->columns()};
-    const std::string title =
-        escaped(QString::fromStdString(outcome->sequence) + QStringLiteral(": ") + page.heading());
+    const std::string title = escaped(widgets::pairText(page));
     std::string text = "<!DOCTYPE html>\n<html>\n<head>\n<meta charset=\"utf-8\">\n<title>" + title +
                        "</title>\n<style>" + core::kReportStyle + kPictureStyle + "</style>\n</head>\n<body>\n<h1>" +
                        title + "</h1>\n" + trialParagraph(page) + paragraph(page.iterationText()) +

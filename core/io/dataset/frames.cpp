@@ -79,6 +79,7 @@ struct FrameSource::Impl {
     std::shared_ptr<const PosedHands> posedAt(int frame);
     cv::Mat rendered(const Camera& camera, int frame);
     cv::Mat fromVideo(View& view, int frame, const std::stop_token& stop, int shrink);
+    cv::Mat smallAsShown(int camera, const cv::Mat& picture) const;
     void applyBudget(View& view) const;
     int videoCount() const;
     int threadsFor(const View& view) const;
@@ -122,6 +123,13 @@ int FrameSource::Impl::threadsFor(const View& view) const {
     const bool isFirst =
         first >= 0 && first < static_cast<int>(views.size()) && views[static_cast<std::size_t>(first)].get() == &view;
     return std::clamp(isFirst ? cores : cores / std::max(1, videoCount()), 1, 4);
+}
+
+/// A small picture of a video, turned; empty if it is not of the camera's size.
+cv::Mat FrameSource::Impl::smallAsShown(int camera, const cv::Mat& picture) const {
+    const auto at = static_cast<std::size_t>(camera);
+    const cv::Mat shown = turned(picture, views[at]->source.rotateDegrees);
+    return isSizeOf(shown, cameras[at].size, kGlanceShrink) ? shown : cv::Mat();
 }
 
 /// Where it is next used, so that a change of the budget does not wait for a video.
@@ -213,9 +221,8 @@ std::optional<Glance> FrameSource::glance(int camera, int frame, bool hurried, c
     const std::optional<VideoGlance> found = view.video->glance(wanted, hurried);
     if (!found)
         return std::nullopt;
-    const Glance glance{turned(found->picture, view.source.rotateDegrees), found->frame == wanted};
-    const ImageSize size = m_impl->cameras[static_cast<std::size_t>(camera)].size;
-    return isSizeOf(glance.picture, size, kGlanceShrink) ? std::optional(glance) : std::nullopt;
+    const cv::Mat picture = m_impl->smallAsShown(camera, found->picture);
+    return picture.empty() ? std::nullopt : std::optional(Glance{picture, found->frame == wanted});
 }
 
 void FrameSource::setBudget(std::int64_t bytes) {
@@ -240,10 +247,8 @@ cv::Mat FrameSource::keptSmall(int camera, int frame) const {
     if (!hasPicture(camera, frame))
         return {};
     const std::lock_guard lock(view.mutex);
-    const cv::Mat found = view.video ? view.video->keptSmall(footageFrameAt(view.source, frame)) : cv::Mat();
-    const cv::Mat picture = turned(found, view.source.rotateDegrees);
-    const ImageSize size = m_impl->cameras[static_cast<std::size_t>(camera)].size;
-    return isSizeOf(picture, size, kGlanceShrink) ? picture : cv::Mat();
+    return view.video ? m_impl->smallAsShown(camera, view.video->keptSmall(footageFrameAt(view.source, frame)))
+                      : cv::Mat();
 }
 
 bool FrameSource::survey(int camera, const std::stop_token& stop) const {
